@@ -1,0 +1,12 @@
+# One interface target with the warnings of the house and, where asked for, a sanitizer.
+add_library(neph_flags INTERFACE)
+target_compile_options(neph_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+  $<$<COMPILE_LANGUAGE:CXX>:-Wconversion -Wdouble-promotion>)
+if(NEPHOSCOPE_WERROR)
+  target_compile_options(neph_flags INTERFACE -Werror)
+endif()
+if(NEPHOSCOPE_SANITIZE)
+  target_compile_options(neph_flags INTERFACE -fsanitize=${NEPHOSCOPE_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(neph_flags INTERFACE -fsanitize=${NEPHOSCOPE_SANITIZE})
+endif()

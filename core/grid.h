@@ -1,0 +1,56 @@
+// grid.h: regular grids in metres and the arrays that lie on them.
+//
+// World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain, z is height above sea
+// level. Arrays are cell-centred, x fastest, then y, then z.
+#pragma once
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace neph {
+
+/// A block of cells; `originM` is the lower corner of the first cell.
+struct RegularGrid {
+    glm::ivec3 size{0};
+    glm::dvec3 originM{0.0};
+    glm::dvec3 spacingM{1.0};
+
+    std::size_t cellCount() const {
+        return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+               static_cast<std::size_t>(size.z);
+    }
+    glm::dvec3 extentM() const { return glm::dvec3(size) * spacingM; }
+    glm::dvec3 upperM() const { return originM + extentM(); }
+    glm::dvec3 centreM(glm::ivec3 cell) const {
+        return originM + (glm::dvec3(cell) + 0.5) * spacingM;
+    }
+    bool operator==(const RegularGrid&) const = default;
+};
+
+/// Values of type T on an nx·ny·nz block, x fastest.
+template <typename T>
+struct Array3 {
+    glm::ivec3 size{0};
+    std::vector<T> values;
+
+    Array3() = default;
+    explicit Array3(glm::ivec3 size_, T fill = T{})
+        : size(size_),
+          values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                     static_cast<std::size_t>(size_.z),
+                 fill) {}
+
+    bool empty() const { return values.empty(); }
+    std::size_t index(int x, int y, int z) const {
+        return static_cast<std::size_t>(x) +
+               static_cast<std::size_t>(size.x) *
+                   (static_cast<std::size_t>(y) +
+                    static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
+    }
+    T& at(int x, int y, int z) { return values[index(x, y, z)]; }
+    const T& at(int x, int y, int z) const { return values[index(x, y, z)]; }
+};
+
+using Array3f = Array3<float>;
+
+}  // namespace neph
