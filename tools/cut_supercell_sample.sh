@@ -1,0 +1,16 @@
+#!/bin/sh
+# cut_supercell_sample.sh SOURCE TARGET: cuts the bundled storm from a full WRF run of em_quarter_ss.
+#
+# Four times, the whole grid, the fields that Nephoscope reads; QVAPOR to two significant digits (0.02 % of the air density at
+# most), all else as in SOURCE. Needs nco and netcdf-bin. Each file must stay below 4 MiB.
+set -eu
+source=$1
+target=$2
+mkdir -p "$target"
+for time in 00:30:00 01:00:00 01:30:00 02:00:00; do
+    name=wrfout_d01_0001-01-01_$time
+    ncks -O -h -4 -L 9 -x -v W,MU,MUB,RAINNC,PSFC --ppc QVAPOR=2 "$source/$name" "$target/cut.nc"
+    nccopy -s -d 9 "$target/cut.nc" "$target/$name"
+    rm "$target/cut.nc"
+    test "$(stat -c %s "$target/$name")" -le 4194304
+done
