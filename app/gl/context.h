@@ -1,0 +1,49 @@
+// context.h: a current OpenGL 4.5 core context, without a display (EGL surfaceless) or in a GLFW
+// window.
+#pragma once
+#include <memory>
+#include <string>
+
+struct GLFWwindow;
+
+namespace neph::gl {
+
+/// EGL context without a surface; current on the creating thread for the object's life. Throws
+/// Error when there is none.
+class HeadlessContext {
+  public:
+    HeadlessContext();
+    ~HeadlessContext();
+    HeadlessContext(const HeadlessContext&) = delete;
+    HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A GLFW window whose context is current; visible unless `hidden`. Throws Error when there is no
+/// display.
+class Window {
+  public:
+    Window(int width, int height, const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* handle() const { return window_; }
+    bool shouldClose() const;
+    void swap();
+    int framebufferWidth() const;
+    int framebufferHeight() const;
+    /// Content scale of the monitor, 1 for 96 dpi.
+    float contentScale() const;
+    /// Clears the window's framebuffer; the one GL call that the workbench needs before ImGui
+    /// draws.
+    void clear(float r, float g, float b);
+
+  private:
+    GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace neph::gl

@@ -1,0 +1,64 @@
+// camera.cpp: turntable geometry.
+#include "core/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace neph {
+namespace {
+
+constexpr float kPoleDeg = 89.9f;  // straight up or down has no horizon to level the picture by
+
+double unitM(const RegularGrid& grid) {
+    return std::max(grid.extentM().x, grid.extentM().y);
+}
+
+glm::dvec3 towardsEye(const CameraPose& pose) {
+    const double azimuth = glm::radians(static_cast<double>(pose.azimuthDeg));
+    const double elevation =
+        glm::radians(static_cast<double>(std::clamp(pose.elevationDeg, -kPoleDeg, kPoleDeg)));
+    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation)};
+}
+
+}  // namespace
+
+glm::dvec3 Camera::rayDir(glm::dvec2 ndc) const {
+    return glm::normalize(forward + right * (ndc.x * tanHalfFovY * aspect) +
+                          up * (ndc.y * tanHalfFovY));
+}
+
+Camera placeCamera(const CameraPose& pose, const RegularGrid& grid, double aspect) {
+    const glm::dvec3 target = grid.originM + grid.extentM() * glm::dvec3(pose.target);
+    const glm::dvec3 away = towardsEye(pose);
+    Camera camera;
+    camera.eyeWorld = target + away * (static_cast<double>(pose.distance) * unitM(grid));
+    camera.forward = -away;
+    camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0.0, 0.0, 1.0)));
+    camera.up = glm::cross(camera.right, camera.forward);
+    camera.tanHalfFovY = std::tan(glm::radians(static_cast<double>(pose.fovDeg)) / 2.0);
+    camera.aspect = aspect;
+    return camera;
+}
+
+void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg) {
+    pose.azimuthDeg = std::fmod(pose.azimuthDeg + azimuthStepDeg + 720.0f, 360.0f);
+    pose.elevationDeg = std::clamp(pose.elevationDeg + elevationStepDeg, -kPoleDeg, kPoleDeg);
+}
+
+void pan(CameraPose& pose, const RegularGrid& grid, glm::vec2 step) {
+    const Camera camera = placeCamera(pose, grid, 1.0);
+    const double heightM =
+        2.0 * camera.tanHalfFovY * static_cast<double>(pose.distance) * unitM(grid);
+    const glm::dvec3 moveM =
+        (camera.right * static_cast<double>(-step.x) + camera.up * static_cast<double>(-step.y)) *
+        heightM;
+    pose.target += glm::vec3(moveM / grid.extentM());
+    pose.target = glm::clamp(pose.target, glm::vec3(-1.0f), glm::vec3(2.0f));
+}
+
+void dolly(CameraPose& pose, float factor) {
+    pose.distance = std::clamp(pose.distance * factor, kMinDistance, kMaxDistance);
+}
+
+}  // namespace neph

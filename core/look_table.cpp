@@ -1,0 +1,269 @@
+// look_table.cpp: the rows of the look table. A long table is data: one row, one parameter.
+#include <cstddef>
+#include <vector>
+
+#include "core/look.h"
+
+namespace neph {
+namespace {
+
+constexpr std::array<std::string_view, 2> kTransportIds{"low_albedo", "translucent"};
+constexpr std::array<std::string_view, 2> kTransportLabels{"Low albedo", "Translucent"};
+constexpr std::array<std::string_view, 2> kPhaseModeIds{"uniform", "per_field"};
+constexpr std::array<std::string_view, 2> kPhaseModeLabels{"Uniform", "Per field"};
+constexpr std::array<std::string_view, 2> kExtinctionIds{"physical", "equal"};
+constexpr std::array<std::string_view, 2> kExtinctionLabels{"Physical", "Equal"};
+constexpr std::array<std::string_view, 2> kColourIds{"natural", "fields"};
+constexpr std::array<std::string_view, 2> kColourLabels{"Natural", "By field"};
+constexpr std::array<std::string_view, 2> kLightFormIds{"printed", "consistent"};
+constexpr std::array<std::string_view, 2> kLightFormLabels{"As printed", "Step-consistent"};
+constexpr std::array<std::string_view, 3> kDisplayIds{"linear", "logarithmic", "physical"};
+constexpr std::array<std::string_view, 3> kDisplayLabels{"Linear", "Logarithmic", "Physical"};
+constexpr std::array<std::string_view, 2> kToneMapIds{"linear", "filmic"};
+constexpr std::array<std::string_view, 2> kToneMapLabels{"Linear", "Filmic"};
+constexpr std::array<std::string_view, 2> kNoiseIds{"billow", "wisp"};
+constexpr std::array<std::string_view, 2> kNoiseLabels{"Billow", "Wisp"};
+
+using Names = std::span<const std::string_view>;
+
+/// Builds rows; `at` is the offset of the group's struct within Look and `prefix` opens the ids.
+class Rows {
+  public:
+    std::vector<Parameter> take() { return std::move(rows_); }
+
+    void begin(std::string group, std::string prefix, std::size_t at,
+               std::optional<Species> species = {}) {
+        group_ = std::move(group);
+        prefix_ = std::move(prefix);
+        at_ = at;
+        species_ = species;
+    }
+    Parameter& toggle(std::string_view id, std::string_view label, std::size_t offset, Stage stage,
+                      std::string_view help) {
+        return add(id, label, ParameterKind::toggle, offset, stage, help);
+    }
+    Parameter& choice(std::string_view id, std::string_view label, std::size_t offset, Stage stage,
+                      Names ids, Names labels, std::string_view help) {
+        Parameter& row = add(id, label, ParameterKind::choice, offset, stage, help);
+        row.choices = ids;
+        row.choiceLabels = labels;
+        return row;
+    }
+    Parameter& number(std::string_view id, std::string_view label, std::string_view unit,
+                      std::size_t offset, ParameterRange range, Stage stage,
+                      std::string_view help) {
+        Parameter& row = add(id, label, ParameterKind::number, offset, stage, help);
+        row.unit = row.displayUnit = unit;
+        row.range = range;
+        return row;
+    }
+    Parameter& integer(std::string_view id, std::string_view label, std::string_view unit,
+                       std::size_t offset, ParameterRange range, Stage stage,
+                       std::string_view help) {
+        Parameter& row = number(id, label, unit, offset, range, stage, help);
+        row.kind = ParameterKind::integer;
+        return row;
+    }
+    Parameter& colour(std::string_view id, std::string_view label, std::size_t offset, Stage stage,
+                      std::string_view help) {
+        Parameter& row = add(id, label, ParameterKind::colour, offset, stage, help);
+        row.unit = row.displayUnit = "1";
+        row.range = {0.0, 1.0};
+        return row;
+    }
+    /// A phase function's kind and parameters at `offset`.
+    void phase(std::string_view id, std::size_t offset);
+
+  private:
+    Parameter& add(std::string_view id, std::string_view label, ParameterKind kind,
+                   std::size_t offset, Stage stage, std::string_view help) {
+        Parameter& row = rows_.emplace_back();
+        row.id = prefix_ + std::string(id);
+        row.label = label;
+        row.group = group_;
+        row.help = help;
+        row.kind = kind;
+        row.invalidates = stage;
+        row.species = species_;
+        row.offset = at_ + offset;
+        return row;
+    }
+
+    std::vector<Parameter> rows_;
+    std::string group_, prefix_;
+    std::size_t at_ = 0;
+    std::optional<Species> species_;
+};
+
+void Rows::phase(std::string_view id, std::size_t offset) {
+    const std::string p(id);
+    choice(p, "Phase function", offset + offsetof(PhaseSpec, kind), Stage::medium, kPhaseIds,
+           kPhaseLabels, "Angular distribution of scattered light, P in Eq. 5. docs/physics.md §2");
+    number(p + "_g", "Asymmetry g", "1", offset + offsetof(PhaseSpec, g), {-0.99, 0.999},
+           Stage::medium,
+           "g of Henyey-Greenstein, Draine and Cornette-Shanks; first lobe of the double HG.");
+    number(p + "_g2", "Second lobe g", "1", offset + offsetof(PhaseSpec, g2), {-0.99, 0.99},
+           Stage::medium, "g of the second lobe of the double Henyey-Greenstein.");
+    number(p + "_weight", "First lobe share", "1", offset + offsetof(PhaseSpec, weight), {0.0, 1.0},
+           Stage::medium, "Share of the first lobe of the double Henyey-Greenstein.");
+    number(p + "_alpha", "Draine alpha", "1", offset + offsetof(PhaseSpec, alpha), {0.0, 250.0},
+           Stage::medium, "0 is Henyey-Greenstein, 1 Cornette-Shanks. [Draine03]");
+    Parameter& radius = number(
+        p + "_radius", "Phase radius", "m", offset + offsetof(PhaseSpec, radiusM),
+        {1e-6, 110e-6, true}, Stage::medium,
+        "Effective radius of the droplets or crystals whose phase function is used; the extinction "
+        "has its own. Droplets count up to 50 um.");
+    radius.displayUnit = "um";
+    radius.displayScale = 1e6;
+}
+
+void addModes(Rows& rows) {
+    rows.begin("Modes", "mode.", 0);
+    rows.choice("transport", "Light", offsetof(Look, transport), Stage::light, kTransportIds,
+                kTransportLabels,
+                "How sunlight reaches a sample: Beer-Lambert alone, or with forward scattering "
+                "(Eq. 12, 14-17).");
+    rows.choice("phase", "Phase", offsetof(Look, phaseMode), Stage::medium, kPhaseModeIds,
+                kPhaseModeLabels,
+                "One phase function for all fields, or each field its own weighted by scattering "
+                "coefficient (Eq. 18).");
+    rows.toggle("noise", "Detail noise", offsetof(Look, noise), Stage::medium,
+                "Perlin detail below the grid, each field its own amount. [Riley03] §4.5");
+    rows.choice("extinction", "Extinction", offsetof(Look, extinction), Stage::medium,
+                kExtinctionIds, kExtinctionLabels,
+                "From each field's radius and density (Eq. 9), or the same per kilogram for all.");
+    rows.choice("colour", "Colour", offsetof(Look, colour), Stage::medium, kColourIds,
+                kColourLabels, "White hydrometeors, or the field colours of [Riley03] table 2.");
+}
+
+void addLight(Rows& rows) {
+    rows.begin("Light", "light.", 0);
+    rows.choice("form", "Forward scattering", offsetof(Look, lightForm), Stage::light,
+                kLightFormIds, kLightFormLabels,
+                "Eq. 14-17 as printed, which depend on the number of planes, or the form that does "
+                "not. docs/physics.md §1");
+    rows.number("forward_angle", "Forward angle", "deg", offsetof(Look, forwardAngleDeg),
+                {0.0, 60.0}, Stage::light,
+                "Full opening of the arc that counts as forward scattered, theta_f of Eq. 15-16.");
+    rows.number("forward_g", "Forward g", "1", offsetof(Look, forwardG), {0.0, 0.999}, Stage::light,
+                "Cornette-Shanks g whose cumulative gives the forward share; 0.979 puts 90 % "
+                "within 10 degrees, as [Riley03] fig. 7.");
+    rows.number("equal_extinction", "Equal extinction", "m2 kg-1",
+                offsetof(Look, equalMassExtinction), {0.01, 1000.0, true}, Stage::medium,
+                "Mass extinction of every field when mode.extinction is equal.");
+    rows.choice("phase_display", "Phase display", offsetof(Look, phaseDisplay), Stage::eye,
+                kDisplayIds, kDisplayLabels,
+                "Phase normalised by its range with the peak cut, on a linear or logarithmic scale "
+                "as [Riley03] fig. 10; or the true value x 4 pi.");
+    rows.number("phase_truncation", "Peak cut at", "deg", offsetof(Look, phaseTruncationDeg),
+                {0.1, 60.0, true}, Stage::eye,
+                "The phase function is cut at its value at this angle when it is normalised.");
+    rows.phase("uniform_phase", offsetof(Look, uniformPhase));
+}
+
+void addSunAndSky(Rows& rows) {
+    rows.begin("Sun and sky", "", 0);
+    rows.number("sun.azimuth", "Sun azimuth", "deg", offsetof(Look, sunAzimuthDeg), {0.0, 360.0},
+                Stage::light, "Where the sun stands, clockwise from north.");
+    rows.number("sun.elevation", "Sun elevation", "deg", offsetof(Look, sunElevationDeg),
+                {-10.0, 90.0}, Stage::light, "Height of the sun above the horizon.");
+    rows.number("sun.intensity", "Sun intensity", "1", offsetof(Look, sunIntensity),
+                {0.0, 20.0, true}, Stage::eye,
+                "Irradiance L_lt of Eq. 12; 1 makes isotropic scatter of full light radiance 1.");
+    rows.colour("sun.colour", "Sun colour", offsetof(Look, sunColour), Stage::eye,
+                "Linear RGB of sunlight.");
+    rows.colour("sky.zenith", "Sky zenith", offsetof(Look, skyZenith), Stage::eye,
+                "Radiance of the sky overhead, linear RGB.");
+    rows.colour("sky.horizon", "Sky horizon", offsetof(Look, skyHorizon), Stage::eye,
+                "Radiance of the sky at the horizon, linear RGB.");
+    rows.number("sky.intensity", "Sky intensity", "1", offsetof(Look, skyIntensity), {0.0, 5.0},
+                Stage::eye, "Multiplies the sky's radiance: L_bg of Eq. 5 and the skylight.");
+    rows.number("sky.skylight", "Skylight", "1", offsetof(Look, skylight), {0.0, 2.0}, Stage::eye,
+                "Share of the sky's radiance that lights the cloud, dimmed by what lies above and "
+                "below. Not in [Riley03]. docs/physics.md §5");
+    rows.toggle("ground.visible", "Ground", offsetof(Look, groundVisible), Stage::eye,
+                "A plane at height 0; off shows the sky below the horizon too.");
+    rows.colour("ground.colour", "Ground colour", offsetof(Look, groundColour), Stage::eye,
+                "Linear RGB radiance of the ground in full light.");
+}
+
+void addView(Rows& rows) {
+    rows.begin("View", "view.", 0);
+    rows.integer("planes", "Planes", "1", offsetof(Look, planes), {16, 2048, true}, Stage::light,
+                 "Number of slices through the occupied part of the volume.");
+    rows.number("exposure", "Exposure", "EV", offsetof(Look, exposureEv), {-10.0, 10.0},
+                Stage::resolve, "Scene-referred gain, 2^EV, before the film curve.");
+    rows.choice("tone_map", "Film curve", offsetof(Look, toneMap), Stage::resolve, kToneMapIds,
+                kToneMapLabels, "Filmic shoulder and toe, or linear with clipping.");
+}
+
+void addSpecies(Rows& rows, Species s) {
+    const std::size_t at =
+        offsetof(Look, species) + static_cast<std::size_t>(s) * sizeof(SpeciesLook);
+    const std::string prefix = std::string(info(s).id) + ".";
+    rows.begin(std::string(info(s).label), prefix, at, s);
+    rows.toggle("visible", "Visible", offsetof(SpeciesLook, visible), Stage::medium,
+                "Whether the field takes part at all.");
+    rows.number("mixing_scale", "Mixing scale", "1", offsetof(SpeciesLook, mixingScale),
+                {0.0, 100.0, true}, Stage::medium,
+                "Multiplies the field's mixing ratio, H in Eq. 1. [Riley03] §5");
+    Parameter& radius =
+        rows.number("effective_radius", "Effective radius", "m",
+                    offsetof(SpeciesLook, effectiveRadiusM), {1e-6, 1e-2, true}, Stage::medium,
+                    "Radius in Eq. 3 and 9; extinction goes as 1/r. [Riley03] table 3");
+    radius.displayUnit = "um";
+    radius.displayScale = 1e6;
+    rows.number("density", "Particle density", "kg m-3", offsetof(SpeciesLook, densityKgPerM3),
+                {10.0, 1000.0, true}, Stage::medium,
+                "Density of one particle in Eq. 3; extinction goes as 1/density.");
+    rows.number("albedo", "Single-scattering albedo", "1", offsetof(SpeciesLook, albedo),
+                {0.0, 1.0}, Stage::medium, "Share of extinction that scatters, Eq. 10.");
+    rows.colour("colour", "Field colour", offsetof(SpeciesLook, colour), Stage::medium,
+                "Colour when mode.colour is fields. [Riley03] table 2");
+    rows.phase("phase", offsetof(SpeciesLook, phase));
+    rows.number("noise_amount", "Noise amount", "1", offsetof(SpeciesLook, noiseAmount), {0.0, 1.0},
+                Stage::medium, "Portion of the field that the noise multiplies. [Riley03] §4.5");
+    Parameter& scale = rows.number("noise_scale", "Noise scale", "m",
+                                   offsetof(SpeciesLook, noiseScaleM), {50.0, 1e5, true},
+                                   Stage::medium, "Length of the largest features of the noise.");
+    scale.displayUnit = "km";
+    scale.displayScale = 1e-3;
+    rows.choice("noise_character", "Noise character", offsetof(SpeciesLook, noiseCharacter),
+                Stage::medium, kNoiseIds, kNoiseLabels,
+                "Billowing as convective cloud, or wispy as cirrus.");
+}
+
+std::vector<Parameter> build() {
+    Rows rows;
+    addModes(rows);
+    for (int s = 0; s < kSpeciesCount; ++s) addSpecies(rows, static_cast<Species>(s));
+    addLight(rows);
+    addSunAndSky(rows);
+    addView(rows);
+    return rows.take();
+}
+
+}  // namespace
+
+std::span<const Parameter> lookTable() {
+    static const std::vector<Parameter> table = build();
+    return table;
+}
+
+Look::Look() {
+    for (int i = 0; i < kSpeciesCount; ++i) {
+        const auto s = static_cast<Species>(i);
+        SpeciesLook& field = of(s);
+        field.effectiveRadiusM = info(s).radiusM;
+        field.densityKgPerM3 = info(s).densityKgPerM3;
+        field.colour = {info(s).colour[0], info(s).colour[1], info(s).colour[2]};
+        const bool liquid = info(s).liquid;
+        field.phase.kind = liquid ? PhaseKind::waterDroplets : PhaseKind::roughAggregate;
+        field.phase.radiusM = liquid ? 10e-6f : 30e-6f;
+        field.noiseCharacter = liquid ? NoiseCharacter::billow : NoiseCharacter::wisp;
+        field.noiseAmount = 0.6f;
+    }
+    of(Species::rain).phase.radiusM = 25e-6f;
+}
+
+}  // namespace neph
