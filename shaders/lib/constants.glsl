@@ -1,0 +1,8 @@
+// constants.glsl: numbers that the shader library shares.
+//
+// Every file of this folder is plain GLSL 4.5 (functions of values alone) and, through glsl_cpp.h,
+// plain C++.
+#pragma once
+
+const float kPi = 3.14159265358979f;
+const float kInverseFourPi = 0.0795774715459477f;  ///< the isotropic phase function, 1/sr

@@ -1,0 +1,32 @@
+// glsl_cpp.h: the shader library as C++, so that tests and core call the very code that runs on the
+// GPU.
+//
+// Each source file that includes this gets its own copy in an unnamed namespace, hence: include it
+// from .cpp files alone. GLM supplies the vector types and the built-in functions. A new file of
+// shaders/lib is added to the list below.
+#pragma once
+#include <glm/glm.hpp>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"  // nobody calls all of the library
+
+namespace neph::glsl {
+namespace {
+using namespace glm;
+
+#include "shaders/lib/constants.glsl"
+#include "shaders/lib/noise.glsl"
+#include "shaders/lib/optics.glsl"
+#include "shaders/lib/phase_cornette_shanks.glsl"
+#include "shaders/lib/phase_double_hg.glsl"
+#include "shaders/lib/phase_draine.glsl"
+#include "shaders/lib/phase_hg.glsl"
+#include "shaders/lib/phase_ice.glsl"
+#include "shaders/lib/phase_isotropic.glsl"
+#include "shaders/lib/phase_rayleigh.glsl"
+#include "shaders/lib/phase_table.glsl"
+
+}  // namespace
+}  // namespace neph::glsl
+
+#pragma GCC diagnostic pop
