@@ -39,6 +39,11 @@ float roughAggregateSample(float u, float radiusM) {
     return doubleHgSample(u, roughAggregateG(radiusM), kIceBackwardG, kRoughAggregateWeight);
 }
 
+/// Mean of cosTheta of rough aggregates.
+float roughAggregateAsymmetry(float radiusM) {
+    return doubleHgAsymmetry(roughAggregateG(radiusM), kIceBackwardG, kRoughAggregateWeight);
+}
+
 /// Phase function of solid columns, 1/sr.
 float solidColumnValue(float cosTheta, float radiusM) {
     return doubleHgValue(cosTheta, solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
@@ -52,4 +57,9 @@ float solidColumnCumulative(float theta, float radiusM) {
 /// Cosine of a direction drawn with density solidColumnValue, from a uniform number in [0, 1).
 float solidColumnSample(float u, float radiusM) {
     return doubleHgSample(u, solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
+}
+
+/// Mean of cosTheta of solid columns.
+float solidColumnAsymmetry(float radiusM) {
+    return doubleHgAsymmetry(solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
 }

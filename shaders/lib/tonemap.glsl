@@ -1,0 +1,21 @@
+// tonemap.glsl: from scene-referred linear radiance to display values.
+#pragma once
+
+/// Film-like curve with toe and shoulder, per channel; 0 to 0, large to 1. Fit of the ACES
+/// reference by [Narkowicz15].
+vec3 filmic(vec3 x) {
+    vec3 y = (x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f);
+    return clamp(y, vec3(0.0f), vec3(1.0f));
+}
+
+/// Linear [0, 1] to sRGB. IEC 61966-2-1.
+float srgbEncode(float x) {
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
+}
+
+/// Display value of a linear radiance: gain, curve (0 linear, 1 filmic), encoding.
+vec3 displayValue(vec3 radiance, float gain, int curve) {
+    vec3 exposed = max(radiance * gain, vec3(0.0f));
+    vec3 shown = curve == 1 ? filmic(exposed) : clamp(exposed, vec3(0.0f), vec3(1.0f));
+    return vec3(srgbEncode(shown.r), srgbEncode(shown.g), srgbEncode(shown.b));
+}
