@@ -1,7 +1,7 @@
 // error.h: bad input, told so that a user can act on it.
 //
-// Thrown for anything a user can cause; caught at the job boundary and in main. A bug is an assert, an expected absence an
-// optional. Each part is plain text and may be empty except `what`.
+// Thrown for anything a user can cause; caught at the job boundary and in main. A bug is an assert,
+// an expected absence an optional. Each part is plain text and may be empty except `what`.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -9,11 +9,11 @@
 namespace neph {
 
 struct ErrorParts {
-    std::string where;     ///< file, preset or option that the fault is in
-    std::string what;      ///< what is wrong, naming the variable or key
-    std::string found;     ///< what was found
-    std::string expected;  ///< what was expected
-    std::string hint;      ///< the next step
+    std::string where{};     ///< file, preset or option that the fault is in
+    std::string what{};      ///< what is wrong, naming the variable or key
+    std::string found{};     ///< what was found
+    std::string expected{};  ///< what was expected
+    std::string hint{};      ///< the next step
 };
 
 class Error : public std::runtime_error {

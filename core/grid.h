@@ -1,7 +1,7 @@
 // grid.h: regular grids in metres and the arrays that lie on them.
 //
-// World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain, z is height above sea
-// level. Arrays are cell-centred, x fastest, then y, then z.
+// World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain,
+// z is height above sea level. Arrays are cell-centred, x fastest, then y, then z.
 #pragma once
 #include <cstddef>
 #include <glm/glm.hpp>

@@ -26,22 +26,6 @@ void store(Look& look, std::size_t offset, const T& value) {
     std::memcpy(reinterpret_cast<std::byte*>(&look) + offset, &value, sizeof(T));
 }
 
-std::string rangeText(const Parameter& row) {
-    switch (row.kind) {
-        case ParameterKind::toggle:
-            return "true or false";
-        case ParameterKind::choice:
-            return fmt::format("one of {}", fmt::join(row.choices, ", "));
-        case ParameterKind::colour:
-            return "three numbers from 0 to 1";
-        case ParameterKind::integer:
-            return fmt::format("a whole number from {} to {}", row.range.lo, row.range.hi);
-        case ParameterKind::number:
-            break;
-    }
-    return fmt::format("a number from {} to {} {}", row.range.lo, row.range.hi, row.unit);
-}
-
 [[noreturn]] void refuse(const Parameter& row, std::string found, std::string_view where) {
     throw Error({std::string(where), fmt::format("parameter {} cannot take this value", row.id),
                  std::move(found), rangeText(row), ""});
@@ -127,6 +111,22 @@ std::optional<ParameterValue> tryParse(const Parameter& row, std::string_view te
 }
 
 }  // namespace
+
+std::string rangeText(const Parameter& row) {
+    switch (row.kind) {
+        case ParameterKind::toggle:
+            return "true or false";
+        case ParameterKind::choice:
+            return fmt::format("one of {}", fmt::join(row.choices, ", "));
+        case ParameterKind::colour:
+            return "three numbers from 0 to 1";
+        case ParameterKind::integer:
+            return fmt::format("a whole number from {} to {}", row.range.lo, row.range.hi);
+        case ParameterKind::number:
+            break;
+    }
+    return fmt::format("a number from {} to {} {}", row.range.lo, row.range.hi, row.unit);
+}
 
 const Parameter* findParameter(std::string_view id) {
     const auto table = lookTable();

@@ -1,7 +1,8 @@
 // species.h: the hydrometeors, and what holds their mass on a regular grid.
 //
-// Radii are those of [Riley03] table 3, colours those of its table 2; particle densities are from docs/physics.md. Hail is
-// not in the paper: its radius is the smallest that counts as hail (5 mm diameter stones, [AMS]) and its density Morrison's.
+// Radii are those of [Riley03] table 3, colours those of its table 2; particle densities are from
+// docs/physics.md. Hail is not in the paper: its radius is the smallest that counts as hail (5 mm
+// diameter stones, [AMS]) and its density Morrison's.
 #pragma once
 #include <array>
 #include <optional>
@@ -17,12 +18,12 @@ enum class Species : int { cloud, ice, rain, snow, graupel, hail };
 inline constexpr int kSpeciesCount = 6;
 
 struct SpeciesInfo {
-    std::string_view id;            ///< spelling in parameter ids and JSON
-    std::string_view label;         ///< spelling on screen
-    bool liquid;                    ///< water droplets; otherwise ice particles
-    float radiusM;                  ///< equivalent spherical radius
-    float densityKgPerM3;           ///< of one particle
-    std::array<float, 3> colour;    ///< linear RGB of the field-colour mode
+    std::string_view id;          ///< spelling in parameter ids and JSON
+    std::string_view label;       ///< spelling on screen
+    bool liquid;                  ///< water droplets; otherwise ice particles
+    float radiusM;                ///< equivalent spherical radius
+    float densityKgPerM3;         ///< of one particle
+    std::array<float, 3> colour;  ///< linear RGB of the field-colour mode
 };
 
 inline constexpr std::array<SpeciesInfo, kSpeciesCount> kSpecies{{
@@ -34,16 +35,20 @@ inline constexpr std::array<SpeciesInfo, kSpeciesCount> kSpecies{{
     {"hail", "Hail", false, 2.5e-3f, 900.0f, {0.05f, 0.85f, 0.9f}},
 }};
 
-constexpr const SpeciesInfo& info(Species s) { return kSpecies[static_cast<std::size_t>(s)]; }
+constexpr const SpeciesInfo& info(Species s) {
+    return kSpecies[static_cast<std::size_t>(s)];
+}
 
-/// Mass of every hydrometeor on one regular grid at one time: what the renderer is given. Owns its data.
+/// Mass of every hydrometeor on one regular grid at one time: what the renderer is given. Owns its
+/// data.
 struct SpeciesVolume {
     RegularGrid grid;
-    /// kg of hydrometeor per m³ of air, size `grid.size`; an empty array means that the model has no such species.
-    std::array<Array3f, kSpeciesCount> contentKgPerM3;
+    /// kg of hydrometeor per m³ of air, size `grid.size`; an empty array means that the model has
+    /// no such species.
+    std::array<Array3f, kSpeciesCount> contentKgPerM3{};
     std::string timeLabel;
-    double timeSeconds = 0.0;          ///< since the first time of the series
-    std::vector<std::string> notes;    ///< what was clipped, masked or assumed, one sentence each
+    double timeSeconds = 0.0;        ///< since the first time of the series
+    std::vector<std::string> notes;  ///< what was clipped, masked or assumed, one sentence each
 
     bool has(Species s) const { return !contentKgPerM3[static_cast<std::size_t>(s)].empty(); }
     const Array3f& content(Species s) const { return contentKgPerM3[static_cast<std::size_t>(s)]; }

@@ -1,0 +1,124 @@
+// context.cpp: EGL surfaceless and GLFW, each asking for OpenGL 4.5 core.
+#include "app/gl/context.h"
+
+// clang-format off
+#include <epoxy/gl.h>
+#include <epoxy/egl.h>
+// clang-format on
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace neph::gl {
+namespace {
+
+constexpr int kGlMajor = 4, kGlMinor = 5;
+
+[[noreturn]] void fail(std::string what, std::string found, std::string hint) {
+    throw Error({"", std::move(what), std::move(found), "OpenGL 4.5 core", std::move(hint)});
+}
+
+std::string eglReason() {
+    return fmt::format("EGL error 0x{:x}", eglGetError());
+}
+
+std::string glfwReason() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+}  // namespace
+
+struct HeadlessContext::Impl {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
+    const std::string hint = "install libegl1 and a driver, for example libgl1-mesa-dri";
+    // The EXT spelling: libepoxy resolves the core one from a display, which does not exist yet.
+    impl_->display =
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (impl_->display == EGL_NO_DISPLAY) fail("there is no EGL display", eglReason(), hint);
+    if (!eglInitialize(impl_->display, nullptr, nullptr)) {
+        fail("EGL does not start", eglReason(), hint);
+    }
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                             kGlMajor,
+                             EGL_CONTEXT_MINOR_VERSION,
+                             kGlMinor,
+                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                             EGL_NONE};
+    impl_->context = eglCreateContext(impl_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+    if (impl_->context == EGL_NO_CONTEXT) fail("EGL gives no context", eglReason(), hint);
+    if (!eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context)) {
+        fail("the EGL context cannot be used without a surface", eglReason(), hint);
+    }
+}
+
+HeadlessContext::~HeadlessContext() {
+    if (impl_->context == EGL_NO_CONTEXT) return;
+    eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(impl_->display, impl_->context);
+    eglTerminate(impl_->display);
+}
+
+Window::Window(int width, int height, const std::string& title) {
+    const std::string hint = "without a display use `nephoscope render FILE --out picture.png`";
+    if (!glfwInit()) fail("no window can be opened", glfwReason(), hint);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, kGlMajor);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, kGlMinor);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        const std::string reason = glfwReason();
+        glfwTerminate();
+        fail("the window has no OpenGL 4.5", reason, hint);
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+bool Window::shouldClose() const {
+    return glfwWindowShouldClose(window_) != 0;
+}
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
+
+int Window::framebufferWidth() const {
+    int width = 0;
+    glfwGetFramebufferSize(window_, &width, nullptr);
+    return width;
+}
+
+int Window::framebufferHeight() const {
+    int height = 0;
+    glfwGetFramebufferSize(window_, nullptr, &height);
+    return height;
+}
+
+float Window::contentScale() const {
+    float scale = 1.0f;
+    glfwGetWindowContentScale(window_, &scale, nullptr);
+    return scale;
+}
+
+void Window::clear(float r, float g, float b) {
+    glViewport(0, 0, framebufferWidth(), framebufferHeight());
+    glClearColor(r, g, b, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace neph::gl

@@ -1,0 +1,70 @@
+// objects.h: move-only owners of GL names. Each needs the context that made it to be current when
+// it is destroyed.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <utility>
+
+namespace neph::gl {
+
+/// A texture with immutable storage.
+class Texture {
+  public:
+    Texture() = default;
+    static Texture make2D(GLenum format, glm::ivec2 size);
+    static Texture make2DArray(GLenum format, glm::ivec2 size, int layers);
+    static Texture make3D(GLenum format, glm::ivec3 size);
+    ~Texture() { release(); }
+    Texture(Texture&& other) noexcept { *this = std::move(other); }
+    Texture& operator=(Texture&& other) noexcept;
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+
+    GLuint name() const { return name_; }
+    explicit operator bool() const { return name_ != 0; }
+    glm::ivec3 size() const { return size_; }
+    std::size_t bytes() const { return bytes_; }
+    bool is3D() const { return target_ == GL_TEXTURE_3D; }
+
+    void setLinear();
+    void setRepeat();
+    /// Replaces everything; `data` is tightly packed.
+    void upload(GLenum pixelFormat, GLenum type, const void* data);
+    void bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
+    void bindImage(GLuint unit, GLenum access) const;
+
+  private:
+    static Texture make(GLenum target, GLenum format, glm::ivec3 size);
+    void release();
+
+    GLuint name_ = 0;
+    GLenum target_ = 0, format_ = 0;
+    glm::ivec3 size_{0};
+    std::size_t bytes_ = 0;
+};
+
+class Buffer {
+  public:
+    Buffer() = default;
+    ~Buffer() { release(); }
+    Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+    Buffer& operator=(Buffer&& other) noexcept;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    GLuint name() const { return name_; }
+    std::size_t bytes() const { return bytes_; }
+    /// Replaces the contents, growing the buffer when needed.
+    void write(const void* data, std::size_t bytes);
+    void bind(GLenum target, GLuint unit) const { glBindBufferBase(target, unit, name_); }
+
+  private:
+    void release();
+
+    GLuint name_ = 0;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace neph::gl

@@ -1,0 +1,183 @@
+// renderer.cpp: what is kept between frames, and what a change makes necessary.
+#include "app/render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "app/gl/objects.h"
+#include "app/gl/program.h"
+#include "app/render/engines/slicing.h"
+#include "app/render/medium_bake.h"
+#include "core/error.h"
+
+namespace neph::render {
+
+struct Renderer::Impl {
+    explicit Impl(std::filesystem::path shaderDir) : programs(std::move(shaderDir)) {}
+
+    gl::ProgramCache programs;
+    std::optional<VolumeTextures> volume;
+    MediumTextures medium;
+    gl::Texture noise, linear, display;
+    SlicingEngine slicing;
+    std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
+    bool mediumStale = true;
+    std::vector<std::string> messages;
+
+    Stage stageFor(const FrameInputs& inputs) const;
+    void bake(const FrameInputs& inputs, FrameStats& stats);
+    void resolve(const FrameInputs& inputs);
+};
+
+namespace {
+
+bool sameView(const Camera& a, const Camera& b) {
+    return a.eyeWorld == b.eyeWorld && a.forward == b.forward && a.up == b.up &&
+           a.tanHalfFovY == b.tanHalfFovY && a.aspect == b.aspect;
+}
+
+}  // namespace
+
+/// The earliest stage to redo. Slices lie halfway between eye and light, so a moved camera needs
+/// new light too.
+Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
+    if (!last || mediumStale) return Stage::medium;
+    if (!sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
+        last->planes != inputs.planes) {
+        return std::min(Stage::light,
+                        firstDifference(last->look, inputs.look).value_or(Stage::light));
+    }
+    return firstDifference(last->look, inputs.look).value_or(Stage::resolve);
+}
+
+void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
+    const MediumPlan plan = planMedium(inputs.look, volume->present);
+    for (const MediumClass& c : plan.classes) {
+        if (c.noiseAmount > 0.0f && !noise) noise = bakeNoiseTexture(programs);
+    }
+    if (!mediumStale && plan == medium.plan) return;
+    bakeMedium(*volume, plan, programs, medium);
+    mediumStale = false;
+    stats.bakedMedium = true;
+}
+
+void Renderer::Impl::resolve(const FrameInputs& inputs) {
+    const gl::Program& program = programs.get("pass/resolve.comp");
+    program.setFloat(0, std::exp2(inputs.look.exposureEv));
+    program.setInt(1, static_cast<int>(inputs.look.toneMap));
+    linear.bindImage(0, GL_READ_ONLY);
+    display.bindImage(1, GL_WRITE_ONLY);
+    program.dispatch({inputs.sizePx, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+Renderer::Renderer(const std::filesystem::path& shaderDir)
+    : impl_(std::make_unique<Impl>(shaderDir)) {
+    SpeciesVolume clearSky;
+    clearSky.grid.size = glm::ivec3(1);
+    setVolume(clearSky);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::setVolume(const SpeciesVolume& volume) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
+    const glm::ivec3 size = volume.grid.size;
+    if (std::max({size.x, size.y, size.z}) > most) {
+        throw Error({"", "the grid is larger than this GPU takes",
+                     std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
+                         std::to_string(size.z),
+                     "at most " + std::to_string(most) + " cells a side", ""});
+    }
+    impl_->volume = uploadVolume(volume);
+    impl_->mediumStale = true;
+}
+
+FrameStats Renderer::render(const FrameInputs& inputs) {
+    const auto start = std::chrono::steady_clock::now();
+    FrameStats stats;
+    const Stage stage = impl_->stageFor(inputs);
+    if (stage == Stage::medium) impl_->bake(inputs, stats);
+    if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {
+        impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
+        impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
+        impl_->display.setLinear();
+    }
+    if (stage <= Stage::eye) {
+        impl_->slicing.render(inputs, impl_->volume->grid, impl_->medium,
+                              impl_->noise ? &impl_->noise : nullptr, impl_->programs,
+                              impl_->linear);
+        stats.marchedLight = stats.marchedEye = true;
+    }
+    impl_->resolve(inputs);
+    impl_->last = inputs;
+    glFinish();
+    stats.planes = impl_->slicing.plan().count;
+    stats.lightSizePx = impl_->slicing.plan().lightSizePx;
+    stats.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return stats;
+}
+
+unsigned Renderer::displayTexture() const {
+    return impl_->display.name();
+}
+
+ImageF Renderer::readLinear() const {
+    ImageF image;
+    image.size = impl_->last ? impl_->last->sizePx : glm::ivec2(0);
+    const auto width = static_cast<std::size_t>(image.size.x);
+    std::vector<glm::vec4> rows(width * static_cast<std::size_t>(image.size.y));
+    if (rows.empty()) return image;
+    glGetTextureImage(impl_->linear.name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(rows.size() * sizeof(glm::vec4)), rows.data());
+    image.pixels.reserve(rows.size());
+    for (auto row = rows.end(); row != rows.begin(); row -= static_cast<std::ptrdiff_t>(width)) {
+        image.pixels.insert(image.pixels.end(), row - static_cast<std::ptrdiff_t>(width), row);
+    }
+    return image;
+}
+
+Image8 Renderer::readDisplay() const {
+    Image8 image;
+    image.size = impl_->last ? impl_->last->sizePx : glm::ivec2(0);
+    const std::size_t stride = 4 * static_cast<std::size_t>(image.size.x);
+    std::vector<std::uint8_t> rows(stride * static_cast<std::size_t>(image.size.y));
+    if (rows.empty()) return image;
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(impl_->display.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(rows.size()), rows.data());
+    image.rgba.reserve(rows.size());
+    for (auto row = rows.end(); row != rows.begin(); row -= static_cast<std::ptrdiff_t>(stride)) {
+        image.rgba.insert(image.rgba.end(), row - static_cast<std::ptrdiff_t>(stride), row);
+    }
+    return image;
+}
+
+std::string Renderer::deviceName() const {
+    return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+std::size_t Renderer::gpuBytes() const {
+    return impl_->volume->bytes() + impl_->medium.bytes() + impl_->noise.bytes() +
+           impl_->linear.bytes() + impl_->display.bytes() + impl_->slicing.bytes();
+}
+
+std::vector<std::string> Renderer::takeMessages() {
+    return std::exchange(impl_->messages, {});
+}
+
+void Renderer::reloadChangedShaders() {
+    const int before = impl_->programs.generation();
+    for (std::string& problem : impl_->programs.reload()) {
+        impl_->messages.push_back(std::move(problem));
+    }
+    if (impl_->programs.generation() == before) return;
+    impl_->mediumStale = true;
+    impl_->noise = {};
+}
+
+}  // namespace neph::render
