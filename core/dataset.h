@@ -1,7 +1,7 @@
 // dataset.h: one series of model output, opened cheaply and read lazily through a reader plugin.
 //
-// Opening reads metadata alone. `read` hands over plain data in SI units that outlive the reader. One Dataset may be read
-// from one thread at a time.
+// Opening reads metadata alone. `read` hands over plain data in SI units that outlive the reader.
+// One Dataset may be read from one thread at a time.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -23,13 +23,13 @@ namespace neph {
 /// What a variable means to the host; anything else is `other` and can still be read by name.
 enum class VariableRole : int {
     other,
-    mixingRatio,        ///< of `species`, kg per kg of dry air
-    dryAirDensity,      ///< kg/m³ at cell centres
-    interfaceHeight,    ///< m above sea level, nz + 1 levels, increasing
-    airPressure,        ///< Pa
-    airTemperature,     ///< K
-    effectiveRadius,    ///< of `species`, m
-    numberConcentration ///< of `species`, per kg of dry air
+    mixingRatio,         ///< of `species`, kg per kg of dry air
+    dryAirDensity,       ///< kg/m³ at cell centres
+    interfaceHeight,     ///< m above sea level, nz + 1 levels, increasing
+    airPressure,         ///< Pa
+    airTemperature,      ///< K
+    effectiveRadius,     ///< of `species`, m
+    numberConcentration  ///< of `species`, per kg of dry air
 };
 
 struct VariableInfo {
@@ -51,10 +51,11 @@ struct TimeInfo {
 };
 
 struct DatasetInfo {
-    std::string reader;   ///< plugin id
-    std::string model;    ///< for example "WRF V4.2.2"
-    std::string scheme;   ///< microphysics, for example "Thompson (MP_PHYSICS 8)"; empty when unknown
-    glm::ivec3 size{0};   ///< cells in x, y, z on the native grid
+    std::string reader;  ///< plugin id
+    std::string model;   ///< for example "WRF V4.2.2"
+    std::string
+        scheme;  ///< microphysics, for example "Thompson (MP_PHYSICS 8)"; empty when unknown
+    glm::ivec3 size{0};  ///< cells in x, y, z on the native grid
     glm::dvec2 spacingM{0.0};
     std::vector<TimeInfo> times;  ///< in order of time
     std::vector<VariableInfo> variables;
@@ -81,8 +82,8 @@ class Dataset {
 
     const DatasetInfo& info() const { return info_; }
 
-    /// Values of one variable at one time, in the variable's own units as `info` gives them. `box` defaults to everything.
-    /// Throws Error (unknown variable, failed read) or Cancelled.
+    /// Values of one variable at one time, in the variable's own units as `info` gives them. `box`
+    /// defaults to everything. Throws Error (unknown variable, failed read) or Cancelled.
     virtual Array3f read(std::string_view variable, int time, std::optional<Box> box = {},
                          const Progress& progress = {}) = 0;
 

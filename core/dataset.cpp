@@ -1,0 +1,212 @@
+// dataset.cpp: merges files into one series and reads from whichever file holds a time.
+#include "core/dataset.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.h"
+#include "core/reader_file.h"
+
+namespace neph {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The document's words and the ABI's are the same numbers.
+static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
+static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
+static_assert(static_cast<int>(VariableRole::numberConcentration) ==
+              NEPH_ROLE_NUMBER_CONCENTRATION);
+static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
+static_assert(static_cast<int>(Species::hail) == NEPH_SPECIES_HAIL);
+
+VariableInfo infoOf(const FileVariable& variable) {
+    VariableInfo info;
+    info.name = variable.name;
+    info.standardName = variable.standardName;
+    info.units = variable.units;
+    info.description = variable.description;
+    info.role = static_cast<VariableRole>(variable.role);
+    if (variable.species != NEPH_SPECIES_NONE)
+        info.species = static_cast<Species>(variable.species);
+    info.size = variable.size;
+    return info;
+}
+
+/// What a series keeps of one of its files.
+struct SeriesFile {
+    fs::path path;
+    std::map<std::string, std::size_t, std::less<>> variables;  ///< name to index in the file
+};
+
+class SeriesDataset : public Dataset {
+  public:
+    SeriesDataset(std::span<const fs::path> files, const PluginHost& host,
+                  const Progress& progress);
+    Array3f read(std::string_view variable, int time, std::optional<Box> box,
+                 const Progress& progress) override;
+
+  private:
+    void take(const fs::path& path, const PluginHost& host);
+    void requireSameGrid(const fs::path& path, const FileDescription& file) const;
+    void mergeVariables(const FileDescription& file);
+    void sortTimes();
+    ReaderFile& opened(const SeriesFile& file);
+
+    std::shared_ptr<const ReaderPlugin> reader_;
+    std::vector<SeriesFile> files_;
+    std::unique_ptr<ReaderFile> open_;  ///< the file read last
+    fs::path openPath_;
+};
+
+SeriesDataset::SeriesDataset(std::span<const fs::path> files, const PluginHost& host,
+                             const Progress& progress) {
+    if (files.empty()) throw Error({.what = "no files were given", .hint = "name at least one"});
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (!goOn(progress, static_cast<double>(i) / static_cast<double>(files.size()))) {
+            throw Cancelled{};
+        }
+        take(files[i], host);
+    }
+    sortTimes();
+    if (!goOn(progress, 1.0)) throw Cancelled{};
+}
+
+void SeriesDataset::take(const fs::path& path, const PluginHost& host) {
+    auto reader = host.pick(path);
+    auto opened = std::make_unique<ReaderFile>(reader, path);
+    const FileDescription& file = opened->description();
+    if (files_.empty()) {
+        reader_ = reader;
+        info_.reader = reader->id;
+        info_.model = file.model;
+        info_.scheme = file.scheme;
+        info_.size = file.size;
+        info_.spacingM = file.spacingM;
+        info_.attributes = file.attributes;
+    } else if (reader != reader_) {
+        throw Error(
+            {.where = path.string(),
+             .what = fmt::format("is not of the same series as {}", files_[0].path.string()),
+             .found = reader->title,
+             .expected = reader_->title,
+             .hint = "open files of one model run together"});
+    }
+    requireSameGrid(path, file);
+    mergeVariables(file);
+    for (std::size_t i = 0; i < file.times.size(); ++i) {
+        info_.times.push_back(
+            {file.times[i].label, file.times[i].seconds, path, static_cast<int>(i)});
+    }
+    for (const std::string& note : file.notes) {
+        if (std::ranges::find(info_.notes, note) == info_.notes.end()) info_.notes.push_back(note);
+    }
+    SeriesFile kept{path, {}};
+    for (std::size_t i = 0; i < file.variables.size(); ++i) {
+        kept.variables[file.variables[i].name] = i;
+    }
+    files_.push_back(std::move(kept));
+    open_ = std::move(opened);
+    openPath_ = path;
+}
+
+void SeriesDataset::requireSameGrid(const fs::path& path, const FileDescription& file) const {
+    if (file.size == info_.size && file.spacingM == info_.spacingM) return;
+    const auto describe = [](glm::ivec3 size, glm::dvec2 spacing) {
+        return fmt::format("{} x {} x {} cells of {} x {} m", size.x, size.y, size.z, spacing.x,
+                           spacing.y);
+    };
+    throw Error({.where = path.string(),
+                 .what = fmt::format("its grid is not that of {}", files_[0].path.string()),
+                 .found = describe(file.size, file.spacingM),
+                 .expected = describe(info_.size, info_.spacingM),
+                 .hint = "open each domain of a nested run by itself"});
+}
+
+void SeriesDataset::mergeVariables(const FileDescription& file) {
+    for (const FileVariable& variable : file.variables) {
+        if (info_.find(variable.name) == nullptr) info_.variables.push_back(infoOf(variable));
+    }
+}
+
+void SeriesDataset::sortTimes() {
+    std::ranges::stable_sort(info_.times, {}, &TimeInfo::seconds);
+    std::vector<TimeInfo> kept;
+    for (TimeInfo& time : info_.times) {
+        if (!kept.empty() && kept.back().seconds == time.seconds) {
+            info_.notes.push_back(fmt::format("{} is there twice: taken from {}, not from {}",
+                                              time.label, kept.back().file.filename().string(),
+                                              time.file.filename().string()));
+            continue;
+        }
+        kept.push_back(std::move(time));
+    }
+    const double origin = kept.front().seconds;
+    for (TimeInfo& time : kept) time.seconds -= origin;
+    info_.times = std::move(kept);
+}
+
+ReaderFile& SeriesDataset::opened(const SeriesFile& file) {
+    if (!open_ || openPath_ != file.path) {
+        open_.reset();
+        open_ = std::make_unique<ReaderFile>(reader_, file.path);
+        openPath_ = file.path;
+    }
+    return *open_;
+}
+
+Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<Box> box,
+                            const Progress& progress) {
+    if (time < 0 || time >= static_cast<int>(info_.times.size())) {
+        throw Error({.what = fmt::format("there is no time {}", time),
+                     .expected = fmt::format("0 to {}", info_.times.size() - 1)});
+    }
+    const TimeInfo& when = info_.times[static_cast<std::size_t>(time)];
+    const auto file = std::ranges::find(files_, when.file, &SeriesFile::path);
+    const auto index = file->variables.find(variable);
+    if (index == file->variables.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& entry : file->variables) names.push_back(entry.first);
+        throw Error({.where = when.file.string(),
+                     .what = fmt::format("variable {} is missing", variable),
+                     .found = fmt::format("{}", fmt::join(names, ", "))});
+    }
+    ReaderFile& source = opened(*file);
+    const glm::ivec3 size = source.description().variables.at(index->second).size;
+    const Box all = box.value_or(Box{glm::ivec3(0), size});
+    if (glm::any(glm::lessThan(all.lower, glm::ivec3(0))) ||
+        glm::any(glm::greaterThan(all.upper, size)) ||
+        glm::any(glm::lessThanEqual(all.size(), glm::ivec3(0)))) {
+        throw Error({.where = when.file.string(),
+                     .what = fmt::format("the box asked of {} lies outside it", variable),
+                     .expected = fmt::format("within {} x {} x {} cells", size.x, size.y, size.z)});
+    }
+    Array3f values(all.size());
+    source.read(index->second, static_cast<std::size_t>(when.indexInFile), all.lower, all.upper,
+                values.values, progress);
+    return values;
+}
+
+}  // namespace
+
+const VariableInfo* DatasetInfo::find(std::string_view name) const {
+    const auto found = std::ranges::find(variables, name, &VariableInfo::name);
+    return found == variables.end() ? nullptr : &*found;
+}
+
+const VariableInfo* DatasetInfo::find(VariableRole role, std::optional<Species> species) const {
+    const auto found = std::ranges::find_if(variables, [&](const VariableInfo& variable) {
+        return variable.role == role && variable.species == species;
+    });
+    return found == variables.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
+                                       const Progress& progress) {
+    return std::make_shared<SeriesDataset>(files, host, progress);
+}
+
+}  // namespace neph

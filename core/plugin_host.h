@@ -1,0 +1,62 @@
+// plugin_host.h: finds reader plugins, checks them at the door and picks the one for a file.
+//
+// Registration is explicit: a host knows the places it was given and no others. A library is
+// accepted when it exports the entry of core/reader_abi.h and its table is complete; otherwise it
+// is kept in a list with the reason.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/reader_abi.h"
+
+namespace neph {
+
+/// One accepted reader. Its library stays loaded until the program ends, because libraries such as
+/// HDF5 do not bear unloading.
+struct ReaderPlugin {
+    std::string id;
+    std::string version;
+    std::string title;
+    std::string extensions;  ///< separated by spaces; may be empty
+    std::filesystem::path library;
+    std::uint32_t abiVersion = 0;
+    const NephReader* calls = nullptr;
+};
+
+struct RejectedPlugin {
+    std::filesystem::path library;
+    std::string reason;
+};
+
+class PluginHost {
+  public:
+    /// Loads every plugin of `places`, in order; a place is a folder of libraries or one library. A
+    /// place that does not exist is passed over. Of two readers with the same id the first is kept.
+    explicit PluginHost(std::span<const std::filesystem::path> places);
+
+    /// The readers a user has: those of standardPlaces().
+    static PluginHost standard();
+
+    /// NEPHOSCOPE_READER_PATH (separated by colons), the user's data folder (XDG), and beside the
+    /// executable.
+    static std::vector<std::filesystem::path> standardPlaces();
+
+    const std::vector<std::shared_ptr<const ReaderPlugin>>& readers() const { return readers_; }
+    const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
+
+    /// The reader with the best score for the content of `file`. Throws Error when the file cannot
+    /// be opened or no reader knows its format.
+    std::shared_ptr<const ReaderPlugin> pick(const std::filesystem::path& file) const;
+
+  private:
+    void load(const std::filesystem::path& library);
+
+    std::vector<std::shared_ptr<const ReaderPlugin>> readers_;
+    std::vector<RejectedPlugin> rejected_;
+};
+
+}  // namespace neph

@@ -1,0 +1,158 @@
+/* reader_abi.h: the door that readers come in by. Plain C, self-contained; docs/readers.md tells what is read.
+ *
+ * A reader is a shared library that exports one function, nephReader. The host asks every reader for a score, opens the file
+ * with the best one, asks for a description (metadata alone) and later reads boxes of values into its own buffers. All values
+ * are SI: conversion happens here. Nothing may be thrown across these calls. Every struct starts with NephHeader: whoever
+ * creates a struct fills it in, and whoever receives it touches only what struct_size covers. */
+#ifndef NEPHOSCOPE_READER_ABI_H
+#define NEPHOSCOPE_READER_ABI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Changes whenever a struct or a meaning changes in a way that older readers cannot follow. */
+#define NEPH_READER_ABI_VERSION 1u
+
+#if defined(_WIN32)
+#define NEPH_READER_EXPORT __declspec(dllexport)
+#else
+#define NEPH_READER_EXPORT __attribute__((visibility("default")))
+#endif
+
+typedef struct NephHeader {
+    uint32_t abi_version; /* NEPH_READER_ABI_VERSION of the side that made the struct */
+    uint32_t struct_size; /* sizeof the struct as that side knows it */
+} NephHeader;
+
+/* What calls return. */
+typedef int32_t NephStatus;
+#define NEPH_OK 0
+#define NEPH_FAILED 1    /* the NephError says why */
+#define NEPH_CANCELLED 2 /* the progress callback returned 0 */
+
+/* What a variable means to the host. */
+typedef int32_t NephRole;
+#define NEPH_ROLE_OTHER 0
+#define NEPH_ROLE_MIXING_RATIO 1         /* of `species`, kg per kg of dry air */
+#define NEPH_ROLE_DRY_AIR_DENSITY 2      /* kg/m3 at cell centres */
+#define NEPH_ROLE_INTERFACE_HEIGHT 3     /* m above sea level, nz + 1 levels, increasing with z */
+#define NEPH_ROLE_AIR_PRESSURE 4         /* Pa */
+#define NEPH_ROLE_AIR_TEMPERATURE 5      /* K */
+#define NEPH_ROLE_EFFECTIVE_RADIUS 6     /* of `species`, m */
+#define NEPH_ROLE_NUMBER_CONCENTRATION 7 /* of `species`, per kg of dry air */
+
+typedef int32_t NephSpecies;
+#define NEPH_SPECIES_NONE (-1)
+#define NEPH_SPECIES_CLOUD 0
+#define NEPH_SPECIES_ICE 1
+#define NEPH_SPECIES_RAIN 2
+#define NEPH_SPECIES_SNOW 3
+#define NEPH_SPECIES_GRAUPEL 4
+#define NEPH_SPECIES_HAIL 5
+
+/* Why something failed, in parts that the host lays out. The host owns it and clears it before each call; the reader writes
+ * UTF-8, ends each part with a zero byte and leaves empty what it does not know. */
+typedef struct NephError {
+    NephHeader header;
+    char where[1024];    /* file; the host puts in the path when left empty */
+    char what[1024];     /* what is wrong, naming the variable or key */
+    char found[1024];    /* what was found */
+    char expected[1024]; /* what was expected */
+    char hint[1024];     /* the next step for the user */
+} NephError;
+
+typedef struct NephTime {
+    NephHeader header;
+    const char* label; /* the model's own words */
+    double seconds;    /* on one clock that all files of a series share; any origin */
+} NephTime;
+
+typedef struct NephVariable {
+    NephHeader header;
+    const char* name;          /* unique within the file */
+    const char* standard_name; /* CF standard name, or empty */
+    const char* units;         /* of the values that read() gives */
+    const char* description;
+    NephRole role;
+    NephSpecies species; /* NEPH_SPECIES_NONE where the role has no species */
+    int32_t size[3];     /* x, y, z; 1 where the variable lacks the axis */
+    int32_t has_range;   /* 0 when the two values below are not known without reading */
+    double lowest, highest;
+} NephVariable;
+
+typedef struct NephAttribute {
+    NephHeader header;
+    const char* name;
+    const char* value;
+} NephAttribute;
+
+/* Everything that is known without reading a field. Lives, with all its strings, as long as the file handle. */
+typedef struct NephDescription {
+    NephHeader header;
+    const char* model;    /* for example "WRF V4.2.2" */
+    const char* scheme;   /* microphysics, or empty */
+    int32_t size[3];      /* cells in x, y, z on the native grid; x runs east, y north, z up */
+    double spacing_m[2];  /* of the cells in x and y */
+    uint32_t time_count;  /* at least 1 */
+    const NephTime* const* times;
+    uint32_t variable_count;
+    const NephVariable* const* variables;
+    uint32_t note_count; /* what was skipped or assumed, one sentence each */
+    const char* const* notes;
+    uint32_t attribute_count; /* global attributes worth showing */
+    const NephAttribute* const* attributes;
+} NephDescription;
+
+/* Returns 0 to cancel. `fraction` lies in [0, 1]. */
+typedef int32_t (*NephProgress)(void* context, double fraction);
+
+/* One box of one variable at one time. */
+typedef struct NephReadRequest {
+    NephHeader header;
+    uint32_t variable; /* index into the description */
+    uint32_t time;     /* index into the description */
+    int32_t lower[3];  /* half-open box of cells x, y, z of the variable: 0 <= lower < upper <= size */
+    int32_t upper[3];
+    float* values;          /* the host's buffer, x fastest, then y, then z; missing values are NaN */
+    uint64_t value_count;   /* values that fit, exactly those of the box; never write beyond */
+    uint64_t values_written; /* set by the reader; fewer than value_count is a failed read */
+    NephProgress progress;  /* may be null; call it between pieces of at most a few megabytes */
+    void* progress_context;
+} NephReadRequest;
+
+typedef struct NephFile NephFile; /* the reader's own */
+
+/* A reader. The struct and its strings live as long as the library is loaded. Calls may come from any thread; one handle is
+ * used by one thread at a time, different handles by different threads at once. */
+typedef struct NephReader {
+    NephHeader header;
+    const char* id;         /* for example "wrf_netcdf" */
+    const char* version;    /* of the reader */
+    const char* title;      /* what it reads, for a person */
+    const char* extensions; /* usual ones, separated by spaces, for file dialogs alone; may be empty */
+
+    /* How sure the reader is that the content of `path` (a file or a folder) is its own; the name of the file does not count.
+     * 0: not a format that it knows. 1 to 9: the container is known but the content will be refused by open, which says
+     * why. 10 to 100: can be read. Reads a few kilobytes at most. */
+    int32_t (*score)(const char* path);
+
+    /* Opens without reading a field and sets *file. */
+    NephStatus (*open)(const char* path, NephFile** file, NephError* error);
+    const NephDescription* (*describe)(NephFile* file);
+    NephStatus (*read)(NephFile* file, NephReadRequest* request, NephError* error);
+    void (*close)(NephFile* file);
+} NephReader;
+
+/* The one exported symbol. Returns null when the reader cannot serve a host of that ABI version. */
+typedef const NephReader* (*NephReaderEntry)(uint32_t host_abi_version);
+#define NEPH_READER_ENTRY_NAME "nephReader"
+NEPH_READER_EXPORT const NephReader* nephReader(uint32_t host_abi_version);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

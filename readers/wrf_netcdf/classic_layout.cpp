@@ -1,0 +1,155 @@
+// classic_layout.cpp: a walk over the header of a classic NetCDF file.
+#include "readers/wrf_netcdf/classic_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace wrf {
+namespace {
+
+constexpr std::uint64_t kMaxListed = 1U << 20;  // dimensions, attributes or variables in one list
+
+/// Bytes of one value of an external type; 0 when the type does not exist.
+std::uint64_t bytesOf(std::uint64_t type) {
+    constexpr std::array<std::uint64_t, 12> kBytes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+    return type < kBytes.size() ? kBytes[type] : 0;
+}
+
+std::uint64_t padded(std::uint64_t bytes) {
+    return (bytes + 3) / 4 * 4;
+}
+
+}  // namespace
+
+/// Reads big-endian numbers one after the other; `broken` after the first that cannot be.
+class ClassicHeader {
+  public:
+    explicit ClassicHeader(const std::string& path) : in_(path, std::ios::binary) {}
+
+    std::optional<ClassicLayout> read() {
+        std::array<char, 4> magic{};
+        in_.read(magic.data(), magic.size());
+        version_ = magic[3];
+        if (!in_ || std::string_view(magic.data(), 3) != "CDF") return {};
+        if (version_ != 1 && version_ != 2 && version_ != 5) return {};
+        ClassicLayout layout;
+        layout.records_ = count();
+        readDimensions();
+        skipAttributes();
+        readVariables(layout);
+        if (broken_) return {};
+        return layout;
+    }
+
+  private:
+    std::uint64_t number(int bytes) {
+        std::array<unsigned char, 8> raw{};
+        in_.read(reinterpret_cast<char*>(raw.data()), bytes);
+        if (!in_) broken_ = true;
+        std::uint64_t value = 0;
+        for (int i = 0; i < bytes; ++i) value = value << 8U | raw[static_cast<std::size_t>(i)];
+        return broken_ ? 0 : value;
+    }
+    std::uint64_t word() { return number(4); }
+    std::uint64_t count() { return number(version_ == 5 ? 8 : 4); }
+    std::uint64_t listed() {
+        const std::uint64_t n = count();
+        if (n > kMaxListed) broken_ = true;
+        return broken_ ? 0 : n;
+    }
+    void skip(std::uint64_t bytes) {
+        if (broken_ || bytes > std::uint64_t{1} << 40U) {
+            broken_ = true;
+            return;
+        }
+        in_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+    }
+    void skipName() { skip(padded(count())); }
+
+    void readDimensions() {
+        word();
+        const std::uint64_t n = listed();
+        for (std::uint64_t i = 0; i < n && !broken_; ++i) {
+            skipName();
+            lengths_.push_back(count());
+        }
+    }
+    void skipAttributes() {
+        word();
+        const std::uint64_t n = listed();
+        for (std::uint64_t i = 0; i < n && !broken_; ++i) {
+            skipName();
+            const std::uint64_t bytes = bytesOf(word());
+            const std::uint64_t values = count();
+            if (values > std::uint64_t{1} << 36U) broken_ = true;
+            skip(padded(bytes * values));
+        }
+    }
+    void readVariables(ClassicLayout& layout) {
+        word();
+        const std::uint64_t n = listed();
+        for (std::uint64_t i = 0; i < n && !broken_; ++i) readVariable(layout);
+        std::uint64_t records = 0;
+        for (const auto& variable : layout.variables_) {
+            if (!variable.record) continue;
+            ++records;
+            layout.recordBytes_ += padded(variable.bytes);
+        }
+        // A lone record variable is stored without padding.
+        if (records == 1) {
+            for (const auto& variable : layout.variables_) {
+                if (variable.record) layout.recordBytes_ = variable.bytes;
+            }
+        }
+    }
+    void readVariable(ClassicLayout& layout) {
+        skipName();
+        ClassicLayout::Variable variable;
+        std::uint64_t cells = 1;
+        const std::uint64_t rank = listed();
+        for (std::uint64_t axis = 0; axis < rank && !broken_; ++axis) {
+            const std::uint64_t dimension = count();
+            if (dimension >= lengths_.size()) broken_ = true;
+            const std::uint64_t length = broken_ ? 1 : lengths_[dimension];
+            if (length == 0 && axis == 0) {
+                variable.record = true;
+            } else {
+                cells *= length;
+            }
+            if (cells > std::uint64_t{1} << 48U) broken_ = true;
+        }
+        skipAttributes();
+        variable.bytes = cells * bytesOf(word());
+        count();  // vsize: redundant, and wrong for variables above 4 GiB
+        variable.begin = number(version_ == 1 ? 4 : 8);
+        layout.variables_.push_back(variable);
+    }
+
+    std::ifstream in_;
+    int version_ = 0;
+    bool broken_ = false;
+    std::vector<std::uint64_t> lengths_;
+};
+
+std::optional<ClassicLayout> ClassicLayout::of(const std::string& path) {
+    return ClassicHeader(path).read();
+}
+
+std::uint64_t ClassicLayout::bytesNeeded(std::size_t index, std::uint64_t record) const {
+    const Variable& variable = variables_.at(index);
+    const std::uint64_t skipped = variable.record ? record * recordBytes_ : 0;
+    return variable.begin + skipped + variable.bytes;
+}
+
+std::uint64_t ClassicLayout::bytesOfAll() const {
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+        if (variables_[i].record && records_ == 0) continue;
+        bytes = std::max(bytes, bytesNeeded(i, records_ > 0 ? records_ - 1 : 0));
+    }
+    return bytes;
+}
+
+}  // namespace wrf

@@ -1,0 +1,78 @@
+// nc_file.h: one NetCDF file, opened for reading; every call of the library goes through here.
+//
+// NetCDF-C is not safe for threads: each method holds one lock for the whole process. Sizes and
+// starts are in the order of the file, slowest axis first.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "readers/wrf_netcdf/classic_layout.h"
+#include "readers/wrf_netcdf/failure.h"
+
+namespace wrf {
+
+struct NcDimension {
+    std::string name;
+    std::size_t length = 0;
+};
+
+struct NcVariable {
+    int id = -1;
+    std::string name, units, description;
+    bool number = false;  ///< stored as floats, doubles, or packed shorts
+    bool text = false;
+    std::vector<NcDimension> axes;
+    std::vector<std::size_t> chunk;  ///< empty when not chunked
+    float scale = 1.0f, offset = 0.0f;
+    std::optional<float> fill;  ///< as stored, before scale and offset
+};
+
+/// What the first bytes of a file say of its container.
+enum class Container { unknown, classic, hdf5 };
+Container containerOf(const std::string& path);
+
+class NcFile {
+  public:
+    /// Throws Failure, with a hint, when the library cannot open the file.
+    explicit NcFile(const std::string& path);
+    ~NcFile();
+    NcFile(const NcFile&) = delete;
+    NcFile& operator=(const NcFile&) = delete;
+
+    const std::vector<NcDimension>& dimensions() const { return dimensions_; }
+    const std::vector<NcVariable>& variables() const { return variables_; }
+    const NcDimension* dimension(std::string_view name) const;
+    const NcVariable* variable(std::string_view name) const;
+
+    /// Global attributes; nothing when absent or of another kind.
+    std::optional<std::string> text(const char* name) const;
+    std::optional<double> number(const char* name) const;
+
+    /// Fills `values` with a box; missing values become NaN, packed ones are unpacked. Throws
+    /// Failure.
+    void read(const NcVariable& variable, std::span<const std::size_t> start,
+              std::span<const std::size_t> count, std::span<float> values) const;
+    std::string readText(const NcVariable& variable, std::span<const std::size_t> start,
+                         std::span<const std::size_t> count) const;
+
+    /// Bytes that the file should have and has, when it is cut short.
+    struct Shortage {
+        std::uint64_t expected = 0, found = 0;
+    };
+    std::optional<Shortage> shortage() const;
+
+  private:
+    void readVariables();
+    void requireWhole(const NcVariable& variable, std::size_t lastRecord) const;
+
+    std::string path_;
+    int id_ = -1;
+    std::optional<ClassicLayout> layout_;
+    std::vector<NcDimension> dimensions_;
+    std::vector<NcVariable> variables_;
+};
+
+}  // namespace wrf

@@ -1,0 +1,274 @@
+// wrf_file.cpp: the description of a WRF file, from its header and Times.
+#include "readers/wrf_netcdf/wrf_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "readers/wrf_netcdf/schemes.h"
+#include "readers/wrf_netcdf/wrf_times.h"
+
+namespace wrf {
+namespace {
+
+constexpr const char* kMassAxes = "(Time, bottom_top, south_north, west_east)";
+constexpr const char* kInterfaceAxes = "(Time, bottom_top_stag, south_north, west_east)";
+
+/// A field without which nothing can be drawn.
+struct Needed {
+    const char* name;
+    const char* meaning;
+    const char* axes;
+    const char* hint;
+};
+constexpr std::array<Needed, 5> kNeeded{{
+    {"PH", "perturbation geopotential", kInterfaceAxes,
+     "heights are (PH+PHB)/9.81; write PH with the history stream (iofields)"},
+    {"PHB", "base-state geopotential", kInterfaceAxes,
+     "heights are (PH+PHB)/9.81; write PHB with the history stream (iofields)"},
+    {"P", "perturbation pressure", kMassAxes,
+     "air density needs pressure, P+PB; write P with the history stream (iofields)"},
+    {"PB", "base-state pressure", kMassAxes,
+     "air density needs pressure, P+PB; write PB with the history stream (iofields)"},
+    {"T", "perturbation potential temperature", kMassAxes,
+     "air density needs temperature; write T with the history stream (iofields)"},
+}};
+
+/// What WRF calls the things that have a role. CF names are empty where CF has none.
+struct Known {
+    std::string_view name;
+    NephRole role;
+    NephSpecies species;
+    std::string_view standardName, units;
+};
+constexpr std::string_view kRatio = "kg kg-1";
+constexpr std::string_view kNumber = "kg-1";
+constexpr std::array kKnown{
+    Known{"QCLOUD", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, "cloud_liquid_water_mixing_ratio",
+          kRatio},
+    Known{"QICE", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "cloud_ice_mixing_ratio", kRatio},
+    Known{"QRAIN", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "", kRatio},
+    Known{"QSNOW", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "", kRatio},
+    Known{"QGRAUP", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "", kRatio},
+    Known{"QHAIL", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "", kRatio},
+    Known{"QVAPOR", NEPH_ROLE_OTHER, NEPH_SPECIES_NONE, "humidity_mixing_ratio", kRatio},
+    Known{"RE_CLOUD", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_CLOUD,
+          "effective_radius_of_cloud_liquid_water_particles", "m"},
+    Known{"RE_ICE", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_ICE, "", "m"},
+    Known{"RE_SNOW", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_SNOW, "", "m"},
+    Known{"QNCLOUD", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_CLOUD, "", kNumber},
+    Known{"QNICE", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_ICE, "", kNumber},
+    Known{"QNRAIN", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "", kNumber},
+    Known{"QNSNOW", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_SNOW, "", kNumber},
+    Known{"QNGRAUPEL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_GRAUPEL, "", kNumber},
+    Known{"QNHAIL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_HAIL, "", kNumber},
+};
+
+template <typename Names>
+std::string joined(const Names& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+    return text.empty() ? "none" : text;
+}
+
+std::string listOf(const std::vector<NcDimension>& dimensions) {
+    std::vector<std::string> names;
+    for (const NcDimension& d : dimensions)
+        names.push_back(fmt::format("{} = {}", d.name, d.length));
+    return joined(names);
+}
+
+/// Sizes in x, y, z of a field; nothing for a variable of another shape.
+std::optional<std::array<int, 3>> fieldSize(const NcVariable& variable) {
+    const auto& axes = variable.axes;
+    const std::size_t first = !axes.empty() && axes[0].name == "Time" ? 1 : 0;
+    const std::size_t rank = axes.size() - first;
+    if (rank < 2 || rank > 3) return {};
+    const NcDimension& x = axes[axes.size() - 1];
+    const NcDimension& y = axes[axes.size() - 2];
+    if (!x.name.starts_with("west_east") || !y.name.starts_with("south_north")) return {};
+    const std::size_t z = rank == 3 ? axes[first].length : 1;
+    constexpr std::size_t kMost = 1U << 20U;
+    if (x.length < 1 || y.length < 1 || z < 1) return {};
+    if (x.length > kMost || y.length > kMost || z > kMost) return {};
+    return std::array{static_cast<int>(x.length), static_cast<int>(y.length), static_cast<int>(z)};
+}
+
+}  // namespace
+
+bool looksLikeWrf(const NcFile& file) {
+    return file.dimension("west_east") != nullptr && file.dimension("south_north") != nullptr &&
+           file.dimension("bottom_top") != nullptr;
+}
+
+WrfFile::WrfFile(const std::string& path) : file_(path) {
+    if (!looksLikeWrf(file_)) {
+        throw Failure{"is a NetCDF file, but not WRF output",
+                      "dimensions " + listOf(file_.dimensions()),
+                      "dimensions west_east, south_north, bottom_top, bottom_top_stag and "
+                      "variables PH, PHB, P, PB, T, Q…",
+                      "give wrfout files as the model wrote them"};
+    }
+    describeGrid();
+    requireFields();
+    describeTimes();
+    describeModel();
+    addDerived();
+    addStored();
+    if (const auto cut = file_.shortage()) {
+        notes_.push_back(
+            fmt::format("The file is cut short ({} of {} bytes): its last fields cannot be read.",
+                        cut->found, cut->expected));
+    }
+}
+
+void WrfFile::describeGrid() {
+    constexpr std::array<const char*, 3> kAxes{"west_east", "south_north", "bottom_top"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t length = file_.dimension(kAxes[axis])->length;
+        if (length == 0 || length > 1U << 20U) {
+            throw Failure{fmt::format("dimension {} has {}", kAxes[axis],
+                                      length == 0 ? "no length" : "an impossible length"),
+                          "dimensions " + listOf(file_.dimensions()),
+                          "at least one cell on every axis",
+                          "the run or the copy that wrote this file was broken off"};
+        }
+        size_[axis] = static_cast<int>(length);
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const char* name = axis == 0 ? "DX" : "DY";
+        const auto spacing = file_.number(name);
+        if (!spacing || !std::isfinite(*spacing) || *spacing <= 0.0) {
+            throw Failure{fmt::format("global attribute {} (grid spacing) is {}", name,
+                                      spacing ? "not a length" : "missing"),
+                          spacing ? fmt::format("{}", *spacing) : "", "metres, above zero",
+                          "copy the global attributes from the original wrfout (ncks -A)"};
+        }
+        spacingM_[axis] = *spacing;
+    }
+}
+
+void WrfFile::requireFields() const {
+    for (const Needed& needed : kNeeded) {
+        const NcVariable* variable = file_.variable(needed.name);
+        if (variable == nullptr) {
+            std::vector<std::string> names;
+            for (const NcVariable& v : file_.variables()) {
+                if (fieldSize(v)) names.push_back(v.name);
+            }
+            throw Failure{fmt::format("variable {} ({}) is missing", needed.name, needed.meaning),
+                          joined(names), fmt::format("{} on {}", needed.name, needed.axes),
+                          needed.hint};
+        }
+        std::array<int, 3> expected = size_;
+        if (needed.axes == kInterfaceAxes) ++expected[2];
+        if (!variable->number || fieldSize(*variable) != expected) {
+            throw Failure{
+                fmt::format("variable {} ({}) has the wrong shape", needed.name, needed.meaning),
+                listOf(variable->axes),
+                fmt::format("numbers on {}: {} x {} x {} in x, y, z", needed.axes, expected[0],
+                            expected[1], expected[2]),
+                "give wrfout files as the model wrote them"};
+        }
+    }
+}
+
+void WrfFile::describeTimes() {
+    constexpr const char* kForm = "Times(Time, DateStrLen) as YYYY-MM-DD_hh:mm:ss";
+    const NcVariable* variable = file_.variable("Times");
+    if (variable == nullptr || !variable->text || variable->axes.size() != 2) {
+        throw Failure{"variable Times is missing or is not text", "", kForm,
+                      "give wrfout files as the model wrote them"};
+    }
+    const std::size_t count = variable->axes[0].length;
+    const std::size_t length = variable->axes[1].length;
+    if (count == 0 || count > 1'000'000 || length > 1024) {
+        throw Failure{count == 0 ? "the file holds no time (dimension Time has no length)"
+                                 : "variable Times has an impossible size",
+                      listOf(variable->axes), kForm, "the model had not yet written to this file"};
+    }
+    const std::array<std::size_t, 2> start{0, 0};
+    const std::array<std::size_t, 2> whole{count, length};
+    const std::string text = file_.readText(*variable, start, whole);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string label(text.substr(i * length, length).c_str());
+        const auto seconds = secondsOf(label);
+        if (!seconds) {
+            throw Failure{
+                fmt::format("variable Times cannot be read at its entry {}", i),
+                fmt::format("\"{}\"", label), kForm,
+                "the model was broken off while it wrote this time, or the file is damaged"};
+        }
+        times_.push_back({label, *seconds});
+    }
+}
+
+void WrfFile::describeModel() {
+    std::string title = file_.text("TITLE").value_or("");
+    const std::size_t start = title.find("WRF");
+    model_ = start == std::string::npos ? "WRF" : title.substr(start);
+    if (const std::size_t end = model_.find(" MODEL"); end != std::string::npos) model_.resize(end);
+    const auto physics = file_.number("MP_PHYSICS");
+    if (physics && std::abs(*physics) < 1000.0) scheme_ = schemeName(static_cast<int>(*physics));
+    const auto projection = file_.number("MAP_PROJ");
+    if (projection && *projection != 0.0) {
+        notes_.push_back(
+            "Cells are taken as DX by DY everywhere: the map scale factor is not applied.");
+    }
+    if (file_.variable("QVAPOR") == nullptr) {
+        notes_.push_back("QVAPOR is missing: the air is taken as dry.");
+    }
+    for (const char* name : {"TITLE", "START_DATE", "SIMULATION_START_DATE",
+                             "SIMULATION_INITIALIZATION_TYPE", "MAP_PROJ_CHAR"}) {
+        if (const auto value = file_.text(name)) attributes_.emplace_back(name, *value);
+    }
+    for (const char* name : {"DX", "DY", "DT", "MP_PHYSICS", "MAP_PROJ", "CEN_LAT", "CEN_LON",
+                             "GRID_ID", "RA_LW_PHYSICS", "RA_SW_PHYSICS"}) {
+        if (const auto value = file_.number(name)) {
+            attributes_.emplace_back(name, fmt::format("{:.6g}", *value));
+        }
+    }
+}
+
+void WrfFile::addDerived() {
+    const std::array<int, 3> interfaces{size_[0], size_[1], size_[2] + 1};
+    variables_.push_back({"interface_height", "altitude", "m",
+                          "height of layer interfaces above sea level, (PH+PHB)/9.81",
+                          NEPH_ROLE_INTERFACE_HEIGHT, NEPH_SPECIES_NONE, interfaces,
+                          Source::interfaceHeight, nullptr});
+    variables_.push_back({"air_pressure", "air_pressure", "Pa", "P+PB", NEPH_ROLE_AIR_PRESSURE,
+                          NEPH_SPECIES_NONE, size_, Source::airPressure, nullptr});
+    variables_.push_back({"air_temperature", "air_temperature", "K", "(T+300) (p/1e5)^(2/7)",
+                          NEPH_ROLE_AIR_TEMPERATURE, NEPH_SPECIES_NONE, size_,
+                          Source::airTemperature, nullptr});
+    variables_.push_back({"dry_air_density", "", "kg m-3",
+                          "density of dry air, from pressure, temperature and QVAPOR",
+                          NEPH_ROLE_DRY_AIR_DENSITY, NEPH_SPECIES_NONE, size_,
+                          Source::dryAirDensity, nullptr});
+}
+
+void WrfFile::addStored() {
+    for (const NcVariable& variable : file_.variables()) {
+        const auto size = fieldSize(variable);
+        const bool taken =
+            std::ranges::find(variables_, variable.name, &Variable::name) != variables_.end();
+        if (!variable.number || !size || taken) continue;
+        Variable entry;
+        entry.name = variable.name;
+        entry.units = variable.units;
+        entry.description = variable.description;
+        entry.size = *size;
+        entry.stored = &variable;
+        const auto known = std::ranges::find(kKnown, variable.name, &Known::name);
+        if (known != kKnown.end() && *size == size_) {
+            entry.role = known->role;
+            entry.species = known->species;
+            entry.standardName = known->standardName;
+            entry.units = known->units;
+        }
+        variables_.push_back(std::move(entry));
+    }
+}
+
+}  // namespace wrf
