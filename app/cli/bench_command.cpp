@@ -1,0 +1,177 @@
+// bench_command.cpp: [Riley03] table 4 on this machine: 300 x 300 pixels, 128 planes, four modes.
+//
+// The camera goes round the storm, a new azimuth every frame, so that nothing of the last frame can
+// be shown again. Times are wall time of one frame with the GPU finished.
+#include "app/cli/bench_command.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/gl/context.h"
+#include "app/render/renderer.h"
+#include "app/scene.h"
+#include "core/atomic_file.h"
+#include "core/file_list.h"
+#include "core/plugin_host.h"
+#include "core/resample.h"
+#include "core/resources.h"
+
+namespace neph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kSidePx = 300;   // [Riley03] §5
+constexpr int kPlanes = 128;   // [Riley03] §5
+constexpr int kWarmUp = 2;     // the first frames fill caches
+constexpr int kFrames = 12;    // measured a mode; 30 degrees apart once round
+constexpr int kBenchTime = 1;  // of the bundled storm: 01:00, the storm begins to split
+
+struct Mode {
+    std::string_view id;
+    Transport transport;
+    PhaseMode phase;
+    bool noise;
+    double paperFps;  // [Riley03] table 4
+};
+constexpr std::array kModes{
+    Mode{"uniform-low-albedo", Transport::lowAlbedo, PhaseMode::uniform, false, 5.1},
+    Mode{"uniform-translucent", Transport::translucent, PhaseMode::uniform, false, 4.28},
+    Mode{"per-field-translucent", Transport::translucent, PhaseMode::perField, false, 1.68},
+    Mode{"per-field-noise-translucent", Transport::translucent, PhaseMode::perField, true, 1.18},
+};
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::size_t bytesHeld(const SpeciesVolume& volume) {
+    std::size_t bytes = 0;
+    for (const Array3f& content : volume.contentKgPerM3) {
+        bytes += content.values.size() * sizeof(float);
+    }
+    return bytes;
+}
+
+long peakResidentBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024L;
+}
+
+render::FrameInputs inputsOf(const Mode& mode, const Scene& scene, const RegularGrid& grid,
+                             int frame) {
+    render::FrameInputs inputs;
+    inputs.look = scene.document.look;
+    inputs.look.transport = mode.transport;
+    inputs.look.phaseMode = mode.phase;
+    inputs.look.noise = mode.noise;
+    inputs.sizePx = {kSidePx, kSidePx};
+    inputs.planes = kPlanes;
+    CameraPose pose = scene.document.camera;
+    orbit(pose, 360.0f * static_cast<float>(frame) / static_cast<float>(kFrames), 0.0f);
+    inputs.camera = placeCamera(pose, grid, 1.0);
+    return inputs;
+}
+
+nlohmann::ordered_json measure(const Mode& mode, const Scene& scene, const RegularGrid& grid,
+                               render::Renderer& renderer) {
+    std::vector<double> milliseconds;
+    for (int frame = -kWarmUp; frame < kFrames; ++frame) {
+        const render::FrameInputs inputs = inputsOf(mode, scene, grid, frame);
+        const auto start = Clock::now();
+        renderer.render(inputs);
+        if (frame >= 0) milliseconds.push_back(millisecondsSince(start));
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    const std::size_t half = milliseconds.size() / 2;
+    const double median = (milliseconds[half] + milliseconds[milliseconds.size() - 1 - half]) / 2.0;
+    fmt::print(stderr, "{:<28} {:>8.1f} {:>8.1f} {:>8.1f} {:>7.2f} {:>7.2f}\n", mode.id, median,
+               milliseconds.front(), milliseconds.back(), 1000.0 / median, mode.paperFps);
+    return {{"engine", "slicing"},
+            {"mode", mode.id},
+            {"frames", kFrames},
+            {"median_ms", median},
+            {"min_ms", milliseconds.front()},
+            {"max_ms", milliseconds.back()},
+            {"fps", 1000.0 / median},
+            {"paper_fps", mode.paperFps}};
+}
+
+struct Opened {
+    std::shared_ptr<Dataset> dataset;
+    SpeciesVolume volume;
+    double openMs = 0.0, resampleMs = 0.0;
+};
+
+Opened openData(const BenchOptions& options) {
+    Opened opened;
+    const auto start = Clock::now();
+    opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard());
+    opened.openMs = millisecondsSince(start);
+    const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
+    const auto begun = Clock::now();
+    opened.volume = resample(*opened.dataset, std::min(kBenchTime, last));
+    opened.resampleMs = millisecondsSince(begun);
+    return opened;
+}
+
+void write(const BenchOptions& options, const nlohmann::ordered_json& result) {
+    const std::string text = result.dump(2) + "\n";
+    if (options.json.empty()) {
+        fmt::print("{}", text);
+    } else {
+        replaceFile(options.json, text);
+    }
+}
+
+}  // namespace
+
+int runBench(const BenchOptions& options) {
+    const auto start = Clock::now();
+    const Scene scene = makeScene({});
+    Opened opened = openData(options);
+    const gl::HeadlessContext context;
+    render::Renderer renderer(resourcePath("shaders"));
+    renderer.setVolume(opened.volume);
+    const std::size_t held = bytesHeld(opened.volume);
+    const RegularGrid grid = opened.volume.grid;
+    const std::string time = opened.volume.timeLabel;
+    opened.volume = {};
+    renderer.render(inputsOf(kModes[2], scene, grid, 0));
+    const double firstPictureMs = millisecondsSince(start);
+
+    nlohmann::ordered_json result{{"renderer", renderer.deviceName()},
+                                  {"version", versionText()},
+                                  {"size", {kSidePx, kSidePx}},
+                                  {"planes", kPlanes},
+                                  {"time", time},
+                                  {"grid", {grid.size.x, grid.size.y, grid.size.z}},
+                                  {"opening",
+                                   {{"open_ms", opened.openMs},
+                                    {"resample_ms", opened.resampleMs},
+                                    {"first_picture_ms", firstPictureMs}}}};
+    fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first picture after {:.0f} ms\n",
+               renderer.deviceName(), opened.openMs, opened.resampleMs, firstPictureMs);
+    fmt::print(stderr, "{:<28} {:>8} {:>8} {:>8} {:>7} {:>7}\n", "mode", "median", "min", "max",
+               "fps", "paper");
+    for (const Mode& mode : kModes) {
+        result["rows"].push_back(measure(mode, scene, grid, renderer));
+    }
+    result["memory"] = {{"fields_bytes", held},
+                        {"gpu_bytes", renderer.gpuBytes()},
+                        {"peak_resident_bytes", peakResidentBytes()}};
+    fmt::print(stderr, "fields {:.1f} MiB, on the GPU {:.1f} MiB, peak resident {:.1f} MiB\n",
+               static_cast<double>(held) / 1048576.0,
+               static_cast<double>(renderer.gpuBytes()) / 1048576.0,
+               static_cast<double>(peakResidentBytes()) / 1048576.0);
+    write(options, result);
+    return 0;
+}
+
+}  // namespace neph

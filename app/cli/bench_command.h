@@ -1,0 +1,17 @@
+// bench_command.h: `nephoscope bench`: frame times of the modes of [Riley03] table 4, and of
+// opening.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace neph {
+
+struct BenchOptions {
+    std::vector<std::string> files;  ///< none: the bundled storm
+    std::string json;                ///< file for the result; empty: stdout
+};
+
+/// A table on stderr, JSON to the file or stdout. Returns 0; throws Error.
+int runBench(const BenchOptions& options);
+
+}  // namespace neph

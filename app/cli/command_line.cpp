@@ -1,0 +1,166 @@
+// command_line.cpp: the grammar of the command line, in one place.
+#include "app/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/cli/bench_command.h"
+#include "app/cli/info.h"
+#include "app/cli/presets_command.h"
+#include "app/cli/readers.h"
+#include "app/cli/render_command.h"
+#include "app/workbench.h"
+#include "core/names.h"
+#include "core/resources.h"
+
+namespace neph {
+namespace {
+
+constexpr std::string_view kExamples = R"(Examples:
+  nephoscope                                        look at the bundled storm
+  nephoscope wrfout_d01_2024-05-06_*                look at your own run, all files as one series
+  nephoscope render --out storm.png                 a picture without a display
+  nephoscope render wrfout_d01 --time all --out storm.png --preset fig06-physical
+  nephoscope render --out storm.exr --set cloud.mixing_scale=0.5 --set sun.elevation=10
+  nephoscope presets show default > mine.json       a preset to edit
+  nephoscope info wrfout_d01 --json                 what is in a file
+Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
+)";
+
+constexpr std::array<std::string_view, 5> kCommands{"render", "info", "presets", "readers",
+                                                    "bench"};
+
+struct Arguments {
+    SceneOptions workbench;
+    RenderOptions render;
+    InfoOptions info;
+    BenchOptions bench;
+    std::string preset;
+    std::vector<std::string> presets;
+};
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+    command.add_option("FILE", options.files,
+                       "Files of one series, or a folder; none: the bundled storm");
+    command.add_option("--preset", options.preset, "Preset, by name or file")
+        ->type_name("NAME|FILE");
+    command.add_option("--set", options.assignments, "Set one parameter; may be repeated")
+        ->type_name("ID=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command.add_option("--camera", options.camera, "Camera of a preset, or a file with one")
+        ->type_name("NAME|FILE");
+    command.add_option("--time", options.time, "Time index, a:b or all; the last when not given")
+        ->type_name("INDEX|a:b|all");
+}
+
+void addRender(CLI::App& app, RenderOptions& options) {
+    CLI::App& command = *app.add_subcommand("render", "Render to a file; needs no display");
+    addSceneOptions(command, options.scene);
+    command.add_option("--out,-o", options.out, "Picture to write")
+        ->type_name("P.png|P.exr")
+        ->capture_default_str();
+    command.add_option("--size", options.size, "In pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_option("--planes", options.planes, "Number of slices, instead of view.planes");
+    command.add_option("--engine", options.engine, "Rendering engine")->capture_default_str();
+    command.add_option("--format", options.format, "Pixels of an EXR: half or float")
+        ->capture_default_str();
+}
+
+void addPresets(CLI::App& app, Arguments& arguments) {
+    CLI::App& command = *app.add_subcommand("presets", "List, show and check presets");
+    command.require_subcommand(0, 1);
+    command.add_subcommand("list", "List presets; what `presets` alone does");
+    command.add_subcommand("show", "Print a whole preset as JSON")
+        ->add_option("PRESET", arguments.preset, "Name or file")
+        ->required();
+    command.add_subcommand("check", "Check preset files")
+        ->add_option("FILE", arguments.presets, "Names or files")
+        ->required();
+    command.add_subcommand("parameters", "Print the reference of all parameters");
+}
+
+void addOthers(CLI::App& app, Arguments& arguments) {
+    CLI::App& info = *app.add_subcommand("info", "Describe files without reading their fields");
+    info.add_option("FILE", arguments.info.files, "Files of one series, or a folder")->required();
+    info.add_flag("--json", arguments.info.json, "As JSON");
+    app.add_subcommand("readers", "List reader plugins");
+    CLI::App& bench = *app.add_subcommand("bench", "Measure frame times");
+    bench.add_option("FILE", arguments.bench.files, "Data; none: the bundled storm");
+    bench.add_option("--json", arguments.bench.json, "File for the result; none: stdout");
+}
+
+int runPresets(const CLI::App& command, const Arguments& arguments) {
+    if (command.got_subcommand("show")) return runPresetsShow(arguments.preset);
+    if (command.got_subcommand("check")) return runPresetsCheck(arguments.presets);
+    if (command.got_subcommand("parameters")) return runPresetsParameters();
+    return runPresetsList();
+}
+
+/// A file that is not there may be a command that was mistyped.
+void checkForCommand(const SceneOptions& options) {
+    if (options.files.empty() || std::filesystem::exists(options.files.front())) return;
+    const std::string& name = options.files.front();
+    const std::string_view near = nearestName(name, kCommands);
+    if (near.empty()) return;
+    throw UsageError({"", fmt::format("there is no file and no command {}", name), "", "",
+                      fmt::format("did you mean nephoscope {}?", near)});
+}
+
+int dispatch(const CLI::App& app, const Arguments& arguments) {
+    if (app.got_subcommand("render")) return runRender(arguments.render);
+    if (app.got_subcommand("info")) return runInfo(arguments.info);
+    if (app.got_subcommand("readers")) return runReaders();
+    if (app.got_subcommand("bench")) return runBench(arguments.bench);
+    if (app.got_subcommand("presets")) return runPresets(*app.get_subcommand("presets"), arguments);
+    checkForCommand(arguments.workbench);
+    return runWorkbench(arguments.workbench);
+}
+
+int parseAndRun(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App app(
+        "Nephoscope renders the hydrometeors of weather models as an observer would see "
+        "them.",
+        "nephoscope");
+    app.set_version_flag("--version", fmt::format("nephoscope {}", versionText()));
+    app.footer(std::string(kExamples));
+    app.require_subcommand(0, 1);
+    addSceneOptions(app, arguments.workbench);
+    addRender(app, arguments.render);
+    addPresets(app, arguments);
+    addOthers(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        if (fault.get_exit_code() == 0) return app.exit(fault);  // --help and --version
+        throw UsageError({"", fault.what(), "", "", "nephoscope --help"});
+    }
+    return dispatch(app, arguments);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+    try {
+        return parseAndRun(argc, argv);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "error: {}\n", error.message());
+        return 2;
+    } catch (const Error& error) {
+        fmt::print(stderr, "error: {}\n", error.message());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "error: there is not enough memory\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+    }
+    return 1;
+}
+
+}  // namespace neph

@@ -1,0 +1,21 @@
+// exr.h: linear pictures as OpenEXR files; premultiplied alpha, as the format wants it.
+#pragma once
+#include <filesystem>
+
+#include "app/image_io/image.h"
+#include "app/image_io/metadata.h"
+
+namespace neph {
+
+enum class ExrPixels { half, full };
+
+/// Channels R, G, B, A, ZIP compression, metadata as string attributes of the header. Half holds
+/// values to 65504; larger ones are clipped to it. Written aside, then renamed. Throws Error.
+void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
+              ExrPixels pixels = ExrPixels::half);
+
+/// Missing channels read as 0, missing alpha as 1. String attributes are added to `metadata` where
+/// given. Throws Error.
+ImageF readExr(const std::filesystem::path& file, Metadata* metadata = nullptr);
+
+}  // namespace neph

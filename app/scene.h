@@ -1,0 +1,42 @@
+// scene.h: what the command line asks to be shown, made into files, times and a document.
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/dataset.h"
+#include "core/error.h"
+#include "core/history.h"
+
+namespace neph {
+
+/// A fault of the command line itself; exit status 2.
+class UsageError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// Options that the workbench and `render` share, as typed.
+struct SceneOptions {
+    std::vector<std::string> files;        ///< files or folders; none for the bundled storm
+    std::string preset;                    ///< name or file; empty for `default`
+    std::vector<std::string> assignments;  ///< id=value
+    std::string camera;                    ///< preset name or file; empty for the preset's
+    std::string time;                      ///< INDEX, a:b or all; empty for the default time
+};
+
+struct Scene {
+    std::string presetName;
+    Document document;
+    std::vector<std::string> warnings;
+};
+
+/// Look and camera of the options; the time is left at 0. Throws Error or UsageError.
+Scene makeScene(const SceneOptions& options);
+
+/// Indices named by `text`: a number (negative counts from the end), a:b (both included), all, or
+/// empty for the default time. Throws UsageError naming the times there are.
+std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info);
+
+}  // namespace neph

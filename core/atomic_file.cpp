@@ -1,0 +1,88 @@
+// atomic_file.cpp: write aside, fsync, rename (POSIX).
+#include "core/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "core/error.h"
+
+namespace neph {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& target, int errorNumber) {
+    throw Error({target.string(), "cannot be written", std::strerror(errorNumber), "",
+                 "name a file in a folder that exists and that you may write to"});
+}
+
+/// A new empty file beside `target`; mkstemp makes it private, so it gets the usual mode first.
+std::filesystem::path createAside(const std::filesystem::path& target) {
+    const auto folder =
+        target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+    std::string name =
+        (folder / ("." + target.filename().string().substr(0, 200) + ".XXXXXX")).string();
+    const int file = ::mkstemp(name.data());
+    if (file < 0) refuse(target, errno);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(file, 0666 & ~mask);
+    ::close(file);
+    return name;
+}
+
+void flushToDisk(const std::filesystem::path& aside, const std::filesystem::path& target) {
+    const int file = ::open(aside.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) refuse(target, errno);
+    const int failed = ::fsync(file);
+    const int errorNumber = errno;
+    ::close(file);
+    // Some file systems cannot flush single files; that is no reason to lose the picture.
+    if (failed != 0 && errorNumber != EINVAL && errorNumber != ENOSYS) refuse(target, errorNumber);
+}
+
+void writeText(const std::filesystem::path& aside, const std::filesystem::path& target,
+               std::string_view text) {
+    const int file = ::open(aside.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) refuse(target, errno);
+    while (!text.empty()) {
+        const ssize_t written = ::write(file, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) {
+            const int errorNumber = errno;
+            ::close(file);
+            refuse(target, errorNumber);
+        }
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::close(file) != 0) refuse(target, errno);
+}
+
+}  // namespace
+
+void replaceFile(const std::filesystem::path& target,
+                 const std::function<void(const std::filesystem::path& aside)>& write) {
+    if (target.filename().empty() || std::filesystem::is_directory(target)) {
+        throw Error({target.string(), "cannot be written", "a folder", "the name of a file", ""});
+    }
+    const std::filesystem::path aside = createAside(target);
+    try {
+        write(aside);
+        flushToDisk(aside, target);
+        if (::rename(aside.c_str(), target.c_str()) != 0) refuse(target, errno);
+    } catch (...) {
+        ::unlink(aside.c_str());
+        throw;
+    }
+}
+
+void replaceFile(const std::filesystem::path& target, std::string_view text) {
+    replaceFile(target,
+                [&](const std::filesystem::path& aside) { writeText(aside, target, text); });
+}
+
+}  // namespace neph

@@ -1,0 +1,57 @@
+// history.h: undo and redo of the document, one step per gesture.
+//
+// The document is plain values, so a step is a copy of them. Panels change the document freely;
+// `commit` at the end of a gesture makes one step of whatever changed since the last.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/look.h"
+
+namespace neph {
+
+/// Everything about the picture that the user can change.
+struct Document {
+    Look look;
+    CameraPose camera;
+    int time = 0;  ///< index into the times of the data set
+    bool operator==(const Document&) const = default;
+};
+
+/// What changed, in words: "Cloud: Mixing scale 1 -> 0.5", "Camera", "4 changes"; empty when equal.
+std::string describeChange(const Document& before, const Document& after);
+
+class History {
+  public:
+    explicit History(const Document& start = {}) : last_(start) {}
+
+    /// Forgets all steps and starts at `document`, as after opening other data.
+    void restart(const Document& document);
+
+    /// Makes a step of what changed since the last commit; nothing when nothing did. `label`
+    /// overrides the words of describeChange.
+    void commit(const Document& document, std::string label = {});
+
+    bool canUndo() const { return !past_.empty(); }
+    bool canRedo() const { return !future_.empty(); }
+    std::string undoLabel() const { return canUndo() ? past_.back().label : std::string(); }
+    std::string redoLabel() const { return canRedo() ? future_.back().label : std::string(); }
+
+    /// Goes one step back or forth in `document`; what is not yet committed is committed first.
+    /// False when there is no step.
+    bool undo(Document& document);
+    bool redo(Document& document);
+
+  private:
+    struct Step {
+        Document before, after;
+        std::string label;
+    };
+    static constexpr std::size_t kMaxSteps = 500;  // a step is about 1 KiB
+
+    std::vector<Step> past_, future_;
+    Document last_;
+};
+
+}  // namespace neph

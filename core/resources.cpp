@@ -1,0 +1,68 @@
+// resources.cpp: the search for bundled files.
+#include "core/resources.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "core/error.h"
+
+namespace neph {
+namespace {
+
+std::optional<std::string> environment(const char* name) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || *value == '\0') return {};
+    return value;
+}
+
+std::vector<std::filesystem::path> dataDirs() {
+    std::vector<std::filesystem::path> dirs;
+    if (const auto given = environment("NEPHOSCOPE_DATA_DIR")) dirs.emplace_back(*given);
+    dirs.push_back(programDir().parent_path() / "share" / "nephoscope");
+    dirs.emplace_back(NEPHOSCOPE_SOURCE_DIR);
+    return dirs;
+}
+
+}  // namespace
+
+std::filesystem::path programDir() {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return error ? std::filesystem::path(".") : program.parent_path();
+}
+
+std::optional<std::filesystem::path> findResource(std::string_view relative) {
+    for (const auto& dir : dataDirs()) {
+        std::error_code error;
+        auto path = dir / relative;
+        if (std::filesystem::exists(path, error)) return path;
+    }
+    return {};
+}
+
+std::filesystem::path resourcePath(std::string_view relative) {
+    if (auto path = findResource(relative)) return *std::move(path);
+    std::string places;
+    for (const auto& dir : dataDirs()) places += (places.empty() ? "" : ", ") + dir.string();
+    throw Error({"", fmt::format("the bundled {} is missing", relative), "nothing in " + places,
+                 fmt::format("{} in one of these", relative),
+                 "set NEPHOSCOPE_DATA_DIR to the folder that holds presets, samples and shaders"});
+}
+
+std::optional<std::filesystem::path> userDataDir() {
+    if (const auto xdg = environment("XDG_DATA_HOME")) {
+        return std::filesystem::path(*xdg) / "nephoscope";
+    }
+    if (const auto home = environment("HOME")) {
+        return std::filesystem::path(*home) / ".local" / "share" / "nephoscope";
+    }
+    return {};
+}
+
+std::string_view versionText() {
+    return NEPHOSCOPE_VERSION;
+}
+
+}  // namespace neph
