@@ -25,19 +25,21 @@ struct Colour {
 };
 constexpr std::array<Colour, 3> kColours{{{650e-9, 1.331}, {550e-9, 1.333}, {450e-9, 1.337}}};
 
-/// Sizes from 0.05 to 3.4 effective radii hold all but 1e-5 of the forward scattered light.
-constexpr double kSmallestSize = 0.05, kLargestSize = 3.4;
-/// Spacing of sizes in x. Interference between the reflected and the twice refracted ray has a
-/// period of at least 0.86 in x.
-constexpr double kSizeStep = 0.7;
-constexpr int kMinSizes = 200;
+/// Sizes in effective radii; what lies outside adds less than 1e-4 to the forward peak. They are
+/// spaced evenly in the logarithm, so that no angle's interference fringes keep in step with them,
+/// by kSizeStep in x at the effective radius. Against ten times as many the table is within 1 % rms
+/// and, at single angles behind 100°, 10 % (docs/physics.md §6).
+constexpr double kSmallestSize = 0.15, kLargestSize = 3.0;
+constexpr double kSizeStep = 0.4;
+constexpr int kMinSizes = 200, kMaxSizes = 1000;
 
 constexpr int kHalfAngles = 192;  ///< within 90° of straight on; as many again behind
 constexpr int kAngles = 2 * kHalfAngles;
 constexpr int kLanes = 8;  ///< angles summed together
 constexpr int kTiles = kAngles / kLanes;
-constexpr int kSlices =
-    4;  ///< of the sizes of one colour; fixed, so that sums do not depend on the cores
+/// Parts that the sizes of one colour are summed in; fixed, so that sums do not depend on the
+/// cores.
+constexpr int kSlices = 4;
 
 /// Angle of the coarse grid: quadratic from both ends; 90° is there twice.
 double gridTheta(int i) {
@@ -97,7 +99,8 @@ struct SumCoefficients {
 };
 
 /// (|S1|² + |S2|²) / 2 = (|S1 + S2|² + |S1 - S2|²) / 4 at the angles of a tile.
-Lanes tileIntensity(const SumCoefficients& c, const Lanes* plus, const Lanes* minus) {
+[[gnu::always_inline]] inline Lanes sumTile(const SumCoefficients& c, const Lanes* plus,
+                                            const Lanes* minus) {
     Lanes plusRe{}, plusIm{}, minusRe{}, minusIm{};
     for (std::size_t n = 0; n < c.rows.size(); ++n) {
         const auto [pr, pi, mr, mi] = c.rows[n];
@@ -118,6 +121,27 @@ Lanes tileIntensity(const SumCoefficients& c, const Lanes* plus, const Lanes* mi
     return intensity;
 }
 
+Lanes tileIntensity(const SumCoefficients& c, const Lanes* plus, const Lanes* minus) {
+    return sumTile(c, plus, minus);
+}
+
+#if defined(__x86_64__)
+/// The same for processors with eight lanes and fused multiply-add: three times as fast.
+[[gnu::target("avx2,fma")]] Lanes tileIntensityWide(const SumCoefficients& c, const Lanes* plus,
+                                                    const Lanes* minus) {
+    return sumTile(c, plus, minus);
+}
+#endif
+
+using TileIntensity = Lanes (*)(const SumCoefficients&, const Lanes*, const Lanes*);
+
+TileIntensity fastestTileIntensity() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return tileIntensityWide;
+#endif
+    return tileIntensity;
+}
+
 /// One size with its share of the population.
 void addSize(Sums& sums, double x, double index, double weight, const AngularFunctions& angular) {
     const MieCoefficients coefficients = mieCoefficients(x, index);
@@ -128,9 +152,10 @@ void addSize(Sums& sums, double x, double index, double weight, const AngularFun
     sums.scattering += area * q.scattering;
     sums.asymmetry += area * q.scattering * q.asymmetry;
     const SumCoefficients c(coefficients);
+    static const TileIntensity intensityOf = fastestTileIntensity();
     for (int tile = 0; tile < kTiles; ++tile) {
         const std::size_t row = angular.row(tile, 1);
-        const Lanes intensity = tileIntensity(c, &angular.plus[row], &angular.minus[row]);
+        const Lanes intensity = intensityOf(c, &angular.plus[row], &angular.minus[row]);
         double* out = &sums.intensity[static_cast<std::size_t>(tile * kLanes)];
         for (std::size_t k = 0; k < kLanes; ++k)
             out[k] += weight * static_cast<double>(intensity[k]);
@@ -140,12 +165,14 @@ void addSize(Sums& sums, double x, double index, double weight, const AngularFun
 /// Every kSlices-th size of a colour.
 Sums sumSlice(double radiusM, const Colour& colour, int slice, const AngularFunctions& angular) {
     const double xEffective = 2.0 * kPi * radiusM / colour.wavelengthM;
-    const int sizes = std::max(
-        kMinSizes, static_cast<int>((kLargestSize - kSmallestSize) * xEffective / kSizeStep));
+    const double span = std::log(kLargestSize / kSmallestSize);
+    const int sizes =
+        std::clamp(static_cast<int>(span * xEffective / kSizeStep), kMinSizes, kMaxSizes);
     Sums sums;
     for (int i = slice; i < sizes; i += kSlices) {
-        const double u = kSmallestSize + (kLargestSize - kSmallestSize) * (i + 0.5) / sizes;
-        const double weight = std::pow(u, (1.0 - 3.0 * kEffectiveVariance) / kEffectiveVariance) *
+        const double u = kSmallestSize * std::exp(span * (i + 0.5) / sizes);
+        // n(r) dr with dr ∝ r
+        const double weight = std::pow(u, (1.0 - 2.0 * kEffectiveVariance) / kEffectiveVariance) *
                               std::exp(-u / kEffectiveVariance);
         addSize(sums, u * xEffective, colour.index, weight, angular);
     }
