@@ -6,15 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 #include "core/error.h"
+#include "core/repair.h"
 
 namespace neph {
 namespace {
-
-/// More condensate than dry air is no condensate: a fill value that the reader could not know.
-constexpr float kImpossibleRatio = 1.0f;
 
 void requireSize(const Dataset& dataset, const VariableInfo& variable, int extraLevels) {
     const glm::ivec3 expected = dataset.info().size + glm::ivec3(0, 0, extraLevels);
@@ -53,26 +51,6 @@ glm::ivec3 cellOf(const Array3f& array, std::size_t index) {
     return {i % array.size.x, i / array.size.x, static_cast<int>(index / layer)};
 }
 
-/// Heights of interfaces; throws when they do not increase in every column.
-Array3f readHeights(Dataset& dataset, int time, const Progress& progress) {
-    const VariableInfo& variable =
-        required(dataset, VariableRole::interfaceHeight, "the height of layers");
-    Array3f heights = dataset.read(variable.name, time, {}, progress);
-    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
-    for (std::size_t i = 0; i < heights.values.size(); ++i) {
-        const float value = heights.values[i];
-        if (!std::isfinite(value)) {
-            throw badCell(dataset, time, variable, cellOf(heights, i), value, "heights in metres");
-        }
-        if (i >= layer && !(value > heights.values[i - layer])) {
-            throw badCell(
-                dataset, time, variable, cellOf(heights, i), value,
-                fmt::format("more than the {} of the level below", heights.values[i - layer]));
-        }
-    }
-    return heights;
-}
-
 Array3f readDensity(Dataset& dataset, int time, const Progress& progress) {
     const VariableInfo& variable =
         required(dataset, VariableRole::dryAirDensity, "the density of dry air");
@@ -84,22 +62,6 @@ Array3f readDensity(Dataset& dataset, int time, const Progress& progress) {
         }
     }
     return density;
-}
-
-/// Median depth of native layers. Of large fields every n-th layer is looked at: about 100,000 tell
-/// the median well.
-double medianDepth(const Array3f& heights) {
-    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
-    const std::size_t count = heights.values.size() - layer;
-    std::size_t stride = std::max<std::size_t>(1, count / 100'000);
-    if (stride > 1) stride |= 1U;  // odd, so that it does not fall in step with rows
-    std::vector<float> depths;
-    for (std::size_t i = 0; i < count; i += stride) {
-        depths.push_back(heights.values[i + layer] - heights.values[i]);
-    }
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::ranges::nth_element(depths, middle);
-    return static_cast<double>(*middle);
 }
 
 /// The largest number with two digits that is not above `value`; value > 0.
@@ -118,7 +80,7 @@ RegularGrid gridFor(const DatasetInfo& info, const Array3f& heights,
     int levels = options.levels;
     if (levels <= 0) {
         const int most = std::max(options.maxLevels, 1);
-        double spacing = roundedDown(medianDepth(heights));
+        double spacing = roundedDown(medianLayerDepth(heights));
         const auto count = [&] {
             return std::ceil(top / spacing - 1e-6) - std::floor(bottom / spacing + 1e-6);
         };
@@ -133,50 +95,7 @@ RegularGrid gridFor(const DatasetInfo& info, const Array3f& heights,
     return grid;
 }
 
-/// What was put right in one species.
-struct Repairs {
-    std::size_t negative = 0, missing = 0, impossible = 0;
-    float smallest = 0.0f;
-    bool allZero = true;
-};
-
-Repairs repair(Array3f& ratio) {
-    Repairs repairs;
-    for (float& q : ratio.values) {
-        if (q == 0.0f) continue;
-        if (q > 0.0f && q <= kImpossibleRatio) {
-            repairs.allZero = false;
-            continue;
-        }
-        if (q < 0.0f && std::isfinite(q)) {
-            ++repairs.negative;
-            repairs.smallest = std::min(repairs.smallest, q);
-        } else if (std::isfinite(q)) {
-            ++repairs.impossible;
-        } else {
-            ++repairs.missing;
-        }
-        q = 0.0f;
-    }
-    return repairs;
-}
-
-void noteRepairs(const std::string& name, const Repairs& repairs, std::vector<std::string>& notes) {
-    if (repairs.negative > 0) {
-        notes.push_back(fmt::format("{}: {} negative values clipped (smallest {:.3g} kg/kg).", name,
-                                    repairs.negative, repairs.smallest));
-    }
-    if (repairs.missing > 0) {
-        notes.push_back(
-            fmt::format("{}: {} missing values (NaN) taken as zero.", name, repairs.missing));
-    }
-    if (repairs.impossible > 0) {
-        notes.push_back(
-            fmt::format("{}: {} values above 1 kg/kg taken as missing.", name, repairs.impossible));
-    }
-}
-
-/// Remaps the rows [0, ny) of one species; scratch is held per call.
+/// Remaps every column of one species.
 Array3f remap(const Array3f& heights, const Array3f& density, const Array3f& ratio,
               const RegularGrid& grid, const Progress& progress) {
     Array3f out(grid.size);
@@ -235,6 +154,40 @@ double limitedSlope(std::span<const double> interfaces, std::span<const double> 
 
 }  // namespace
 
+Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progress) {
+    const VariableInfo& variable =
+        required(dataset, VariableRole::interfaceHeight, "the height of layers");
+    Array3f heights = dataset.read(variable.name, time, {}, progress);
+    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
+    for (std::size_t i = 0; i < heights.values.size(); ++i) {
+        const float value = heights.values[i];
+        if (!std::isfinite(value)) {
+            throw badCell(dataset, time, variable, cellOf(heights, i), value, "heights in metres");
+        }
+        if (i >= layer && !(value > heights.values[i - layer])) {
+            throw badCell(
+                dataset, time, variable, cellOf(heights, i), value,
+                fmt::format("more than the {} of the level below", heights.values[i - layer]));
+        }
+    }
+    return heights;
+}
+
+double medianLayerDepth(const Array3f& heights) {
+    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
+    const std::size_t count = heights.values.size() - layer;
+    // Of large fields every n-th layer is looked at: about 100,000 tell the median well.
+    std::size_t stride = std::max<std::size_t>(1, count / 100'000);
+    if (stride > 1) stride |= 1U;  // odd, so that it does not fall in step with rows
+    std::vector<float> depths;
+    for (std::size_t i = 0; i < count; i += stride) {
+        depths.push_back(heights.values[i + layer] - heights.values[i]);
+    }
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::ranges::nth_element(depths, middle);
+    return static_cast<double>(*middle);
+}
+
 void resampleColumn(std::span<const double> interfacesM, std::span<const double> content,
                     double bottomM, double spacingM, std::span<double> target) {
     const double perSpacing = 1.0 / spacingM;
@@ -260,7 +213,7 @@ void resampleColumn(std::span<const double> interfacesM, std::span<const double>
 }
 
 RegularGrid chooseGrid(Dataset& dataset, int time, const ResampleOptions& options) {
-    return gridFor(dataset.info(), readHeights(dataset, time, {}), options);
+    return gridFor(dataset.info(), readInterfaceHeights(dataset, time, {}), options);
 }
 
 SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options,
@@ -272,7 +225,7 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
         if (ratio != nullptr) ratios.push_back(ratio);
     }
     const int parts = 2 + 2 * static_cast<int>(ratios.size());
-    const Array3f heights = readHeights(dataset, time, partOf(progress, 0, parts));
+    const Array3f heights = readInterfaceHeights(dataset, time, partOf(progress, 0, parts));
     const Array3f density = readDensity(dataset, time, partOf(progress, 1, parts));
     SpeciesVolume volume;
     volume.grid = gridFor(info, heights, options);
@@ -284,7 +237,7 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
         requireSize(dataset, *variable, 0);
         Array3f ratio = dataset.read(variable->name, time, {}, partOf(progress, part++, parts));
         const Repairs repairs = repair(ratio);
-        noteRepairs(variable->name, repairs, volume.notes);
+        std::ranges::move(describe(repairs, variable->name), std::back_inserter(volume.notes));
         if (repairs.allZero) empty.push_back(variable->name);
         volume.contentKgPerM3[static_cast<std::size_t>(*variable->species)] =
             remap(heights, density, ratio, volume.grid, partOf(progress, part++, parts));

@@ -18,6 +18,13 @@ struct ResampleOptions {
     int maxLevels = 256;  ///< bound on what is chosen
 };
 
+/// Heights of interfaces, metres, nz + 1 levels. Throws Error when they do not increase in every
+/// column.
+Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progress = {});
+
+/// Median depth of all layers, metres.
+double medianLayerDepth(const Array3f& interfaceHeights);
+
 /// The target grid of one time of a dataset: native x, y; from the lowest to the highest interface,
 /// spacing no coarser than the median native layer unless `maxLevels` forbids. Chosen spacings and
 /// borders are rounded outward to numbers that the times of a series share. Throws Error.
