@@ -9,51 +9,52 @@
 const float kDetailMean = 0.30f;            ///< of billow and of wisp over a tile, within 0.005
 const float kDetailFeaturesPerTile = 4.0f;  ///< the largest puffs are a quarter of a tile across
 
-/// A well-mixed hash of a lattice point and a seed. Multipliers and shifts: the finaliser of
-/// MurmurHash3 [Appleby].
-uint hashLattice(ivec3 cell, uint seed) {
-    uint h =
-        seed + uint(cell.x) * 0x9E3779B1u + uint(cell.y) * 0x85EBCA77u + uint(cell.z) * 0xC2B2AE3Du;
-    h = (h ^ (h >> 16u)) * 0x85EBCA6Bu;
-    h = (h ^ (h >> 13u)) * 0xC2B2AE35u;
-    return h ^ (h >> 16u);
+/// A lattice point times three odd constants, one an axis, so that the sum of the parts tells
+/// points apart. [Appleby]
+uvec3 scatterCell(vec3 cell) {
+    return uvec3(cell) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+}
+
+/// Four well-mixed bits of a sum of scattered parts and a seed: the top of a multiplicative hash.
+/// [Knuth98] §6.4
+uint mixBits(uint h) {
+    h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
+    h = (h ^ (h >> 12u)) * 0x297A2D39u;
+    return h >> 28u;
 }
 
 /// Dot product of `offset` and one of the 12 edge directions of a cube (4 of them twice).
 /// [Perlin02]
 float gradientDot(uint hash, vec3 offset) {
-    uint h = hash & 15u;
+    uint h = mixBits(hash);
     float u = h < 8u ? offset.x : offset.y;
     float v = h < 4u ? offset.y : ((h == 12u || h == 14u) ? offset.x : offset.z);
     return ((h & 1u) == 0u ? u : -u) + ((h & 2u) == 0u ? v : -v);
 }
 
-/// Lattice point wrapped into [0, period); positions down to -64 tiles (GLSL leaves % of a negative
-/// number undefined).
-ivec3 wrapCell(ivec3 cell, ivec3 period) {
-    return (cell + 64 * period) % period;
-}
-
 /// Gradient noise in [-1, 1], mean 0, with `cells` lattice cells along each axis of the tile.
 float gradientNoise(vec3 tile, ivec3 cells, uint seed) {
-    vec3 p = tile * vec3(cells);
+    vec3 period = vec3(cells);
+    vec3 p = tile * period;
     vec3 base = floor(p);
     vec3 f = p - base;
+    vec3 g = f - 1.0f;
     vec3 w = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
-    ivec3 a = wrapCell(ivec3(base), cells);
-    ivec3 b = wrapCell(a + 1, cells);
-    float x00 =
-        mix(gradientDot(hashLattice(a, seed), f),
-            gradientDot(hashLattice(ivec3(b.x, a.y, a.z), seed), f - vec3(1.0f, 0.0f, 0.0f)), w.x);
-    float x10 =
-        mix(gradientDot(hashLattice(ivec3(a.x, b.y, a.z), seed), f - vec3(0.0f, 1.0f, 0.0f)),
-            gradientDot(hashLattice(ivec3(b.x, b.y, a.z), seed), f - vec3(1.0f, 1.0f, 0.0f)), w.x);
-    float x01 =
-        mix(gradientDot(hashLattice(ivec3(a.x, a.y, b.z), seed), f - vec3(0.0f, 0.0f, 1.0f)),
-            gradientDot(hashLattice(ivec3(b.x, a.y, b.z), seed), f - vec3(1.0f, 0.0f, 1.0f)), w.x);
-    float x11 =
-        mix(gradientDot(hashLattice(ivec3(a.x, b.y, b.z), seed), f - vec3(0.0f, 1.0f, 1.0f)),
-            gradientDot(hashLattice(b, seed), f - vec3(1.0f)), w.x);
+    vec3 lower = base - period * floor((base + 0.5f) / period);  // in [0, period)
+    vec3 upper = lower + 1.0f;
+    upper = upper * (vec3(1.0f) - step(period, upper));  // the last cell meets the first
+    uvec3 a = scatterCell(lower);
+    uvec3 b = scatterCell(upper);
+    uint ya = a.y + a.z + seed;
+    uint yb = b.y + a.z + seed;
+    uint za = a.y + b.z + seed;
+    uint zb = b.y + b.z + seed;
+    float x00 = mix(gradientDot(a.x + ya, f), gradientDot(b.x + ya, vec3(g.x, f.y, f.z)), w.x);
+    float x10 = mix(gradientDot(a.x + yb, vec3(f.x, g.y, f.z)),
+                    gradientDot(b.x + yb, vec3(g.x, g.y, f.z)), w.x);
+    float x01 = mix(gradientDot(a.x + za, vec3(f.x, f.y, g.z)),
+                    gradientDot(b.x + za, vec3(g.x, f.y, g.z)), w.x);
+    float x11 = mix(gradientDot(a.x + zb, vec3(f.x, g.y, g.z)), gradientDot(b.x + zb, g), w.x);
     return mix(mix(x00, x10, w.y), mix(x01, x11, w.y), w.z);
 }
 
@@ -64,11 +65,11 @@ float billow(vec3 tile) {
     float amplitude = 1.0f;
     int cells = 4;
     for (int octave = 0; octave < 4; ++octave) {
-        sum += amplitude * abs(gradientNoise(tile, ivec3(cells), uint(octave)));
+        sum += amplitude * abs(gradientNoise(tile, ivec3(cells), uint(octave) * 7919u));
         amplitude *= 0.5f;
         cells *= 2;
     }
-    return clamp(sum * 0.735f, 0.0f, 1.0f);
+    return clamp(sum * 0.7205f, 0.0f, 1.0f);
 }
 
 /// Fibres drawn out along x, in [0, 1]: noise stretched more and more the finer it gets, sharpened
@@ -80,11 +81,11 @@ float wisp(vec3 tile) {
     float amplitude = 0.6f;
     ivec3 cells = ivec3(2, 6, 6);
     for (int octave = 0; octave < 4; ++octave) {
-        threads += amplitude * gradientNoise(p, cells, 21u + uint(octave));
+        threads += amplitude * gradientNoise(p, cells, 21u + uint(octave) * 7919u);
         amplitude *= 0.95f;
         cells = ivec3(cells.x + 1, 2 * cells.y, 2 * cells.z);
     }
-    threads = clamp(0.495f + 0.9f * threads, 0.0f, 1.0f);
+    threads = clamp(0.5025f + 0.9f * threads, 0.0f, 1.0f);
     return threads * threads * clamp(1.15f + 0.9f * bend, 0.0f, 1.0f);
 }
 

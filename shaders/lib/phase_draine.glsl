@@ -53,10 +53,10 @@ float draineSample(float u, float g, float alpha) {
             lower = w;
         }
         float mu = 1.0f - versine;
-        float next = w - excess * norm / (1.0f + alpha * mu * mu);
-        if (next <= lower || next >= upper) next = 0.5f * (lower + upper);
-        if (abs(next - w) < 1e-7f) break;
-        w = next;
+        float move = excess * norm / (1.0f + alpha * mu * mu);
+        if (abs(move) < 1e-7f) break;
+        float next = w - move;
+        w = (next <= lower || next >= upper) ? 0.5f * (lower + upper) : next;
     }
     return hgSample(w, g);
 }
