@@ -2,6 +2,7 @@
 #include "readers/wrf_netcdf/nc_file.h"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 #include <netcdf.h>
 
 #include <algorithm>
@@ -16,10 +17,22 @@
 namespace wrf {
 namespace {
 
-std::mutex& libraryMutex() {
-    static std::mutex mutex;
-    return mutex;
-}
+/// Held during every call of the library.
+class LibraryLock {
+  public:
+    LibraryLock() : lock_(mutex()) {
+        // HDF5 prints every failed look-up, on each thread until that thread tells it not to;
+        // NetCDF tells only for the first.
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    }
+
+  private:
+    static std::mutex& mutex() {
+        static std::mutex mutex;
+        return mutex;
+    }
+    std::scoped_lock<std::mutex> lock_;
+};
 
 void require(int status, const std::string& doing) {
     if (status == NC_NOERR) return;
@@ -81,7 +94,7 @@ Container containerOf(const std::string& path) {
 }
 
 NcFile::NcFile(const std::string& path) : path_(path) {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
     if (status != NC_NOERR) {
         throw Failure{"is a NetCDF file that cannot be opened",
@@ -100,7 +113,7 @@ NcFile::NcFile(const std::string& path) : path_(path) {
 }
 
 NcFile::~NcFile() {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     nc_close(id_);
 }
 
@@ -157,12 +170,12 @@ const NcVariable* NcFile::variable(std::string_view name) const {
 }
 
 std::optional<std::string> NcFile::text(const char* name) const {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     return textAttribute(id_, NC_GLOBAL, name);
 }
 
 std::optional<double> NcFile::number(const char* name) const {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     return numberAttribute(id_, NC_GLOBAL, name);
 }
 
@@ -186,7 +199,7 @@ void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) co
 
 void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start,
                   std::span<const std::size_t> count, std::span<float> values) const {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
     const int status =
         nc_get_vara_float(id_, variable.id, start.data(), count.data(), values.data());
@@ -203,7 +216,7 @@ void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start
 
 std::string NcFile::readText(const NcVariable& variable, std::span<const std::size_t> start,
                              std::span<const std::size_t> count) const {
-    const std::scoped_lock lock(libraryMutex());
+    const LibraryLock lock;
     std::size_t size = 1;
     for (std::size_t length : count) size *= length;
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);

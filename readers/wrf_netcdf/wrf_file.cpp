@@ -12,26 +12,28 @@
 namespace wrf {
 namespace {
 
-constexpr const char* kMassAxes = "(Time, bottom_top, south_north, west_east)";
-constexpr const char* kInterfaceAxes = "(Time, bottom_top_stag, south_north, west_east)";
-
 /// A field without which nothing can be drawn.
 struct Needed {
     const char* name;
     const char* meaning;
-    const char* axes;
+    bool onInterfaces;
     const char* hint;
+
+    const char* axes() const {
+        return onInterfaces ? "(Time, bottom_top_stag, south_north, west_east)"
+                            : "(Time, bottom_top, south_north, west_east)";
+    }
 };
 constexpr std::array<Needed, 5> kNeeded{{
-    {"PH", "perturbation geopotential", kInterfaceAxes,
+    {"PH", "perturbation geopotential", true,
      "heights are (PH+PHB)/9.81; write PH with the history stream (iofields)"},
-    {"PHB", "base-state geopotential", kInterfaceAxes,
+    {"PHB", "base-state geopotential", true,
      "heights are (PH+PHB)/9.81; write PHB with the history stream (iofields)"},
-    {"P", "perturbation pressure", kMassAxes,
+    {"P", "perturbation pressure", false,
      "air density needs pressure, P+PB; write P with the history stream (iofields)"},
-    {"PB", "base-state pressure", kMassAxes,
+    {"PB", "base-state pressure", false,
      "air density needs pressure, P+PB; write PB with the history stream (iofields)"},
-    {"T", "perturbation potential temperature", kMassAxes,
+    {"T", "perturbation potential temperature", false,
      "air density needs temperature; write T with the history stream (iofields)"},
 }};
 
@@ -158,16 +160,16 @@ void WrfFile::requireFields() const {
                 if (fieldSize(v)) names.push_back(v.name);
             }
             throw Failure{fmt::format("variable {} ({}) is missing", needed.name, needed.meaning),
-                          joined(names), fmt::format("{} on {}", needed.name, needed.axes),
+                          joined(names), fmt::format("{} on {}", needed.name, needed.axes()),
                           needed.hint};
         }
         std::array<int, 3> expected = size_;
-        if (needed.axes == kInterfaceAxes) ++expected[2];
+        if (needed.onInterfaces) ++expected[2];
         if (!variable->number || fieldSize(*variable) != expected) {
             throw Failure{
                 fmt::format("variable {} ({}) has the wrong shape", needed.name, needed.meaning),
                 listOf(variable->axes),
-                fmt::format("numbers on {}: {} x {} x {} in x, y, z", needed.axes, expected[0],
+                fmt::format("numbers on {}: {} x {} x {} in x, y, z", needed.axes(), expected[0],
                             expected[1], expected[2]),
                 "give wrfout files as the model wrote them"};
         }

@@ -1,0 +1,266 @@
+// bad_input_test.cpp: every kind of bad input ends in an error that names file, fault and next
+// step.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "core/resample.h"
+#include "tests/readers/reader_host.h"
+#include "tests/readers/temporary_folder.h"
+#include "tests/readers/wrf_maker.h"
+
+using namespace neph;
+
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+ErrorParts openError(const std::filesystem::path& path) {
+    return errorOf([&] { openFiles({path}); });
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace
+
+TEST_CASE("A missing field is named with what was found, what was expected and the next step") {
+    for (const std::string name : {"PH", "PHB", "P", "PB", "T"}) {
+        CAPTURE(name);
+        const TemporaryFolder folder;
+        WrfSpec spec;
+        spec.omit = {name};
+        writeWrf(folder / "wrfout_d02", spec);
+        const ErrorParts error = openError(folder / "wrfout_d02");
+        CHECK(contains(error.where, "wrfout_d02"));
+        CHECK(contains(error.what, "variable " + name + " ("));
+        CHECK(contains(error.what, "is missing"));
+        CHECK(contains(error.found, "QVAPOR"));
+        CHECK(contains(error.expected, name + " on (Time, bottom_top"));
+        CHECK(contains(error.hint, "history stream"));
+    }
+}
+
+TEST_CASE("NetCDF that is not WRF is refused with what was found and what is read") {
+    const TemporaryFolder folder;
+    writeOtherNetcdf(folder / "era5.nc");
+    const ErrorParts error = openError(folder / "era5.nc");
+    CHECK(contains(error.what, "not WRF output"));
+    CHECK(contains(error.found, "lat = 3"));
+    CHECK(contains(error.found, "level = 2"));
+    CHECK(contains(error.expected, "west_east"));
+    CHECK(!error.hint.empty());
+}
+
+TEST_CASE("A file of another format is refused with its first bytes and what is read") {
+    const TemporaryFolder folder;
+    writeText(folder / "notes.txt", "Dear diary, today the storm split.");
+    const ErrorParts error = openError(folder / "notes.txt");
+    CHECK(contains(error.what, "no reader knows this format"));
+    CHECK(contains(error.found, "Dear diary"));
+    CHECK(contains(error.expected, "WRF output"));
+    writeText(folder / "empty", "");
+    CHECK(contains(openError(folder / "empty").found, "empty"));
+    CHECK(contains(openError(folder.path()).found, "folder"));
+}
+
+TEST_CASE("A path that cannot be read is an error that says why") {
+    const TemporaryFolder folder;
+    CHECK(contains(openError(folder / "nowhere").what, "no such file"));
+    writeText(folder / "file", "x");
+    CHECK(contains(openError(folder / "file" / "below").what, "cannot be opened"));
+    writeWrf(folder / "locked", {});
+    std::filesystem::permissions(folder / "locked", std::filesystem::perms::none);
+    if (geteuid() != 0) CHECK(contains(openError(folder / "locked").what, "cannot be read"));
+    CHECK(contains(errorOf([] { openFiles({}); }).what, "no files"));
+}
+
+TEST_CASE("A NetCDF-4 file cut anywhere is an error, and one that names its size") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.format = NetcdfFormat::netcdf4;
+    writeWrf(folder / "whole", spec);
+    const auto whole = std::filesystem::file_size(folder / "whole");
+    for (const double share : {0.1, 0.5, 0.9}) {
+        std::filesystem::copy_file(folder / "whole", folder / "cut",
+                                   std::filesystem::copy_options::overwrite_existing);
+        const auto bytes = static_cast<std::uintmax_t>(share * static_cast<double>(whole));
+        truncateTo(folder / "cut", bytes);
+        const ErrorParts error = openError(folder / "cut");
+        CHECK(contains(error.what, "cannot be opened"));
+        CHECK(contains(error.found, std::to_string(bytes) + " bytes"));
+        CHECK(contains(error.hint, "cut short"));
+    }
+}
+
+TEST_CASE("A classic file cut anywhere never gives zeros for values that are not there") {
+    const TemporaryFolder folder;
+    for (const NetcdfFormat format : {NetcdfFormat::classic, NetcdfFormat::offset64}) {
+        WrfSpec spec;
+        spec.format = format;
+        spec.times = {"0001-01-01_00:00:00", "0001-01-01_00:10:00"};
+        spec.fields["U"] = [](int, int, int, int) { return 7.0f; };
+        spec.fields["QRAIN"] = [](int, int, int, int) { return 7.0f; };
+        writeWrf(folder / "whole", spec);
+        const auto whole = std::filesystem::file_size(folder / "whole");
+        int errors = 0;
+        int reads = 0;
+        for (std::uintmax_t bytes = 0; bytes < whole; bytes += 97) {
+            std::filesystem::copy_file(folder / "whole", folder / "cut",
+                                       std::filesystem::copy_options::overwrite_existing);
+            truncateTo(folder / "cut", bytes);
+            for (const auto& [name, time] : {std::pair{"U", 1}, {"QRAIN", 0}, {"QRAIN", 1}}) {
+                try {
+                    const Array3f values = openFiles({folder / "cut"})->read(name, time);
+                    ++reads;
+                    CHECK(values.values == std::vector<float>(values.values.size(), 7.0f));
+                } catch (const Error& error) {
+                    ++errors;
+                    CHECK(!error.parts().what.empty());
+                }
+            }
+        }
+        CHECK(errors > 0);
+        CHECK(reads > 0);
+    }
+}
+
+TEST_CASE("A classic file that is cut short but opens says so in a note") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", {});
+    truncateTo(folder / "a", std::filesystem::file_size(folder / "a") - 8);
+    const auto dataset = openFiles({folder / "a"});
+    REQUIRE(dataset->info().notes.size() == 1);
+    CHECK(contains(dataset->info().notes[0], "cut short"));
+}
+
+TEST_CASE("A dimension without length is an error that names it") {
+    const TemporaryFolder folder;
+    WrfSpec noTimes;
+    noTimes.times = {};
+    writeWrf(folder / "no-times", noTimes);
+    CHECK(contains(openError(folder / "no-times").what, "no time"));
+    WrfSpec noLevels;
+    noLevels.format = NetcdfFormat::netcdf4;
+    noLevels.nz = 0;  // NetCDF's spelling of an unlimited dimension, here with nothing in it
+    writeWrf(folder / "no-levels", noLevels);
+    const ErrorParts error = openError(folder / "no-levels");
+    CHECK(contains(error.what, "dimension bottom_top has no length"));
+    CHECK(contains(error.found, "bottom_top = 0"));
+}
+
+TEST_CASE("Times that cannot be read are quoted") {
+    const TemporaryFolder folder;
+    for (const std::string wrong :
+         {"yesterday at noon  ", "2024-13-06_21:00:00", "                   ",
+          "2024-02-30_00:00:00", "2024-05-06_21:61:00"}) {
+        WrfSpec spec;
+        spec.times = {"2024-05-06_21:00:00", wrong};
+        writeWrf(folder / "a", spec);
+        const ErrorParts error = openError(folder / "a");
+        CHECK(contains(error.what, "Times"));
+        CHECK(contains(error.found, wrong));
+        CHECK(contains(error.expected, "YYYY-MM-DD_hh:mm:ss"));
+    }
+    WrfSpec none;
+    none.omit = {"Times"};
+    writeWrf(folder / "a", none);
+    CHECK(contains(openError(folder / "a").what, "Times"));
+}
+
+TEST_CASE("A grid spacing that is missing or no length is an error") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.omit = {"DX"};
+    writeWrf(folder / "a", spec);
+    CHECK(contains(openError(folder / "a").what, "DX"));
+    for (const float wrong : {0.0f, -1000.0f, kNan, std::numeric_limits<float>::infinity()}) {
+        WrfSpec bad;
+        bad.dy = wrong;
+        writeWrf(folder / "a", bad);
+        CHECK(contains(openError(folder / "a").what, "DY"));
+    }
+}
+
+TEST_CASE("NaN in heights or in what gives the air its density is an error naming the cell") {
+    for (const std::string name : {"PH", "P", "T", "QVAPOR"}) {
+        CAPTURE(name);
+        const TemporaryFolder folder;
+        WrfSpec spec;
+        spec.fields[name] = [](int x, int y, int z, int) {
+            return x == 1 && y == 2 && z == 3 ? kNan : 0.001f;
+        };
+        writeWrf(folder / "a", spec);
+        const auto dataset = openFiles({folder / "a"});
+        const ErrorParts error = errorOf([&] { resample(*dataset, 0); });
+        CHECK(contains(error.what, name == "PH" ? "interface_height" : "dry_air_density"));
+        CHECK(contains(error.found, "x 1, y 2, level 3"));
+        CHECK(!error.hint.empty());
+    }
+}
+
+TEST_CASE("NaN and negative values of a hydrometeor are counted, noted and taken as zero") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.fields["QCLOUD"] = [](int x, int, int z, int) {
+        if (z == 0 && x == 0) return kNan;
+        if (z == 1 && x < 2) return x == 0 ? -1e-9f : -1e-12f;
+        if (z == 2 && x == 3) return 1e20f;
+        return z == 3 ? 1e-3f : 0.0f;
+    };
+    writeWrf(folder / "a", spec);
+    const SpeciesVolume volume = resample(*openFiles({folder / "a"}), 0);
+    const auto has = [&](std::string_view text) {
+        for (const std::string& note : volume.notes) {
+            if (contains(note, text)) return true;
+        }
+        return false;
+    };
+    CHECK(has("QCLOUD: 3 missing values"));
+    CHECK(has("QCLOUD: 6 negative values clipped (smallest -1e-09 kg/kg)"));
+    CHECK(has("QCLOUD: 3 impossible values"));
+    CHECK(has("QRAIN: zero everywhere"));
+    for (const float value : volume.content(Species::cloud).values) {
+        CHECK(value >= 0.0f);
+        CHECK(value < 1e-3f);
+    }
+}
+
+TEST_CASE("Heights that do not increase are an error naming the column") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.fields["PH"] = [](int x, int, int z, int) { return x == 2 && z == 3 ? -1500.0f : 0.0f; };
+    writeWrf(folder / "a", spec);
+    const auto dataset = openFiles({folder / "a"});
+    const ErrorParts error = errorOf([&] { resample(*dataset, 0); });
+    CHECK(contains(error.what, "interface_height"));
+    CHECK(contains(error.found, "x 2, y 0, level 3"));
+    CHECK(contains(error.expected, "level below"));
+}
+
+TEST_CASE("A time at which every mixing ratio is zero is a note and no error") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", {});
+    const SpeciesVolume volume = resample(*openFiles({folder / "a"}), 0);
+    REQUIRE(volume.notes.size() == 1);
+    CHECK(contains(volume.notes[0], "no condensate at 0001-01-01_00:00:00"));
+    REQUIRE(volume.has(Species::cloud));
+    CHECK(volume.has(Species::rain));
+    CHECK(!volume.has(Species::ice));
+    for (const float value : volume.content(Species::cloud).values) CHECK(value == 0.0f);
+}
+
+TEST_CASE("An unknown variable or time is named together with what there is") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", {});
+    const auto dataset = openFiles({folder / "a"});
+    const ErrorParts variable = errorOf([&] { dataset->read("QCLOUDS", 0); });
+    CHECK(contains(variable.what, "QCLOUDS"));
+    CHECK(contains(variable.found, "QCLOUD"));
+    CHECK(contains(errorOf([&] { dataset->read("T", 1); }).what, "no time 1"));
+    CHECK(contains(errorOf([&] { dataset->read("T", -1); }).what, "no time -1"));
+}

@@ -1,0 +1,34 @@
+// reader_host.h: the readers of this build, for the tests.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/dataset.h"
+#include "core/error.h"
+#include "core/plugin_host.h"
+
+inline const neph::PluginHost& readerHost() {
+    static const neph::PluginHost host(
+        std::vector<std::filesystem::path>{std::filesystem::path(NEPH_TEST_READER_DIR)});
+    return host;
+}
+
+inline std::shared_ptr<neph::Dataset> openFiles(std::vector<std::filesystem::path> files) {
+    return neph::Dataset::open(files, readerHost());
+}
+
+/// The parts of the Error that `work` throws; `what` is empty when it throws none.
+template <typename Work>
+neph::ErrorParts errorOf(Work&& work) {
+    try {
+        work();
+    } catch (const neph::Error& error) {
+        return error.parts();
+    }
+    return {};
+}
+
+inline bool contains(std::string_view text, std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+}

@@ -1,0 +1,93 @@
+// series_test.cpp: many files as one series.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "tests/readers/reader_host.h"
+#include "tests/readers/temporary_folder.h"
+#include "tests/readers/wrf_maker.h"
+
+using namespace neph;
+
+namespace {
+
+WrfSpec at(std::vector<std::string> times, float value) {
+    WrfSpec spec;
+    spec.times = std::move(times);
+    spec.fields["QCLOUD"] = [value](int, int, int, int t) {
+        return value + 0.1f * static_cast<float>(t);
+    };
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("Files given in any order become one series in order of their own times") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "z", at({"2024-02-28_23:00:00"}, 1.0f));
+    writeWrf(folder / "m", at({"2024-03-01_01:00:00"}, 3.0f));
+    writeWrf(folder / "a", at({"2024-02-29_00:00:00", "2024-02-29_12:00:00"}, 2.0f));
+    const auto dataset = openFiles({folder / "m", folder / "a", folder / "z"});
+    const auto& times = dataset->info().times;
+    REQUIRE(times.size() == 4);
+    CHECK(times[0].seconds == 0.0);
+    CHECK(times[1].seconds == 3600.0);
+    CHECK(times[3].seconds == 26.0 * 3600.0);  // 2024 is a leap year
+    CHECK(times[2].indexInFile == 1);
+    CHECK(times[2].file == folder / "a");
+    CHECK(dataset->read("QCLOUD", 0).at(0, 0, 0) == 1.0f);
+    CHECK(dataset->read("QCLOUD", 2).at(0, 0, 0) == doctest::Approx(2.1f));
+    CHECK(dataset->read("QCLOUD", 3).at(0, 0, 0) == 3.0f);
+    CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == 2.0f);
+}
+
+TEST_CASE("A time that two files hold is kept once and the note names both files") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "first", at({"2024-05-06_21:00:00", "2024-05-06_22:00:00"}, 1.0f));
+    writeWrf(folder / "restart", at({"2024-05-06_22:00:00", "2024-05-06_23:00:00"}, 5.0f));
+    const auto dataset = openFiles({folder / "first", folder / "restart"});
+    CHECK(dataset->info().times.size() == 3);
+    REQUIRE(dataset->info().notes.size() == 1);
+    const std::string& note = dataset->info().notes[0];
+    CHECK(contains(note, "2024-05-06_22:00:00"));
+    CHECK(contains(note, "first"));
+    CHECK(contains(note, "restart"));
+    CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == doctest::Approx(1.1f));
+}
+
+TEST_CASE("Files of different grids are not one series; the error names both and their sizes") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "d01", {});
+    WrfSpec nested;
+    nested.nx = 7;
+    writeWrf(folder / "d02", nested);
+    const ErrorParts error = errorOf([&] { openFiles({folder / "d01", folder / "d02"}); });
+    CHECK(contains(error.where, "d02"));
+    CHECK(contains(error.what, "d01"));
+    CHECK(contains(error.found, "7 x 3 x 5"));
+    CHECK(contains(error.expected, "4 x 3 x 5"));
+    WrfSpec finer;
+    finer.dx = 333.0f;
+    writeWrf(folder / "fine", finer);
+    CHECK(contains(errorOf([&] { openFiles({folder / "d01", folder / "fine"}); }).found, "333"));
+}
+
+TEST_CASE("A variable that only some files of a series hold is an error at the times without it") {
+    const TemporaryFolder folder;
+    WrfSpec with = at({"2024-05-06_21:00:00"}, 1.0f);
+    with.fields["QSNOW"] = [](int, int, int, int) { return 0.5f; };
+    writeWrf(folder / "with", with);
+    writeWrf(folder / "without", at({"2024-05-06_22:00:00"}, 1.0f));
+    const auto dataset = openFiles({folder / "with", folder / "without"});
+    CHECK(dataset->read("QSNOW", 0).at(0, 0, 0) == 0.5f);
+    const ErrorParts error = errorOf([&] { dataset->read("QSNOW", 1); });
+    CHECK(contains(error.where, "without"));
+    CHECK(contains(error.what, "QSNOW"));
+}
+
+TEST_CASE("Opening a series can be cancelled") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", {});
+    const std::vector<std::filesystem::path> files{folder / "a"};
+    CHECK_THROWS_AS(Dataset::open(files, readerHost(), [](double) { return false; }), Cancelled);
+}
