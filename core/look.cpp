@@ -125,7 +125,9 @@ std::string rangeText(const Parameter& row) {
         case ParameterKind::number:
             break;
     }
-    return fmt::format("a number from {} to {} {}", row.range.lo, row.range.hi, row.unit);
+    const bool plain = row.unit.empty() || row.unit == "1";
+    return fmt::format("a number from {} to {}{}{}", row.range.lo, row.range.hi, plain ? "" : " ",
+                       plain ? "" : row.unit);
 }
 
 const Parameter* findParameter(std::string_view id) {

@@ -128,7 +128,7 @@ ParameterValue defaultOf(const Parameter& row);
 void setValue(Look& look, const Parameter& row, const ParameterValue& value,
               std::string_view where = {});
 
-/// What a parameter takes, in words: "a number from 0 to 100 1", "one of physical, equal".
+/// What a parameter takes, in words: "a number from 0 to 90 deg", "one of physical, equal".
 std::string rangeText(const Parameter& row);
 
 /// Text of a value as `--set` reads it: 0.5, true, translucent, or r,g,b.

@@ -88,7 +88,8 @@ void addPresets(CLI::App& app, Arguments& arguments) {
 
 void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App& info = *app.add_subcommand("info", "Describe files without reading their fields");
-    info.add_option("FILE", arguments.info.files, "Files of one series, or a folder")->required();
+    info.add_option("FILE", arguments.info.files,
+                    "Files of one series, or a folder; none: the bundled storm");
     info.add_flag("--json", arguments.info.json, "As JSON");
     app.add_subcommand("readers", "List reader plugins");
     CLI::App& bench = *app.add_subcommand("bench", "Measure frame times");
@@ -130,12 +131,12 @@ int parseAndRun(int argc, char** argv) {
         "them.",
         "nephoscope");
     app.set_version_flag("--version", fmt::format("nephoscope {}", versionText()));
-    app.footer(std::string(kExamples));
     app.require_subcommand(0, 1);
     addSceneOptions(app, arguments.workbench);
     addRender(app, arguments.render);
     addPresets(app, arguments);
     addOthers(app, arguments);
+    app.footer(std::string(kExamples));  // after the commands, which would take it over
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

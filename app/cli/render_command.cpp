@@ -32,8 +32,17 @@ FileKind kindOf(const std::filesystem::path& out) {
                       extension.empty() ? "no extension" : extension, ".png or .exr", ""});
 }
 
+/// Found out now rather than after the work.
+void checkFolder(const std::filesystem::path& out) {
+    const auto folder = out.has_parent_path() ? out.parent_path() : std::filesystem::path(".");
+    if (std::filesystem::is_directory(folder)) return;
+    throw Error({out.string(), "cannot be written", "no folder " + folder.string(), "",
+                 "make the folder first"});
+}
+
 void checkOptions(const RenderOptions& options) {
     kindOf(options.out);
+    checkFolder(options.out);
     if (options.engine != "slicing") {
         throw UsageError({"--engine", "there is no engine " + options.engine, "", "slicing", ""});
     }
