@@ -1,8 +1,6 @@
 // droplet_cache.cpp: droplets already computed, in memory and on disk.
-//
-// A file is one header and the numbers in this machine's byte order, with a checksum over the
-// numbers. Its name holds the version of the computation: a change there makes old files unread,
-// not wrong. Whatever is odd about a file, it is ignored.
+#include "core/droplet_cache.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,19 +17,16 @@
 #include <fmt/format.h>
 
 #include "core/atomic_file.h"
-#include "core/droplets.h"
 #include "core/error.h"
 
 namespace neph {
 namespace {
 
-/// Raised with every change of droplets.cpp or mie.cpp that changes numbers.
-constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kNumberCount = std::size_t{kPhaseTableSize} * 4 + 6;
 
 struct Header {
     std::array<char, 8> magic{'N', 'E', 'P', 'H', 'D', 'R', 'O', 'P'};
-    std::uint32_t version = kVersion;
+    std::uint32_t version = kDropletCacheVersion;
     std::uint32_t tableSize = kPhaseTableSize;
     float effectiveRadiusM = 0.0f;
     std::uint32_t checksum = 0;
@@ -83,37 +78,37 @@ DropletOptics unpack(const CacheFile& file) {
     return optics;
 }
 
-std::optional<DropletOptics> readCache(float radiusM) {
-    const std::filesystem::path path = dropletCacheFile(radiusM);
-    if (path.empty()) return std::nullopt;
+}  // namespace
+
+std::optional<DropletOptics> readDropletCache(const std::filesystem::path& path,
+                                              float effectiveRadiusM) {
     std::ifstream stream(path, std::ios::binary);
-    CacheFile file;
-    std::array<char, sizeof(CacheFile) + 1> bytes;  // one more shows a file that is too long
+    std::string bytes(sizeof(CacheFile) + 1, '\0');  // one more shows a file that is too long
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (stream.gcount() != static_cast<std::streamsize>(sizeof(CacheFile))) return std::nullopt;
+    CacheFile file;
     std::memcpy(&file, bytes.data(), sizeof(CacheFile));
     Header expected;
-    expected.effectiveRadiusM = radiusM;
+    expected.effectiveRadiusM = effectiveRadiusM;
     expected.checksum = checksum(file.numbers);
     if (file.header != expected) return std::nullopt;
     return unpack(file);
 }
 
-void writeCache(const DropletOptics& optics) {
-    const std::filesystem::path path = dropletCacheFile(optics.effectiveRadiusM);
-    if (path.empty()) return;
+bool writeDropletCache(const std::filesystem::path& path, const DropletOptics& optics) {
     const CacheFile file = pack(optics);
     std::string bytes(sizeof(CacheFile), '\0');
     std::memcpy(bytes.data(), &file, sizeof(CacheFile));
     try {
         std::filesystem::create_directories(path.parent_path());
         replaceFile(path, bytes);
-    } catch (const Error&) {  // computed again next time
+    } catch (const Error&) {
+        return false;
     } catch (const std::filesystem::filesystem_error&) {
+        return false;
     }
+    return true;
 }
-
-}  // namespace
 
 std::filesystem::path dropletCacheFile(float effectiveRadiusM) {
     std::filesystem::path folder;
@@ -127,7 +122,8 @@ std::filesystem::path dropletCacheFile(float effectiveRadiusM) {
         return {};
     }
     return folder / "nephoscope" /
-           fmt::format("droplets-v{}-{:.1f}um.bin", kVersion, roundRadius(effectiveRadiusM) * 1e6f);
+           fmt::format("droplets-v{}-{:.1f}um.bin", kDropletCacheVersion,
+                       roundRadius(effectiveRadiusM) * 1e6f);
 }
 
 std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM) {
@@ -137,10 +133,12 @@ std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM) {
     const std::lock_guard lock(mutex);  // a second thread that wants the same radius waits for it
     auto& entry = known[radiusM];
     if (!entry) {
-        std::optional<DropletOptics> optics = readCache(radiusM);
+        const std::filesystem::path path = dropletCacheFile(radiusM);
+        std::optional<DropletOptics> optics;
+        if (!path.empty()) optics = readDropletCache(path, radiusM);
         if (!optics) {
             optics = computeDroplets(radiusM);
-            writeCache(*optics);
+            if (!path.empty()) writeDropletCache(path, *optics);
         }
         entry = std::make_shared<const DropletOptics>(std::move(*optics));
     }

@@ -5,7 +5,6 @@
 // and 450 nm. Absorption is nil at these (1 - ω < 3e-6).
 #pragma once
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -34,8 +33,5 @@ DropletOptics computeDroplets(float effectiveRadiusM);
 /// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; a file that cannot be read or written there
 /// costs time, never an error.
 std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM);
-
-/// Where the droplets of a radius are kept; empty when there is no home.
-std::filesystem::path dropletCacheFile(float effectiveRadiusM);
 
 }  // namespace neph
