@@ -10,7 +10,7 @@ mkdir -p "$target"
 for time in 00:30:00 01:00:00 01:30:00 02:00:00; do
     name=wrfout_d01_0001-01-01_$time
     ncks -O -h -4 -L 9 -x -v W,MU,MUB,RAINNC,PSFC --ppc QVAPOR=2 "$source/$name" "$target/cut.nc"
-    nccopy -s -d 9 "$target/cut.nc" "$target/$name"
+    nccopy -s -d 9 -c Time/1,bottom_top/15,bottom_top_stag/16,south_north/120,west_east/110 "$target/cut.nc" "$target/$name"
     rm "$target/cut.nc"
     test "$(stat -c %s "$target/$name")" -le 4194304
 done

@@ -154,6 +154,8 @@ void NcFile::readVariables() {
         if (rank > 0 && nc_inq_var_chunking(id_, id, &storage, chunk.data()) == NC_NOERR &&
             storage == NC_CHUNKED) {
             variable.chunk = chunk;
+            // Slabs end where chunks end, so that a kept chunk would only cost memory.
+            nc_set_var_chunk_cache(id_, id, 0, 0, 0.0f);
         }
         variables_.push_back(std::move(variable));
     }

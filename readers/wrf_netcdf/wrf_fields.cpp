@@ -22,7 +22,7 @@ constexpr float kVapourRatio = 461.6f / 287.0f;  // r_v / r_d there
 
 // Slabs of at most this many values, so that cancelling acts soon, unless the file's chunks are
 // larger.
-constexpr std::size_t kSlabValues = 1U << 20U;
+constexpr std::size_t kSlabValues = 1U << 18U;
 
 /// Level at which the slab that starts at `z` ends: a border of chunks, so that none is inflated
 /// twice.
