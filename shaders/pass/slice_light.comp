@@ -2,7 +2,7 @@
 //
 // Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and writes layer k + 1.
 #version 450 core
-layout(local_size_x = 16, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 8) in;
 #include "../lib/optics.glsl"
 #include "medium_sample.glsl"
 

@@ -68,6 +68,9 @@ SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox
         std::abs(towardsSun.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     plan.lightU = glm::normalize(glm::cross(helper, towardsSun));
     plan.lightV = glm::cross(towardsSun, plan.lightU);
+    // A texel finer than the slices are apart would only repeat what they saw. The same for every
+    // camera, so that an orbit keeps its buffers.
+    texelM = std::max(texelM, glm::length(box.upperM - box.lowerM) / planes);
     const Extent u = along(plan.lightU, box), v = along(plan.lightV, box);
     plan.lightLowerM = {u.lo, v.lo};
     plan.lightExtentM = {u.length(), v.length()};
