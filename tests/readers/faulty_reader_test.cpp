@@ -1,0 +1,220 @@
+// faulty_reader_test.cpp: a reader that breaks its promises gives an error and nothing worse.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include "core/reader_file.h"
+#include "tests/readers/reader_host.h"
+#include "tests/readers/temporary_folder.h"
+
+using namespace neph;
+
+struct NephFile {
+    int unused;
+};
+
+namespace {
+
+// What the reader under test will do; set by each test before it opens.
+struct Behaviour {
+    NephDescription description{};
+    NephStatus openStatus = NEPH_OK;
+    bool noHandle = false, throws = false, nullDescription = false;
+    std::uint64_t written = 0;
+    NephStatus readStatus = NEPH_OK;
+};
+Behaviour behaviour;
+NephTime theTime{{NEPH_READER_ABI_VERSION, sizeof(NephTime)}, "t0", 0.0};
+NephVariable theVariable{{NEPH_READER_ABI_VERSION, sizeof(NephVariable)},
+                         "q",
+                         "",
+                         "kg kg-1",
+                         "",
+                         NEPH_ROLE_MIXING_RATIO,
+                         NEPH_SPECIES_CLOUD,
+                         {2, 2, 2},
+                         0,
+                         0.0,
+                         0.0};
+std::array<const NephTime*, 1> times{&theTime};
+std::array<const NephVariable*, 2> variables{&theVariable, &theVariable};
+NephFile handle{0};
+
+NephStatus openFaulty(const char*, NephFile** file, NephError*) {
+    if (behaviour.throws) throw std::runtime_error("boo");
+    *file = behaviour.noHandle ? nullptr : &handle;
+    return behaviour.openStatus;
+}
+const NephDescription* describeFaulty(NephFile*) {
+    return behaviour.nullDescription ? nullptr : &behaviour.description;
+}
+NephStatus readFaulty(NephFile*, NephReadRequest* request, NephError* error) {
+    request->values_written = behaviour.written;
+    if (behaviour.readStatus != NEPH_OK) {
+        // A text without an end: the host must not run past it.
+        std::fill(std::begin(error->what), std::end(error->what), 'x');
+    }
+    return behaviour.readStatus;
+}
+const NephReader faultyReader{{NEPH_READER_ABI_VERSION, sizeof(NephReader)},
+                              "faulty",
+                              "0",
+                              "nothing",
+                              "",
+                              [](const char*) -> std::int32_t { return 50; },
+                              &openFaulty,
+                              &describeFaulty,
+                              &readFaulty,
+                              [](NephFile*) {}};
+
+std::shared_ptr<const ReaderPlugin> plugin() {
+    ReaderPlugin reader;
+    reader.id = "faulty";
+    reader.library = "faulty.so";
+    reader.calls = &faultyReader;
+    return std::make_shared<const ReaderPlugin>(reader);
+}
+
+/// A description that is right in every way.
+void behaveWell() {
+    behaviour = {};
+    theTime.seconds = 0.0;
+    theTime.header = {NEPH_READER_ABI_VERSION, sizeof(NephTime)};
+    theVariable.name = "q";
+    theVariable.size[2] = 2;
+    NephDescription& d = behaviour.description;
+    d.header = {NEPH_READER_ABI_VERSION, sizeof(NephDescription)};
+    d.size[0] = d.size[1] = d.size[2] = 2;
+    d.spacing_m[0] = d.spacing_m[1] = 100.0;
+    d.time_count = 1;
+    d.times = times.data();
+    d.variable_count = 1;
+    d.variables = variables.data();
+    behaviour.written = 8;
+}
+
+std::string openFault() {
+    return errorOf([] { ReaderFile(plugin(), "some.file"); }).what;
+}
+
+std::string readFault() {
+    std::array<float, 8> values{};
+    return errorOf([&] {
+               ReaderFile(plugin(), "some.file").read(0, 0, {0, 0, 0}, {2, 2, 2}, values, {});
+           })
+        .what;
+}
+
+}  // namespace
+
+TEST_CASE("A reader that keeps its promises is believed") {
+    behaveWell();
+    const ReaderFile file(plugin(), "some.file");
+    CHECK(file.description().size == glm::ivec3(2));
+    CHECK(file.description().variables.at(0).name == "q");
+    CHECK(readFault().empty());
+}
+
+TEST_CASE("Sizes, numbers and counts that cannot be are faults of the reader") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto faulty = [](auto&& spoil) {
+        behaveWell();
+        spoil(behaviour.description);
+        const std::string what = openFault();
+        CHECK(contains(what, "reader faulty is faulty"));
+        return what;
+    };
+    CHECK(contains(faulty([](auto& d) { d.size[1] = -2; }), "size 2 x -2 x 2"));
+    CHECK(contains(faulty([](auto& d) { d.size[0] = 0; }), "size 0"));
+    CHECK(contains(faulty([](auto& d) { d.size[0] = d.size[1] = d.size[2] = 1 << 20; }), "cells"));
+    CHECK(contains(faulty([&](auto& d) { d.spacing_m[0] = nan; }), "spacing"));
+    CHECK(contains(faulty([](auto& d) { d.spacing_m[1] = 0.0; }), "spacing"));
+    CHECK(contains(faulty([](auto& d) { d.time_count = 0; }), "no times"));
+    CHECK(contains(faulty([](auto& d) { d.time_count = 4'000'000'000U; }), "claimed"));
+    CHECK(contains(faulty([](auto& d) { d.times = nullptr; }), "null"));
+    CHECK(contains(faulty([](auto& d) { d.variable_count = 2; }), "twice"));
+    CHECK(contains(faulty([](auto& d) { d.header.struct_size = 8; }), "bytes"));
+    CHECK(contains(faulty([](auto& d) { d.header.abi_version = 99; }), "ABI 99"));
+    CHECK(contains(faulty([&](auto&) { theTime.seconds = nan; }), "finite"));
+    CHECK(contains(faulty([](auto&) { theTime.header.struct_size = 0; }), "a time"));
+    CHECK(contains(faulty([](auto&) { theVariable.name = ""; }), "no name"));
+    CHECK(contains(faulty([](auto&) { theVariable.name = nullptr; }), "no name"));
+    CHECK(contains(faulty([](auto&) { theVariable.size[2] = -1; }), "of q"));
+    CHECK(contains(faulty([](auto&) { behaviour.nullDescription = true; }), "null"));
+}
+
+TEST_CASE("Calls that throw, give no handle or fail without a reason are errors") {
+    behaveWell();
+    behaviour.throws = true;
+    CHECK(contains(openFault(), "threw boo"));
+    behaveWell();
+    behaviour.noHandle = true;
+    CHECK(contains(openFault(), "no handle"));
+    behaveWell();
+    behaviour.openStatus = NEPH_FAILED;
+    CHECK(contains(openFault(), "no reason"));
+}
+
+TEST_CASE("A short read and an error text without an end are errors") {
+    behaveWell();
+    behaviour.written = 7;
+    CHECK(contains(readFault(), "7 values of q, 8"));
+    behaveWell();
+    behaviour.readStatus = NEPH_FAILED;
+    CHECK(readFault() == std::string(sizeof(NephError::what), 'x'));
+}
+
+TEST_CASE("Libraries that are no readers are rejected with the reason, and the others still work") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "broken.so") << "not a library";
+    std::filesystem::copy_file(std::filesystem::path(NEPH_TEST_READER_DIR) / "wrf_netcdf.so",
+                               folder / "z_copy.so");
+    const PluginHost host(std::vector<std::filesystem::path>{NEPH_TEST_READER_DIR, folder.path(),
+                                                             folder / "nowhere", "libm.so.6"});
+    REQUIRE(host.readers().size() == 1);
+    CHECK(host.readers()[0]->id == "wrf_netcdf");
+    CHECK(host.readers()[0]->abiVersion == NEPH_READER_ABI_VERSION);
+    REQUIRE(host.rejected().size() == 2);
+    CHECK(host.rejected()[0].library == folder / "broken.so");
+    CHECK(!host.rejected()[0].reason.empty());
+    CHECK(contains(host.rejected()[1].reason, "already found"));
+}
+
+TEST_CASE("A library without the entry is rejected, and without any reader the error says so") {
+    // The C library's own file, wherever the loader has it.
+    std::filesystem::path library;
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+        const std::size_t start = line.find('/');
+        if (start != std::string::npos && line.find("libm.so") != std::string::npos) {
+            library = line.substr(start);
+        }
+    }
+    REQUIRE(!library.empty());
+    const PluginHost host(std::vector<std::filesystem::path>{library});
+    CHECK(host.readers().empty());
+    REQUIRE(host.rejected().size() == 1);
+    CHECK(contains(host.rejected()[0].reason, "nephReader"));
+    const TemporaryFolder folder;
+    std::ofstream(folder / "file") << "x";
+    CHECK(
+        contains(errorOf([&] { host.pick(folder / "file"); }).what, "no reader plugin was found"));
+}
+
+TEST_CASE(
+    "Standard places are the path variable's, the user's data folder, and beside the program") {
+    setenv("NEPHOSCOPE_READER_PATH", "/one::/two", 1);
+    setenv("XDG_DATA_HOME", "/data", 1);
+    const auto places = PluginHost::standardPlaces();
+    unsetenv("NEPHOSCOPE_READER_PATH");
+    unsetenv("XDG_DATA_HOME");
+    REQUIRE(places.size() == 4);
+    CHECK(places[0] == "/one");
+    CHECK(places[1] == "/two");
+    CHECK(places[2] == "/data/nephoscope/readers");
+    CHECK(places[3].parent_path().filename() == "nephoscope");
+}
