@@ -31,7 +31,7 @@ constexpr std::array<Colour, 3> kColours{{{650e-9, 1.331}, {550e-9, 1.333}, {450
 /// and, at single angles behind 100°, 10 % (docs/physics.md §6).
 constexpr double kSmallestSize = 0.15, kLargestSize = 3.0;
 constexpr double kSizeStep = 0.4;
-constexpr int kMinSizes = 200, kMaxSizes = 1000;
+constexpr int kMinSizes = 600, kMaxSizes = 1000;
 
 constexpr int kHalfAngles = 192;  ///< within 90° of straight on; as many again behind
 constexpr int kAngles = 2 * kHalfAngles;
