@@ -25,6 +25,9 @@ using namespace glm;
 #include "shaders/lib/phase_isotropic.glsl"
 #include "shaders/lib/phase_rayleigh.glsl"
 #include "shaders/lib/phase_table.glsl"
+#include "shaders/lib/ray_box.glsl"
+#include "shaders/lib/sky.glsl"
+#include "shaders/lib/tonemap.glsl"
 
 }  // namespace
 }  // namespace neph::glsl

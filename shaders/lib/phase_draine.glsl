@@ -16,7 +16,7 @@ float draineValue(float cosTheta, float g, float alpha) {
     return hgValue(cosTheta, g) * (1.0f + alpha * cosTheta * cosTheta) / draineNorm(g, alpha);
 }
 
-/// The cumulative as a function of 1 - cosTheta; docs/physics.md §4 derives this form, which holds
+/// The cumulative as a function of 1 - cosTheta; docs/physics.md §2 derives this form, which holds
 /// for every g, 0 included.
 float draineCumulativeOfVersine(float versine, float g, float alpha) {
     float near = 1.0f - g;

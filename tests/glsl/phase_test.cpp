@@ -1,5 +1,5 @@
 // phase_test.cpp: the closed-form phase functions against quadrature and tabulated values
-// (docs/physics.md §4).
+// (docs/physics.md §2).
 #include <doctest/doctest.h>
 
 #include <algorithm>

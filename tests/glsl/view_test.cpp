@@ -1,0 +1,89 @@
+// view_test.cpp: rays through boxes, the background, and the way from radiance to the screen.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <initializer_list>
+
+#include "shaders/lib/glsl_cpp.h"
+
+using namespace neph;
+using doctest::Approx;
+
+namespace {
+const glm::vec3 kLower(0.0f), kUpper(2.0f, 4.0f, 8.0f);
+}
+
+TEST_CASE("A ray is inside a box between its two walls, also when it starts inside or looks away") {
+    const glm::vec2 through = glsl::rayBox({-1.0f, 2.0f, 4.0f}, {1.0f, 0.0f, 0.0f}, kLower, kUpper);
+    CHECK(through.x == Approx(1.0));
+    CHECK(through.y == Approx(3.0));
+    const glm::vec2 inside = glsl::rayBox({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, -2.0f}, kLower, kUpper);
+    CHECK(inside.x == Approx(-3.5));
+    CHECK(inside.y == Approx(0.5));
+    const glm::vec2 behind = glsl::rayBox({5.0f, 2.0f, 4.0f}, {1.0f, 0.0f, 0.0f}, kLower, kUpper);
+    CHECK(behind.x == Approx(-5.0));
+    CHECK(behind.y == Approx(-3.0));
+}
+
+TEST_CASE("A ray beside a box misses it, parallel to its walls or not") {
+    for (const glm::vec3 dir :
+         {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(1.0f, 0.1f, 0.0f), glm::vec3(-1.0f, 0.0f, 0.0f)}) {
+        const glm::vec2 t = glsl::rayBox({-1.0f, 5.0f, 4.0f}, dir, kLower, kUpper);
+        CHECK(t.x > t.y);
+    }
+}
+
+TEST_CASE("A diagonal ray enters by the last wall it crosses and leaves by the first") {
+    const glm::vec3 dir = glm::normalize(glm::vec3(1.0f, 2.0f, 4.0f));
+    const glm::vec2 t = glsl::rayBox(-dir, dir, kLower, kUpper);
+    CHECK(t.x == Approx(1.0));
+    CHECK(t.y == Approx(1.0 + std::sqrt(84.0)).epsilon(1e-6));
+}
+
+TEST_CASE("The sky is the horizon's colour at and below the horizon, the zenith's overhead") {
+    const glm::vec3 zenith(0.1f, 0.2f, 0.5f), horizon(0.5f, 0.6f, 0.7f);
+    CHECK(glsl::skyRadiance(0.0f, zenith, horizon) == horizon);
+    CHECK(glsl::skyRadiance(-0.4f, zenith, horizon) == horizon);
+    CHECK(glm::distance(glsl::skyRadiance(1.0f, zenith, horizon), zenith) < 1e-6f);
+    const glm::vec3 between = glsl::skyRadiance(0.3f, zenith, horizon);
+    for (int c = 0; c < 3; ++c) {
+        CHECK(between[c] > zenith[c]);
+        CHECK(between[c] < horizon[c]);
+    }
+}
+
+TEST_CASE("The ground fades into the horizon with distance") {
+    const glm::vec3 ground(0.1f), horizon(0.6f);
+    CHECK(glsl::hazyGround(ground, horizon, 0.0f) == ground);
+    const glm::vec3 away = glsl::hazyGround(ground, horizon, glsl::kHazeLengthM);
+    CHECK(away.r == Approx(0.6 - 0.5 / std::exp(1.0)).epsilon(1e-5));
+}
+
+TEST_CASE("Display encoding is sRGB's: 0.18 becomes 0.4614 and half becomes 0.7354") {
+    CHECK(glsl::srgbEncode(0.18f) == Approx(0.461356).epsilon(1e-5));
+    CHECK(glsl::srgbEncode(0.5f) == Approx(0.735357).epsilon(1e-5));
+    CHECK(glsl::srgbEncode(0.0f) == 0.0f);
+    CHECK(glsl::srgbEncode(1.0f) == Approx(1.0).epsilon(1e-6));
+    CHECK(glsl::srgbEncode(0.0031308f) == Approx(glsl::srgbEncode(0.00313081f)).epsilon(1e-4));
+}
+
+TEST_CASE("The film curve rises from 0 to 1 and takes 1 to 0.8038") {
+    CHECK(glsl::filmic(glm::vec3(0.0f)).r == 0.0f);
+    CHECK(glsl::filmic(glm::vec3(1.0f)).r == Approx(2.54 / 3.16).epsilon(1e-5));
+    CHECK(glsl::filmic(glm::vec3(100.0f)).r == 1.0f);
+    float before = 0.0f;
+    for (float x = 0.05f; x < 5.0f; x += 0.05f) {
+        const float now = glsl::filmic(glm::vec3(x)).r;
+        CHECK(now > before);
+        before = now;
+    }
+}
+
+TEST_CASE("Displayed values are gained, curved and encoded, and negative light is black") {
+    const glm::vec3 linear = glsl::displayValue(glm::vec3(0.25f, -1.0f, 9.0f), 2.0f, 0);
+    CHECK(linear.r == Approx(0.735357).epsilon(1e-5));
+    CHECK(linear.g == 0.0f);
+    CHECK(linear.b == Approx(1.0).epsilon(1e-6));
+    const glm::vec3 film = glsl::displayValue(glm::vec3(0.5f), 2.0f, 1);
+    CHECK(film.r == Approx(glsl::srgbEncode(2.54f / 3.16f)).epsilon(1e-5));
+}
