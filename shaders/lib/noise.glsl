@@ -10,13 +10,13 @@ const float kDetailMean = 0.30f;            ///< of billow and of wisp over a ti
 const float kDetailFeaturesPerTile = 4.0f;  ///< the largest puffs are a quarter of a tile across
 
 /// A lattice point times three odd constants, one an axis, so that the sum of the parts tells
-/// points apart. [Appleby]
+/// points apart. The first three primes of [Collet].
 uvec3 scatterCell(vec3 cell) {
     return uvec3(cell) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
 }
 
-/// Four well-mixed bits of a sum of scattered parts and a seed: the top of a multiplicative hash.
-/// [Knuth98] §6.4
+/// Four well-mixed bits of a sum of scattered parts and a seed: the top of a 32-bit hash whose
+/// constants were searched for. [Wellons18]
 uint mixBits(uint h) {
     h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
     h = (h ^ (h >> 12u)) * 0x297A2D39u;
