@@ -56,6 +56,16 @@ Scene makeScene(const SceneOptions& options) {
     return scene;
 }
 
+std::optional<int> parseFirstTime(const std::string& text) {
+    if (text.empty()) return {};
+    if (text == "all") return 0;
+    int index = 0;
+    const std::string first = text.substr(0, text.find(':'));
+    const auto [end, fault] = std::from_chars(first.data(), first.data() + first.size(), index);
+    if (fault == std::errc{} && end == first.data() + first.size()) return index;
+    throw UsageError({"--time", "cannot be read", text, "INDEX, a:b or all", ""});
+}
+
 std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info) {
     const int count = static_cast<int>(info.times.size());
     if (text.empty()) return {defaultTime(info)};

@@ -1,7 +1,7 @@
 // scene.h: what the command line asks to be shown, made into files, times and a document.
 #pragma once
 #include <filesystem>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +38,9 @@ Scene makeScene(const SceneOptions& options);
 /// Indices named by `text`: a number (negative counts from the end), a:b (both included), all, or
 /// empty for the default time. Throws UsageError naming the times there are.
 std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info);
+
+/// The first of the times in `text`, before the data are open; none when it is empty. Negative
+/// counts from the end. Throws UsageError.
+std::optional<int> parseFirstTime(const std::string& text);
 
 }  // namespace neph

@@ -1,13 +1,189 @@
-// workbench.cpp: the window and its loop.
+// workbench.cpp: the loop: input, panels, picture, in that order and only when something happens.
 #include "app/workbench.h"
 
-#include <cstdlib>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "app/gl/context.h"
+#include "app/render/renderer.h"
+#include "app/ui/actions.h"
+#include "app/ui/quality.h"
+#include "app/ui/ui.h"
+#include "app/workbench_host.h"
+#include "core/file_list.h"
+#include "core/plugin_host.h"
+#include "core/resources.h"
 
 namespace neph {
+namespace {
 
-int runWorkbench(const SceneOptions&) {
-    throw Error({"", "there is no display for the workbench", "neither DISPLAY nor WAYLAND_DISPLAY",
-                 "", "nephoscope render --out storm.png writes a picture without one"});
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWidthPx = 1280, kHeightPx = 720;
+constexpr double kIdleWaitS = 0.25;   // between looks when nothing happens: tooltips, text cursor
+constexpr double kBusyWaitS = 0.05;   // while data load or the picture waits to be refined
+constexpr double kCommitS = 0.4;      // at rest for so long: the gesture is over, one step of undo
+constexpr int kFramesAfterInput = 3;  // ImGui needs a frame or two to settle after input
+
+bool isPresetFile(const std::filesystem::path& path) {
+    return path.extension() == ".json";
+}
+
+class Workbench {
+  public:
+    explicit Workbench(const SceneOptions& options);
+    void run();
+
+  private:
+    void takeInput();
+    void takeData();
+    void drawPicture();
+    void carryOut();
+    void noteChanges();
+    double waitS() const;
+    double restS() const { return std::chrono::duration<double>(Clock::now() - changed_).count(); }
+    glm::ivec2 windowPx() const {
+        return {std::max(1, window_.framebufferWidth()), std::max(1, window_.framebufferHeight())};
+    }
+
+    gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
+    WorkbenchHost host_{window_};
+    render::Renderer renderer_{resourcePath("shaders")};
+    Session session_{PluginHost::standard(), &WorkbenchHost::wake};
+    ui::Ui ui_{session_};
+    ui::QualityControl quality_;
+
+    Document seen_;  // as of the last frame
+    glm::ivec2 seenPx_{0};
+    std::optional<ui::Draft> drawn_;  // none: to be drawn again
+    Clock::time_point changed_ = Clock::now();
+    bool interacting_ = false;
+};
+
+Workbench::Workbench(const SceneOptions& options) {
+    const Scene scene = makeScene(options);
+    session_.document = seen_ = scene.document;
+    session_.homeCamera = scene.document.camera;
+    session_.presetName = scene.presetName;
+    session_.history.restart(scene.document);
+    for (const std::string& warning : scene.warnings) {
+        session_.say(Message::Kind::warning, warning);
+    }
+    ui_.report.device = renderer_.deviceName();
+    try {
+        session_.open(listFiles(options.files), parseFirstTime(options.time));
+    } catch (const Error& error) {
+        session_.say(Message::Kind::error, error.message());
+    }
+}
+
+void Workbench::takeInput() {
+    for (const ui::Chord chord : host_.takeChords()) ui::runChord(ui_, chord);
+    std::vector<std::filesystem::path> files = host_.takeDropped();
+    if (files.empty()) return;
+    if (files.size() == 1 && isPresetFile(files.front())) {
+        session_.loadPreset(files.front().string());
+        return;
+    }
+    try {
+        std::vector<std::string> names;
+        for (const auto& file : files) names.push_back(file.string());
+        session_.open(listFiles(names));
+    } catch (const Error& error) {
+        session_.say(Message::Kind::error, error.message());
+    }
+}
+
+void Workbench::takeData() {
+    session_.poll();
+    try {
+        if (const auto volume = session_.takeVolume()) {
+            renderer_.setVolume(*volume);
+            drawn_.reset();
+            changed_ = Clock::now();
+        }
+    } catch (const Error& error) {
+        session_.say(Message::Kind::error, error.message());
+    }
+}
+
+/// Notices what the panels changed, and makes a step of the history when the hand rests.
+void Workbench::noteChanges() {
+    const bool moved = session_.document != seen_ || windowPx() != seenPx_;
+    if (moved) changed_ = Clock::now();
+    seen_ = session_.document;
+    seenPx_ = windowPx();
+    if (!interacting_ && restS() > kCommitS) session_.history.commit(session_.document);
+    if (moved) drawn_.reset();
+}
+
+void Workbench::drawPicture() {
+    if (!session_.shown()) return;
+    const int planes = session_.document.look.planes;
+    // A button held still is still motion: the next move must find the machine ready.
+    const double rest = interacting_ ? 0.0 : restS();
+    const ui::Draft draft = quality_.draft(rest, windowPx(), planes);
+    const bool better = drawn_ && draft.step > drawn_->step;
+    if (drawn_ && !better) return;
+    render::FrameInputs inputs;
+    inputs.look = session_.document.look;
+    inputs.sizePx = draft.sizePx;
+    inputs.planes = draft.planes;
+    inputs.camera = placeCamera(session_.document.camera, session_.shown()->grid,
+                                static_cast<double>(windowPx().x) / windowPx().y);
+    const render::FrameStats stats = renderer_.render(inputs);
+    if (stats.marchedEye) quality_.measured(draft, stats.milliseconds, windowPx(), planes);
+    ui_.report = {stats.milliseconds, stats.planes, draft.sizePx, draft.step == ui::kFullStep,
+                  ui_.report.device};
+    ui_.picture = renderer_.displayTexture();
+    drawn_ = draft;
+    for (std::string& message : renderer_.takeMessages()) {
+        session_.say(Message::Kind::warning, std::move(message));
+    }
+}
+
+void Workbench::carryOut() {
+    const ui::Requests requests = std::exchange(ui_.requests, {});
+    if (requests.toggleFullScreen) host_.toggleFullScreen();
+    if (requests.reloadShaders) {
+        renderer_.reloadChangedShaders();
+        drawn_.reset();
+    }
+    if (requests.quit) host_.close();
+}
+
+double Workbench::waitS() const {
+    const bool refining = session_.shown() && (!drawn_ || drawn_->step < ui::kFullStep);
+    const bool uncommitted = restS() < 2.0 * kCommitS;
+    if (interacting_ && !drawn_) return 0.0;
+    return session_.loading() || refining || uncommitted ? kBusyWaitS : kIdleWaitS;
+}
+
+void Workbench::run() {
+    while (!window_.shouldClose()) {
+        host_.wait(waitS());
+        takeInput();
+        takeData();
+        host_.beginFrame();
+        ui::draw(ui_);
+        interacting_ = host_.interacting();
+        noteChanges();
+        drawPicture();
+        ui::showPicture(ui_);
+        host_.endFrame();
+        carryOut();
+    }
+}
+
+}  // namespace
+
+int runWorkbench(const SceneOptions& options) {
+    Workbench(options).run();
+    return 0;
 }
 
 }  // namespace neph

@@ -52,8 +52,9 @@ void Session::open(std::vector<std::filesystem::path> files, std::optional<int> 
     auto work = [this, host = host_, files = std::move(files), time](const Progress& progress) {
         auto dataset = Dataset::open(
             files, *host, [&progress](double fraction) { return goOn(progress, 0.3 * fraction); });
-        const int last = static_cast<int>(dataset->info().times.size()) - 1;
-        const int index = std::clamp(time.value_or(defaultTime(dataset->info())), 0, last);
+        const int count = static_cast<int>(dataset->info().times.size());
+        const int wanted = time.value_or(defaultTime(dataset->info()));
+        const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
         auto volume = std::make_shared<SpeciesVolume>(resample(
             *dataset, index, {},
             [&progress](double fraction) { return goOn(progress, 0.3 + 0.7 * fraction); }));
@@ -119,7 +120,7 @@ void Session::loadPreset(const std::string& nameOrFile) {
         }
         history.commit(document);
         document.look = loaded.preset.look;
-        if (loaded.preset.camera) document.camera = *loaded.preset.camera;
+        if (loaded.preset.camera) document.camera = homeCamera = *loaded.preset.camera;
         presetName = file.stem().string();
         history.commit(document, "Preset " + presetName);
         say(Message::Kind::note, "Preset " + presetName);

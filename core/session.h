@@ -48,10 +48,12 @@ class Session {
 
     Document document;
     History history;
+    CameraPose homeCamera;          ///< of the preset that was loaded last
     std::vector<Message> messages;  ///< newest last
     std::string presetName;         ///< last loaded or saved; empty before
 
-    /// Opens files as one series in the background and shows `time`, or the default time.
+    /// Opens files as one series in the background and shows `time` (negative counts
+    /// from the end), or the default time.
     void open(std::vector<std::filesystem::path> files, std::optional<int> time = {});
     /// Takes over look and camera of a preset as one step of the history. Faults become messages.
     void loadPreset(const std::string& nameOrFile);

@@ -1,0 +1,40 @@
+// path_popup.cpp: a line to type a path in, where nothing can be dropped on the window.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <array>
+
+#include "app/ui/panels.h"
+#include "core/file_list.h"
+
+namespace neph::ui {
+namespace {
+
+void open(Ui& ui) {
+    try {
+        ui.session.open(listFiles(std::array{ui.path}));
+    } catch (const Error& error) {
+        ui.session.say(Message::Kind::error, error.message());
+    }
+}
+
+}  // namespace
+
+void drawPathPopup(Ui& ui) {
+    if (ui.askForPath) ImGui::OpenPopup("Open");
+    if (!ImGui::BeginPopupModal("Open", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    ImGui::TextUnformatted("A file of model output, or a folder with the files of one series");
+    if (ui.askForPath) ImGui::SetKeyboardFocusHere();
+    ui.askForPath = false;
+    ImGui::SetNextItemWidth(36.0f * ImGui::GetFontSize());
+    const bool entered = ImGui::InputText("##path", &ui.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    if ((ImGui::Button("Open") || entered) && !ui.path.empty()) {
+        open(ui);
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,84 @@
+// presets_panel.cpp: presets to load, and a name to save under.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/ui/panels.h"
+#include "core/error.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr int kVisibleRows = 6;
+
+std::string tooltipOf(const PresetEntry& entry) {
+    try {
+        const Preset preset = loadPreset(entry.file).preset;
+        std::string text = preset.title;
+        if (!preset.description.empty()) text += (text.empty() ? "" : "\n") + preset.description;
+        return text.empty() ? entry.file.string() : text;
+    } catch (const Error& error) {
+        return error.message();
+    }
+}
+
+void list(Ui& ui) {
+    ui.presets = listPresets();
+    ui.titles.clear();
+    for (const PresetEntry& entry : ui.presets) ui.titles.push_back(tooltipOf(entry));
+    ui.presetsListed = true;
+}
+
+void drawEntry(Ui& ui, std::size_t i) {
+    const PresetEntry& entry = ui.presets[i];
+    const std::string label = entry.name + (entry.bundled ? "" : "  (yours)");
+    if (ImGui::Selectable(label.c_str(), entry.name == ui.session.presetName)) {
+        ui.session.loadPreset(entry.name);
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
+        ImGui::TextUnformatted(ui.titles[i].c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+}
+
+void drawSave(Ui& ui) {
+    const float button = ImGui::CalcTextSize("Save").x + 3.0f * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
+    if (ui.askForPresetName) {
+        ImGui::SetKeyboardFocusHere();
+        ui.askForPresetName = false;
+    }
+    const bool entered = ImGui::InputTextWithHint(
+        "##name", "Save look and camera as", &ui.presetName, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(ui.presetName.empty());
+    if ((ImGui::Button("Save") || entered) && !ui.presetName.empty()) {
+        ui.session.savePreset(ui.presetName);
+        ui.presetsListed = false;
+    }
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void drawPresets(Ui& ui) {
+    if (ui.askForPresetName) ImGui::SetNextItemOpen(true);
+    if (!ImGui::CollapsingHeader("Presets", ImGuiTreeNodeFlags_DefaultOpen)) {
+        ui.presetsListed = false;  // looked up anew when it is unfolded
+        return;
+    }
+    if (!ui.presetsListed) list(ui);
+    const int rows = std::min(kVisibleRows, static_cast<int>(ui.presets.size()));
+    const float height = static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing();
+    if (rows > 0 && ImGui::BeginChild("##presets", {0.0f, height})) {
+        for (std::size_t i = 0; i < ui.presets.size(); ++i) drawEntry(ui, i);
+    }
+    if (rows > 0) ImGui::EndChild();
+    drawSave(ui);
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,50 @@
+// status_line.cpp: what is shown and how long it took; the newest message.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/ui/panels.h"
+
+namespace neph::ui {
+namespace {
+
+std::string frameText(const FrameReport& report) {
+    if (report.sizePx.x == 0) return {};
+    return fmt::format("{:.0f} ms   {} x {} px   {} planes{}   {}", report.milliseconds,
+                       report.sizePx.x, report.sizePx.y, report.planes,
+                       report.full ? "" : "   (draft)", report.device);
+}
+
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+std::string dataText(const Session& session) {
+    if (session.loading()) {
+        return fmt::format("{}  {:.0f} %", session.loadingLabel(),
+                           100.0 * session.loadingFraction());
+    }
+    if (!session.messages.empty()) return firstLine(session.messages.back().text);
+    return session.info() == nullptr ? "No data" : session.info()->model;
+}
+
+}  // namespace
+
+void drawStatus(Ui& ui) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    if (beginFixed("##status", {0.0f, display.y - statusHeight()}, {display.x, statusHeight()})) {
+        const std::string frame = frameText(ui.report);
+        const float frameWidth = ImGui::CalcTextSize(frame.c_str()).x;
+        const float at = display.x - frameWidth - ImGui::GetStyle().WindowPadding.x;
+        // The message gives way to the frame, not the other way round.
+        ImGui::PushClipRect({0.0f, display.y - statusHeight()},
+                            {at - ImGui::GetFontSize(), display.y}, true);
+        ImGui::TextUnformatted(dataText(ui.session).c_str());
+        if (ImGui::IsItemClicked()) ui.showMessages = !ui.showMessages;
+        ImGui::PopClipRect();
+        ImGui::SameLine(at);
+        ImGui::TextDisabled("%s", frame.c_str());
+    }
+    ImGui::End();
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,57 @@
+// ui.cpp: the layout: a column each side, the time between them, the status along the bottom.
+#include "app/ui/ui.h"
+
+#include <imgui.h>
+
+#include "app/ui/panels.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr float kColumnEms = 22.0f;  // width of a column in letters; two leave half of 1280 pixels
+constexpr float kStatusLines = 1.9f;
+
+void drawColumns(Ui& ui) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float height = display.y - statusHeight();
+    if (beginFixed("##left", {0.0f, 0.0f}, {columnWidth(), height})) drawFields(ui);
+    ImGui::End();
+    if (beginFixed("##right", {display.x - columnWidth(), 0.0f}, {columnWidth(), height})) {
+        drawPresets(ui);
+        drawGroups(ui);
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+float columnWidth() {
+    return kColumnEms * ImGui::GetFontSize();
+}
+
+float statusHeight() {
+    return kStatusLines * ImGui::GetFontSize();
+}
+
+bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
+    ImGui::SetNextWindowPos({at.x, at.y});
+    ImGui::SetNextWindowSize({size.x, size.y});
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                            ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void draw(Ui& ui) {
+    moveCamera(ui);
+    if (ui.showPanels) {
+        drawColumns(ui);
+        drawTimeBar(ui);
+        drawStatus(ui);
+    }
+    drawNotices(ui);
+    drawPathPopup(ui);
+    if (ui.showHelp) drawHelp(ui);
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,63 @@
+// ui.h: what the panels share: the session they edit, what the last frame was, and what they ask of
+// the window.
+//
+// Panels see core and ImGui; a picture is an opaque texture id. Requests are plain flags that the
+// workbench carries out after the frame.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "core/preset.h"
+#include "core/session.h"
+
+namespace neph::ui {
+
+/// The picture on screen, for the status line.
+struct FrameReport {
+    double milliseconds = 0.0;
+    int planes = 0;
+    glm::ivec2 sizePx{0};
+    bool full = false;  ///< at the resolution of the window and with all planes
+    std::string device;
+};
+
+struct Requests {
+    bool quit = false;
+    bool toggleFullScreen = false;
+    bool reloadShaders = false;
+};
+
+struct Ui {
+    explicit Ui(Session& edited) : session(edited) {}
+
+    Session& session;
+    std::uintptr_t picture = 0;  ///< texture, row 0 at the bottom; 0 for none
+    FrameReport report;
+    Requests requests;
+    bool showPanels = true;
+    bool showHelp = false;
+    bool showMessages = false;
+    bool askForPath = false;           ///< opens the popup in the next frame
+    bool askForPresetName = false;     ///< moves the keyboard to the preset's name
+    std::size_t errorsDismissed = 0;   ///< messages up to here are no longer shown as errors
+    std::vector<PresetEntry> presets;  ///< as last listed
+    std::vector<std::string> titles;   ///< of `presets`
+    bool presetsListed = false;
+    std::string presetName;  ///< as typed
+    std::string path;        ///< as typed
+};
+
+/// Camera under the mouse, columns, time bar, status line, popups. Call between NewFrame and
+/// Render.
+void draw(Ui& ui);
+
+/// Puts ui.picture behind the panels; after draw(), so that it may be drawn in between.
+void showPicture(const Ui& ui);
+
+/// Width of a side column and height of the status line, pixels.
+float columnWidth();
+float statusHeight();
+
+}  // namespace neph::ui

@@ -1,0 +1,154 @@
+// workbench_host.cpp: the only file that knows both ImGui's backends and GLFW.
+#include "app/workbench_host.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <array>
+#include <utility>
+
+#include "app/ui/theme.h"
+
+namespace neph {
+namespace {
+
+/// Letters go by what is printed on the key, so that Ctrl+Z is where the layout has it.
+constexpr std::array<std::pair<char, ui::Key>, 9> kLetters{{{'f', ui::Key::f},
+                                                            {'h', ui::Key::h},
+                                                            {'m', ui::Key::m},
+                                                            {'o', ui::Key::o},
+                                                            {'q', ui::Key::q},
+                                                            {'r', ui::Key::r},
+                                                            {'s', ui::Key::s},
+                                                            {'y', ui::Key::y},
+                                                            {'z', ui::Key::z}}};
+constexpr std::array<std::pair<int, ui::Key>, 8> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
+                                                          {GLFW_KEY_RIGHT, ui::Key::right},
+                                                          {GLFW_KEY_HOME, ui::Key::home},
+                                                          {GLFW_KEY_END, ui::Key::end},
+                                                          {GLFW_KEY_ESCAPE, ui::Key::escape},
+                                                          {GLFW_KEY_TAB, ui::Key::tab},
+                                                          {GLFW_KEY_F5, ui::Key::f5},
+                                                          {GLFW_KEY_F11, ui::Key::f11}}};
+
+ui::Key toKey(int key, int scancode) {
+    for (const auto& [code, named] : kOthers) {
+        if (code == key) return named;
+    }
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return ui::Key::none;
+    for (const auto& [letter, named] : kLetters) {
+        if (letter == name[0]) return named;
+    }
+    return ui::Key::none;
+}
+
+WorkbenchHost& hostOf(GLFWwindow* window) {
+    return *static_cast<WorkbenchHost*>(glfwGetWindowUserPointer(window));
+}
+
+}  // namespace
+
+WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
+    GLFWwindow* handle = window.handle();
+    glfwSetWindowUserPointer(handle, this);
+    glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        if (action != GLFW_RELEASE) hostOf(w).onKey(key, scancode, mods);
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
+        hostOf(w).onDrop(count, paths);
+    });
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // panels stand where they stand
+    ui::applyTheme(window.contentScale());
+    ui::loadFont(window.contentScale());
+    ImGui_ImplGlfw_InitForOpenGL(handle, true);  // chains the callbacks set above
+    ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+WorkbenchHost::~WorkbenchHost() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void WorkbenchHost::beginFrame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void WorkbenchHost::endFrame() {
+    ImGui::Render();
+    window_.clear(0.05f, 0.055f, 0.06f);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    window_.swap();
+}
+
+std::vector<ui::Chord> WorkbenchHost::takeChords() {
+    return std::exchange(chords_, {});
+}
+
+std::vector<std::filesystem::path> WorkbenchHost::takeDropped() {
+    return std::exchange(dropped_, {});
+}
+
+void WorkbenchHost::wait(double seconds) {
+    if (seconds > 0.0) {
+        glfwWaitEventsTimeout(seconds);
+    } else {
+        glfwPollEvents();
+    }
+}
+
+void WorkbenchHost::wake() {
+    glfwPostEmptyEvent();
+}
+
+bool WorkbenchHost::interacting() const {
+    return ImGui::IsAnyMouseDown();
+}
+
+void WorkbenchHost::close() {
+    glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+}
+
+void WorkbenchHost::toggleFullScreen() {
+    GLFWwindow* handle = window_.handle();
+    fullScreen_ = !fullScreen_;
+    if (!fullScreen_) {
+        glfwSetWindowMonitor(handle, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
+                             GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(handle, &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(handle, &windowed_.z, &windowed_.w);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) {
+        fullScreen_ = false;
+        return;
+    }
+    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void WorkbenchHost::onKey(int key, int scancode, int mods) {
+    // What is typed into a field is not a command; a control chord still is, unless it edits text.
+    const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
+    const ui::Key named = toKey(key, scancode);
+    const bool editsText = named == ui::Key::z || named == ui::Key::y;
+    if (ImGui::GetIO().WantTextInput && (!ctrl || editsText)) return;
+    if (named != ui::Key::none) {
+        chords_.push_back({named, ctrl, (mods & GLFW_MOD_SHIFT) != 0});
+    }
+}
+
+void WorkbenchHost::onDrop(int count, const char** paths) {
+    for (int i = 0; i < count; ++i) dropped_.emplace_back(paths[i]);
+}
+
+}  // namespace neph

@@ -1,0 +1,48 @@
+// workbench_host.h: ImGui in a GLFW window: backends, fonts, keys and dropped files.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "app/gl/context.h"
+#include "app/ui/actions.h"
+
+namespace neph {
+
+/// Lives as long as the window; not copied, because the window's callbacks point to it.
+class WorkbenchHost {
+  public:
+    explicit WorkbenchHost(gl::Window& window);
+    ~WorkbenchHost();
+    WorkbenchHost(const WorkbenchHost&) = delete;
+    WorkbenchHost& operator=(const WorkbenchHost&) = delete;
+
+    void beginFrame();
+    void endFrame();
+
+    /// Chords pressed and files dropped since the last call.
+    std::vector<ui::Chord> takeChords();
+    std::vector<std::filesystem::path> takeDropped();
+
+    /// Waits for input, a wake-up or the time to pass; 0 only looks.
+    void wait(double seconds);
+    /// Ends a wait; from any thread.
+    static void wake();
+
+    /// Whether a mouse button is down.
+    bool interacting() const;
+
+    void close();
+    void toggleFullScreen();
+
+    void onKey(int key, int scancode, int mods);
+    void onDrop(int count, const char** paths);
+
+  private:
+    gl::Window& window_;
+    std::vector<ui::Chord> chords_;
+    std::vector<std::filesystem::path> dropped_;
+    glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
+    bool fullScreen_ = false;
+};
+
+}  // namespace neph
