@@ -63,19 +63,19 @@ struct Look {
     float equalMassExtinction = 10.0f;
 
     float sunAzimuthDeg = 225.0f;
-    float sunElevationDeg = 40.0f;
+    float sunElevationDeg = 35.0f;
     float sunIntensity = 1.0f;
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
-    glm::vec3 skyZenith{0.10f, 0.22f, 0.48f};
-    glm::vec3 skyHorizon{0.52f, 0.62f, 0.74f};
+    glm::vec3 skyZenith{0.03f, 0.09f, 0.26f};
+    glm::vec3 skyHorizon{0.20f, 0.30f, 0.44f};
     float skyIntensity = 1.0f;
     float skylight = 0.25f;
     bool groundVisible = true;
-    glm::vec3 groundColour{0.10f, 0.11f, 0.08f};
+    glm::vec3 groundColour{0.13f, 0.12f, 0.065f};
 
     int planes = 256;
-    float exposureEv = 0.0f;
+    float exposureEv = 0.4f;
     ToneMap toneMap = ToneMap::filmic;
 
     std::array<SpeciesLook, kSpeciesCount> species;

@@ -221,8 +221,10 @@ void addSpecies(Rows& rows, Species s) {
     rows.colour("colour", "Field colour", offsetof(SpeciesLook, colour), Stage::medium,
                 "Colour when mode.colour is fields. [Riley03] table 2");
     rows.phase("phase", offsetof(SpeciesLook, phase));
-    rows.number("noise_amount", "Noise amount", "1", offsetof(SpeciesLook, noiseAmount), {0.0, 1.0},
-                Stage::medium, "Portion of the field that the noise multiplies. [Riley03] §4.5");
+    rows.number("noise_amount", "Noise amount", "1", offsetof(SpeciesLook, noiseAmount), {0.0, 4.0},
+                Stage::medium,
+                "Portion of the field that the noise multiplies, [Riley03] §4.5; above 1 the thin "
+                "parts are eaten away.");
     Parameter& scale = rows.number("noise_scale", "Noise scale", "m",
                                    offsetof(SpeciesLook, noiseScaleM), {50.0, 1e5, true},
                                    Stage::medium, "Length of the largest features of the noise.");

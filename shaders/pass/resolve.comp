@@ -12,5 +12,5 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(i_linear)))) return;
     vec3 shown = displayValue(imageLoad(i_linear, pixel).rgb, gain, curve);
-    imageStore(o_display, pixel, vec4(shown, 1.0));
+    imageStore(o_display, pixel, vec4(shown + ditherStep(pixel) / 255.0, 1.0));
 }

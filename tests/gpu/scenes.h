@@ -49,7 +49,7 @@ struct View {
     CameraPose pose;
 };
 
-/// Outside, inside, below, above, into the sun and away from it; the default sun stands in the
+/// Outside, inside, below, above, into the sun and away from it; the sun of the tests stands in the
 /// south-west at 40°.
 inline std::vector<View> views() {
     return {{"from the south", {{0.5f, 0.5f, 0.4f}, 1.3f, 180.0f, 15.0f, 40.0f}},

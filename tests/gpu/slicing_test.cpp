@@ -85,6 +85,8 @@ Look lookOf(const Mode& mode) {
     look.extinction = mode.extinction;
     look.colour = mode.colour;
     look.lightForm = mode.form;
+    look.sunAzimuthDeg = 225.0f;
+    look.sunElevationDeg = 40.0f;
     look.of(Species::graupel).albedo = 0.8f;
     for (SpeciesLook& field : look.species) field.noiseScaleM = 1500.0f;
     return look;
