@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "core/reader_file.h"
 
 namespace neph {
@@ -55,6 +55,9 @@ class SeriesDataset : public Dataset {
     void mergeVariables(const FileDescription& file);
     void sortTimes();
     ReaderFile& opened(const SeriesFile& file);
+    void requireUnchanged(const FileDescription& now, const TimeInfo& when,
+                          std::string_view variable, std::size_t index) const;
+    static Error missing(const SeriesFile& file, std::string_view variable);
 
     std::shared_ptr<const ReaderPlugin> reader_;
     std::vector<SeriesFile> files_;
@@ -158,6 +161,31 @@ ReaderFile& SeriesDataset::opened(const SeriesFile& file) {
     return *open_;
 }
 
+/// Throws when a file was replaced since the series was opened and no longer holds what it did.
+void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo& when,
+                                     std::string_view variable, std::size_t index) const {
+    const auto time = static_cast<std::size_t>(when.indexInFile);
+    if (now.size == info_.size && index < now.variables.size() &&
+        now.variables[index].name == variable && time < now.times.size() &&
+        now.times[time].label == when.label) {
+        return;
+    }
+    throw Error({.where = when.file.string(),
+                 .what = "the file has changed since it was opened",
+                 .hint = "open it again"});
+}
+
+Error SeriesDataset::missing(const SeriesFile& file, std::string_view variable) {
+    std::vector<std::string_view> names;
+    for (const auto& entry : file.variables) names.push_back(entry.first);
+    const std::string_view nearest = nearestName(variable, names);
+    return Error(
+        {.where = file.path.string(),
+         .what = fmt::format("variable {} is missing", variable),
+         .found = fmt::format("{}", fmt::join(names, ", ")),
+         .hint = nearest.empty() ? std::string() : fmt::format("did you mean {}?", nearest)});
+}
+
 Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<Box> box,
                             const Progress& progress) {
     if (time < 0 || time >= static_cast<int>(info_.times.size())) {
@@ -167,15 +195,10 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
     const TimeInfo& when = info_.times[static_cast<std::size_t>(time)];
     const auto file = std::ranges::find(files_, when.file, &SeriesFile::path);
     const auto index = file->variables.find(variable);
-    if (index == file->variables.end()) {
-        std::vector<std::string_view> names;
-        for (const auto& entry : file->variables) names.push_back(entry.first);
-        throw Error({.where = when.file.string(),
-                     .what = fmt::format("variable {} is missing", variable),
-                     .found = fmt::format("{}", fmt::join(names, ", "))});
-    }
+    if (index == file->variables.end()) throw missing(*file, variable);
     ReaderFile& source = opened(*file);
-    const glm::ivec3 size = source.description().variables.at(index->second).size;
+    requireUnchanged(source.description(), when, variable, index->second);
+    const glm::ivec3 size = source.description().variables[index->second].size;
     const Box all = box.value_or(Box{glm::ivec3(0), size});
     if (glm::any(glm::lessThan(all.lower, glm::ivec3(0))) ||
         glm::any(glm::greaterThan(all.upper, size)) ||

@@ -106,6 +106,11 @@ void requireReadable(const fs::path& file) {
                      .hint = "check the spelling of the path"});
     }
     if (fs::is_directory(status)) return;
+    if (!fs::is_regular_file(status)) {
+        throw Error({.where = file.string(),
+                     .what = "is neither a file nor a folder",
+                     .hint = "readers seek in what they read: save the data to a file first"});
+    }
     if (!std::ifstream(file, std::ios::binary)) {
         throw Error({.where = file.string(),
                      .what = fmt::format("cannot be read: {}", std::strerror(errno)),

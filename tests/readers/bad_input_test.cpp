@@ -1,6 +1,7 @@
 // bad_input_test.cpp: every kind of bad input ends in an error that names file, fault and next
 // step.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -77,6 +78,8 @@ TEST_CASE("A path that cannot be read is an error that says why") {
     std::filesystem::permissions(folder / "locked", std::filesystem::perms::none);
     if (geteuid() != 0) CHECK(contains(openError(folder / "locked").what, "cannot be read"));
     CHECK(contains(errorOf([] { openFiles({}); }).what, "no files"));
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK(contains(openError(folder / "pipe").what, "neither a file nor a folder"));
 }
 
 TEST_CASE("A NetCDF-4 file cut anywhere is an error, and one that names its size") {
@@ -260,7 +263,8 @@ TEST_CASE("An unknown variable or time is named together with what there is") {
     const auto dataset = openFiles({folder / "a"});
     const ErrorParts variable = errorOf([&] { dataset->read("QCLOUDS", 0); });
     CHECK(contains(variable.what, "QCLOUDS"));
-    CHECK(contains(variable.found, "QCLOUD"));
+    CHECK(contains(variable.found, "QRAIN"));
+    CHECK(contains(variable.hint, "did you mean QCLOUD"));
     CHECK(contains(errorOf([&] { dataset->read("T", 1); }).what, "no time 1"));
     CHECK(contains(errorOf([&] { dataset->read("T", -1); }).what, "no time -1"));
 }

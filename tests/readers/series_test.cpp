@@ -91,3 +91,14 @@ TEST_CASE("Opening a series can be cancelled") {
     const std::vector<std::filesystem::path> files{folder / "a"};
     CHECK_THROWS_AS(Dataset::open(files, readerHost(), [](double) { return false; }), Cancelled);
 }
+
+TEST_CASE("A file that was replaced since it was opened is an error, not another field") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", at({"2024-05-06_21:00:00"}, 1.0f));
+    writeWrf(folder / "b", at({"2024-05-06_22:00:00"}, 2.0f));
+    const auto dataset = openFiles({folder / "a", folder / "b"});
+    std::filesystem::remove(folder / "a");
+    writeWrf(folder / "a", at({"2024-05-06_23:00:00"}, 3.0f));
+    CHECK(contains(errorOf([&] { dataset->read("QCLOUD", 0); }).what, "has changed"));
+    CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == 2.0f);
+}

@@ -1,5 +1,6 @@
 // wrf_reader_test.cpp: what the WRF reader makes of a file as it should be.
 #include <doctest/doctest.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -242,4 +243,40 @@ TEST_CASE("Two datasets are read from two threads at once") {
     }
     for (std::thread& thread : threads) thread.join();
     CHECK(wrong == 0);
+}
+
+TEST_CASE("Packed values are unpacked, fill values are missing") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.fields["QCLOUD"] = [](int x, int, int, int) { return x == 0 ? -999.0f : 3.0f; };
+    spec.fields["QRAIN"] = [](int x, int, int, int) { return x == 0 ? NC_FILL_FLOAT : 3.0f; };
+    writeWrf(folder / "a", spec);
+    int file = -1;
+    int id = -1;
+    const float scale = 0.5f, offset = 10.0f, fill = -999.0f;
+    REQUIRE(nc_open((folder / "a").c_str(), NC_WRITE, &file) == NC_NOERR);
+    REQUIRE(nc_inq_varid(file, "QCLOUD", &id) == NC_NOERR);
+    nc_redef(file);
+    nc_put_att_float(file, id, "scale_factor", NC_FLOAT, 1, &scale);
+    nc_put_att_float(file, id, "add_offset", NC_FLOAT, 1, &offset);
+    nc_put_att_float(file, id, "_FillValue", NC_FLOAT, 1, &fill);
+    REQUIRE(nc_close(file) == NC_NOERR);
+    const auto dataset = openFiles({folder / "a"});
+    CHECK(dataset->read("QCLOUD", 0).at(1, 0, 0) == 11.5f);
+    CHECK(std::isnan(dataset->read("QCLOUD", 0).at(0, 0, 0)));
+    CHECK(dataset->read("QRAIN", 0).at(1, 0, 0) == 3.0f);
+    CHECK(std::isnan(dataset->read("QRAIN", 0).at(0, 0, 0)));
+}
+
+TEST_CASE("Other schemes are named, unknown ones numbered, a missing title is plain WRF") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mpPhysics = 10;
+    writeWrf(folder / "a", spec);
+    CHECK(openFiles({folder / "a"})->info().scheme == "Morrison (MP_PHYSICS 10)");
+    spec.mpPhysics = 777;
+    spec.omit = {"TITLE"};
+    writeWrf(folder / "b", spec);
+    CHECK(openFiles({folder / "b"})->info().scheme == "MP_PHYSICS 777");
+    CHECK(openFiles({folder / "b"})->info().model == "WRF");
 }
