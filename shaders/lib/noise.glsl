@@ -89,8 +89,9 @@ float wisp(vec3 tile) {
     return threads * threads * clamp(1.15f + 0.9f * bend, 0.0f, 1.0f);
 }
 
-/// What the content of a voxel is multiplied by: 1 at amount 0, noise over its mean at amount 1.
-/// Its mean over a tile is 1, so that mass is kept over regions larger than a tile; never negative.
+/// What the content of a voxel is multiplied by: 1 at amount 0, noise over its mean at amount 1. Up
+/// to there its mean over a tile is 1, so that mass is kept over regions larger than a tile. Larger
+/// amounts cut holes where the factor would be negative, and mass grows: docs/physics.md §8.
 float detailFactor(float noise, float amount) {
     return max(0.0f, 1.0f + amount * (noise / kDetailMean - 1.0f));
 }
