@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gl/context.h"
 #include "app/render/renderer.h"
+#include "tests/gpu/context.h"
 #include "tests/gpu/reference_march.h"
 #include "tests/gpu/scenes.h"
 
@@ -16,20 +16,16 @@ using namespace neph::test;
 
 namespace {
 
-struct Gpu {
-    gl::HeadlessContext context;
-    render::Renderer renderer{NEPH_TEST_SOURCE_DIR "/shaders"};
-};
-
-Gpu& gpu() {
-    static Gpu instance;
+render::Renderer& renderer() {
+    needContext();
+    static render::Renderer instance{NEPH_TEST_SOURCE_DIR "/shaders"};
     return instance;
 }
 
 ImageF renderOn(const SpeciesVolume& volume, const render::FrameInputs& inputs) {
-    gpu().renderer.setVolume(volume);
-    gpu().renderer.render(inputs);
-    return gpu().renderer.readLinear();
+    renderer().setVolume(volume);
+    renderer().render(inputs);
+    return renderer().readLinear();
 }
 
 float worstDifference(const ImageF& a, const ImageF& b) {
@@ -186,15 +182,15 @@ TEST_CASE("Nothing visible leaves sky and ground") {
 TEST_CASE("A change redoes no more than it touches") {
     const SpeciesVolume volume = blobs();
     auto inputs = frame(volume, Look(), views()[0].pose, {40, 30}, 48);
-    gpu().renderer.setVolume(volume);
-    CHECK(gpu().renderer.render(inputs).bakedMedium);
-    CHECK_FALSE(gpu().renderer.render(inputs).marchedEye);
+    renderer().setVolume(volume);
+    CHECK(renderer().render(inputs).bakedMedium);
+    CHECK_FALSE(renderer().render(inputs).marchedEye);
     inputs.look.exposureEv = 1.0f;
-    CHECK_FALSE(gpu().renderer.render(inputs).marchedEye);
+    CHECK_FALSE(renderer().render(inputs).marchedEye);
     inputs.look.sunElevationDeg = 60.0f;
-    render::FrameStats stats = gpu().renderer.render(inputs);
+    render::FrameStats stats = renderer().render(inputs);
     CHECK(stats.marchedLight);
     CHECK_FALSE(stats.bakedMedium);
     inputs.look.of(Species::ice).mixingScale = 2.0f;
-    CHECK(gpu().renderer.render(inputs).bakedMedium);
+    CHECK(renderer().render(inputs).bakedMedium);
 }

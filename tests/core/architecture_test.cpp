@@ -1,0 +1,91 @@
+// architecture_test.cpp: who may include whom, read from the sources themselves.
+// docs/architecture.md
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kRoot = NEPH_TEST_SOURCE_DIR;
+
+struct Include {
+    std::string from, target;
+};
+
+std::vector<Include> includesUnder(const char* room) {
+    static const std::regex pattern(R"re(^\s*#include\s+[<"]([^>"]+)[>"])re");
+    std::vector<Include> found;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+        const std::string kind = entry.path().extension();
+        if (kind != ".h" && kind != ".cpp") continue;
+        std::ifstream stream(entry.path());
+        for (std::string line; std::getline(stream, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, pattern)) {
+                found.push_back({fs::relative(entry.path(), kRoot).string(), match[1]});
+            }
+        }
+    }
+    REQUIRE(!found.empty());
+    return found;
+}
+
+void forbid(const char* room, const std::string& pattern) {
+    const std::regex forbidden(pattern);
+    for (const Include& include : includesUnder(room)) {
+        CAPTURE(include.from);
+        CAPTURE(include.target);
+        CHECK_FALSE(std::regex_search(include.target, forbidden));
+    }
+}
+
+const std::string kGl = "^(epoxy|GL|GLES[0-9]*|EGL)/";
+const std::string kWindow = "^GLFW/";
+const std::string kImgui = "^imgui";
+
+}  // namespace
+
+TEST_CASE("Core knows neither GL, ImGui, NetCDF nor the rooms above it") {
+    forbid("core", kGl + "|" + kWindow + "|" + kImgui + "|^netcdf|^app/|^readers/");
+}
+
+TEST_CASE("Headers of core keep JSON to themselves") {
+    for (const Include& include : includesUnder("core")) {
+        if (include.from.ends_with(".h"))
+            CHECK(include.target.find("nlohmann") == std::string::npos);
+    }
+}
+
+TEST_CASE("Readers see core's ABI header alone") {
+    for (const Include& include : includesUnder("readers")) {
+        CAPTURE(include.from);
+        CAPTURE(include.target);
+        const bool house =
+            include.target.starts_with("core/") || include.target.starts_with("app/");
+        CHECK((!house || include.target == "core/reader_abi.h"));
+    }
+}
+
+TEST_CASE("Panels make no GL call and know no renderer") {
+    forbid("app/ui", kGl + "|" + kWindow + "|^app/(gl|render|cli|image_io)/");
+}
+
+TEST_CASE("Only app/gl and app/render include GL headers") {
+    for (const char* room : {"app/cli", "app/image_io", "app/ui"}) forbid(room, kGl);
+    for (const Include& include : includesUnder("app")) {
+        const bool door =
+            include.from.starts_with("app/gl/") || include.from.starts_with("app/render/");
+        CAPTURE(include.from);
+        if (!door) CHECK_FALSE(std::regex_search(include.target, std::regex(kGl)));
+    }
+}
+
+TEST_CASE("The GL door knows nothing of rendering, and rendering nothing of panels or commands") {
+    forbid("app/gl", "^app/(render|ui|cli|image_io)/");
+    forbid("app/render", "^app/(ui|cli)/");
+}
