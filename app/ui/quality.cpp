@@ -8,14 +8,18 @@ namespace neph::ui {
 namespace {
 
 constexpr double kMinShare = 0.004;  // a sixth in each direction; coarser shows nothing useful
+constexpr double kRung = 1.25;       // from one size to the next
 constexpr int kMinPlanes = 24;
-constexpr int kMinSidePx = 16;
+constexpr int kMinSidePx = 15;
 
+/// Sizes come in rungs, and sides are odd: software drivers compile shaders anew for textures whose
+/// sides are powers of two, and textures of a size seen before come cheap.
 Draft share(double work, glm::ivec2 windowPx, int planes, int step) {
     if (work >= 0.9) return {windowPx, planes, kFullStep};
-    const double side = std::cbrt(work);
+    const double rung = std::ceil(-std::log(std::cbrt(work)) / std::log(kRung) - 1e-9);
+    const double side = std::pow(kRung, -rung);
     const auto scaled = [side](int whole, int least) {
-        return std::min(whole, std::max(least, static_cast<int>(std::lround(whole * side))));
+        return std::min(whole, std::max(least, static_cast<int>(std::lround(whole * side)) | 1));
     };
     return {{scaled(windowPx.x, kMinSidePx), scaled(windowPx.y, kMinSidePx)},
             scaled(planes, kMinPlanes),
@@ -30,9 +34,17 @@ double workOf(const Draft& draft, glm::ivec2 windowPx, int planes) {
 }  // namespace
 
 Draft QualityControl::draft(double restS, glm::ivec2 windowPx, int planes) const {
-    if (restS < kSettleS) return share(motionShare_, windowPx, planes, 0);
-    if (restS >= kFullS || fullMs_ <= kRefineMs) return {windowPx, planes, kFullStep};
-    return share(std::max(motionShare_, kRefineMs / fullMs_), windowPx, planes, 1);
+    double work = motionShare_;
+    int step = 0;
+    for (const Refinement& refinement : kRefinements) {
+        if (restS < refinement.restS) break;
+        if (fullMs_ <= refinement.milliseconds) return {windowPx, planes, kFullStep};
+        work = std::max(work, refinement.milliseconds / fullMs_);
+        ++step;
+    }
+    if (restS >= std::clamp(fullMs_ / 1000.0, kFullS, kLongestRestS))
+        return {windowPx, planes, kFullStep};
+    return share(work, windowPx, planes, step);
 }
 
 void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx,

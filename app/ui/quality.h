@@ -1,26 +1,32 @@
 // quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
 //
-// In motion a frame is to take at most kMotionMs; at rest the picture is refined, in two steps
-// where the last one would be slow. Work is the share of pixels x planes of the full picture.
+// In motion a frame is to take at most kMotionMs. At rest the picture is refined in steps: a
+// picture that is being drawn cannot be interrupted, so the longer one takes, the longer the rest
+// it waits for. Work is the share of pixels x planes of the full picture.
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 
 namespace neph::ui {
+
+struct Refinement {
+    double restS;         ///< at rest for so long
+    double milliseconds;  ///< a picture that is expected to take so long
+};
+inline constexpr std::array kRefinements{Refinement{0.25, 400.0}, Refinement{1.0, 1500.0}};
+inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
+inline constexpr double kFullS = 2.0;         // at rest for so long, and for as long as it takes:
+inline constexpr double kLongestRestS = 8.0;  // in full
+inline constexpr double kMotionMs = 100.0;    // a frame that still follows the hand
+inline constexpr double kMotionAimMs = 70.0;  // aimed at: panels and window take the rest
 
 /// One picture to draw.
 struct Draft {
     glm::ivec2 sizePx{0};
     int planes = 0;
-    int step = 0;  ///< 0 in motion, 1 refined, kFullStep in full
+    int step = 0;  ///< 0 in motion, then as kRefinements, kFullStep in full
     bool operator==(const Draft&) const = default;
 };
-
-inline constexpr int kFullStep = 2;
-inline constexpr double kMotionMs = 100.0;    // a frame that still follows the hand
-inline constexpr double kMotionAimMs = 80.0;  // aimed at, to stay below on average
-inline constexpr double kSettleS = 0.25;      // at rest for so long: refine
-inline constexpr double kRefineMs = 400.0;    // of the first refinement
-inline constexpr double kFullS = 0.9;  // at rest for so long: draw in full, whatever it takes
 
 class QualityControl {
   public:
