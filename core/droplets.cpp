@@ -156,7 +156,7 @@ void addSize(Sums& sums, double x, double index, double weight, const AngularFun
     for (int tile = 0; tile < kTiles; ++tile) {
         const std::size_t row = angular.row(tile, 1);
         const Lanes intensity = intensityOf(c, &angular.plus[row], &angular.minus[row]);
-        double* out = &sums.intensity[static_cast<std::size_t>(tile * kLanes)];
+        double* out = &sums.intensity[static_cast<std::size_t>(tile) * kLanes];
         for (std::size_t k = 0; k < kLanes; ++k)
             out[k] += weight * static_cast<double>(intensity[k]);
     }
@@ -231,6 +231,7 @@ std::vector<float> normalise(PhaseTable& table) {
     }
     for (glm::vec3& value : table) value = glm::vec3(glm::dvec3(value) / total);
     std::vector<float> result;
+    result.reserve(table.size());
     for (double c : cumulative) result.push_back(static_cast<float>(c / total.y));
     return result;
 }
@@ -245,7 +246,8 @@ DropletOptics computeDroplets(float effectiveRadiusM) {
     for (int colour = 0; colour < 3; ++colour) {
         Sums sums;
         for (int slice = 0; slice < kSlices; ++slice) {
-            const Sums& part = parts[static_cast<std::size_t>(colour * kSlices + slice)];
+            const Sums& part =
+                parts[static_cast<std::size_t>(colour) * kSlices + static_cast<std::size_t>(slice)];
             for (std::size_t i = 0; i < kAngles; ++i) sums.intensity[i] += part.intensity[i];
             sums.area += part.area;
             sums.extinction += part.extinction;

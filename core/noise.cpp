@@ -29,6 +29,7 @@ Array3f bakeNoise(NoiseCharacter character, int size) {
     Array3f tile(glm::ivec3(size), 0.0f);
     const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::vector<std::jthread> threads;
+    threads.reserve(static_cast<std::size_t>(workers));
     for (int i = 0; i < workers; ++i) {
         threads.emplace_back([&, i] { bakeSlabs(character, tile, i, workers); });
     }
