@@ -1,0 +1,89 @@
+// golden_test.cpp: every bundled preset on the bundled storm, held to a picture that was looked at.
+//
+// With NEPHOSCOPE_UPDATE_GOLDEN set the pictures are written anew: look at them before they are
+// committed. A picture that differs is kept beside the test program as <preset>-candidate.png.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "app/gl/context.h"
+#include "app/image_io/png.h"
+#include "app/render/renderer.h"
+#include "core/dataset.h"
+#include "core/preset.h"
+#include "core/resample.h"
+
+using namespace neph;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kSource = NEPH_TEST_SOURCE_DIR;
+constexpr glm::ivec2 kSizePx{160, 100};
+constexpr int kPlanes = 96;
+
+SpeciesVolume splittingStorm() {
+    const std::array places{fs::path(NEPH_TEST_READER_DIR)};
+    const PluginHost host(places);
+    const std::array files{kSource / "samples/supercell/wrfout_d01_0001-01-01_01:00:00"};
+    return resample(*Dataset::open(files, host), 0);
+}
+
+struct Difference {
+    double mean = 0.0;   ///< of the absolute difference, in steps of 8 bits
+    double share = 0.0;  ///< of channels that differ by more than 8 steps
+};
+
+Difference compare(const Image8& a, const Image8& b) {
+    REQUIRE(a.size == b.size);
+    Difference d;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        const int steps = std::abs(int{a.rgba[i]} - int{b.rgba[i]});
+        d.mean += steps;
+        if (steps > 8) d.share += 1.0;
+    }
+    d.mean /= static_cast<double>(a.rgba.size());
+    d.share /= static_cast<double>(a.rgba.size());
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("Every bundled preset shows the bundled storm as it did when it was looked at") {
+    const gl::HeadlessContext context;
+    render::Renderer renderer(kSource / "shaders");
+    const SpeciesVolume storm = splittingStorm();
+    renderer.setVolume(storm);
+    int seen = 0;
+    for (const auto& entry : fs::directory_iterator(kSource / "presets")) {
+        const std::string name = entry.path().stem().string();
+        CAPTURE(name);
+        const LoadedPreset loaded = loadPreset(entry.path());
+        CHECK(loaded.warnings.empty());
+        REQUIRE(loaded.preset.camera.has_value());
+        render::FrameInputs inputs;
+        inputs.look = loaded.preset.look;
+        inputs.sizePx = kSizePx;
+        inputs.planes = kPlanes;
+        inputs.camera = placeCamera(*loaded.preset.camera, storm.grid,
+                                    static_cast<double>(kSizePx.x) / kSizePx.y);
+        renderer.render(inputs);
+        const Image8 image = renderer.readDisplay();
+        const fs::path golden = kSource / "tests/golden" / (name + ".png");
+        ++seen;
+        if (std::getenv("NEPHOSCOPE_UPDATE_GOLDEN")) {
+            writePng(golden, image, {});
+            continue;
+        }
+        const Difference d = compare(image, readPng(golden));
+        CHECK(d.mean < 0.5);
+        CHECK(d.share < 0.005);
+        if (d.mean >= 0.5 || d.share >= 0.005) writePng(name + "-candidate.png", image, {});
+    }
+    CHECK(seen >= 10);
+}
