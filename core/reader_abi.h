@@ -10,6 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* NOLINTBEGIN(modernize-use-using): this header is C. */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -155,4 +157,6 @@ NEPH_READER_EXPORT const NephReader* nephReader(uint32_t host_abi_version);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 #endif

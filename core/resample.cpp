@@ -46,9 +46,10 @@ Error badCell(const Dataset& dataset, int time, const VariableInfo& variable, gl
 }
 
 glm::ivec3 cellOf(const Array3f& array, std::size_t index) {
-    const auto i = static_cast<int>(index % static_cast<std::size_t>(array.size.x * array.size.y));
-    const auto layer = static_cast<std::size_t>(array.size.x * array.size.y);
-    return {i % array.size.x, i / array.size.x, static_cast<int>(index / layer)};
+    const auto width = static_cast<std::size_t>(array.size.x);
+    const std::size_t layer = width * static_cast<std::size_t>(array.size.y);
+    return {static_cast<int>(index % width), static_cast<int>(index % layer / width),
+            static_cast<int>(index / layer)};
 }
 
 Array3f readDensity(Dataset& dataset, int time, const Progress& progress) {

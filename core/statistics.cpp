@@ -38,7 +38,8 @@ SpeciesPeak findPeak(const Array3f& ratio, const Array3f& heights, glm::dvec2 sp
     const auto width = static_cast<std::size_t>(ratio.size.x);
     peak.ratioKgPerKg = *highest;
     peak.positionM.x = (static_cast<double>(column % width) + 0.5) * spacingM.x;
-    peak.positionM.y = (static_cast<double>(column / width) + 0.5) * spacingM.y;
+    const std::size_t row = column / width;
+    peak.positionM.y = (static_cast<double>(row) + 0.5) * spacingM.y;
     // Interfaces have one level more and the same layers: index is the one below, index + layer
     // that above.
     peak.positionM.z = 0.5 * (static_cast<double>(heights.values[index]) +

@@ -35,6 +35,7 @@ std::vector<TimeSummary> summariseTimes(Dataset& dataset) {
     std::iota(times.begin(), times.end(), 0);
     if (count > kTimesReadInFull) times = {0, count - 1};
     std::vector<TimeSummary> summaries;
+    summaries.reserve(times.size());
     for (int time : times) summaries.push_back(summarise(dataset, time));
     return summaries;
 }
@@ -125,7 +126,9 @@ std::vector<std::string> allNotes(const DatasetInfo& info,
     }
     for (const TimeSummary& summary : summaries) {
         const std::string& label = timeOf(info, summary).label;
-        for (const std::string& note : summary.notes) notes.push_back(label + ": " + note);
+        for (const std::string& note : summary.notes) {
+            notes.push_back(fmt::format("{}: {}", label, note));
+        }
         const bool empty = std::ranges::all_of(
             summary.peaks, [](const SpeciesPeak& peak) { return peak.ratioKgPerKg <= 0.0f; });
         if (empty && !summary.peaks.empty()) {

@@ -31,7 +31,7 @@ class ClassicHeader {
     std::optional<ClassicLayout> read() {
         std::array<char, 4> magic{};
         in_.read(magic.data(), magic.size());
-        version_ = magic[3];
+        version_ = static_cast<unsigned char>(magic[3]);
         if (!in_ || std::string_view(magic.data(), 3) != "CDF") return {};
         if (version_ != 1 && version_ != 2 && version_ != 5) return {};
         ClassicLayout layout;

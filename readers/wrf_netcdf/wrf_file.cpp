@@ -76,6 +76,7 @@ std::string joined(const Names& names) {
 
 std::string listOf(const std::vector<NcDimension>& dimensions) {
     std::vector<std::string> names;
+    names.reserve(dimensions.size());
     for (const NcDimension& d : dimensions)
         names.push_back(fmt::format("{} = {}", d.name, d.length));
     return joined(names);
