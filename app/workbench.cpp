@@ -129,6 +129,10 @@ void Workbench::drawPicture() {
     const ui::Draft draft = quality_.draft(rest, windowPx(), planes);
     const bool better = drawn_ && draft.step > drawn_->step;
     if (drawn_ && !better) return;
+    if (drawn_ && draft.sizePx == drawn_->sizePx && draft.planes == drawn_->planes) {
+        drawn_ = draft;
+        return;
+    }
     render::FrameInputs inputs;
     inputs.look = session_.document.look;
     inputs.sizePx = draft.sizePx;

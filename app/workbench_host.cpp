@@ -3,9 +3,9 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
 
 #include <array>
 #include <utility>
@@ -79,7 +79,19 @@ WorkbenchHost::~WorkbenchHost() {
 void WorkbenchHost::beginFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    holdTappedKeys();
     ImGui::NewFrame();
+}
+
+/// ImGui looks at keys once a frame; one pressed and released between two frames counts as down for
+/// the next.
+void WorkbenchHost::holdTappedKeys() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : held_) {
+        io.KeysDown[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+    }
+    for (const int key : tapped_) io.KeysDown[key] = true;
+    held_ = std::exchange(tapped_, {});
 }
 
 void WorkbenchHost::endFrame() {
@@ -137,6 +149,7 @@ void WorkbenchHost::toggleFullScreen() {
 }
 
 void WorkbenchHost::onKey(int key, int scancode, int mods) {
+    if (key >= 0 && key <= GLFW_KEY_LAST) tapped_.push_back(key);
     // What is typed into a field is not a command; a control chord still is, unless it edits text.
     const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
     const ui::Key named = toKey(key, scancode);

@@ -38,8 +38,11 @@ class WorkbenchHost {
     void onDrop(int count, const char** paths);
 
   private:
+    void holdTappedKeys();
+
     gl::Window& window_;
     std::vector<ui::Chord> chords_;
+    std::vector<int> tapped_, held_;  // keys pressed since the last frame, and those held for it
     std::vector<std::filesystem::path> dropped_;
     glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
     bool fullScreen_ = false;

@@ -216,8 +216,8 @@ void addSpecies(Rows& rows, Species s) {
     rows.number("density", "Particle density", "kg m-3", offsetof(SpeciesLook, densityKgPerM3),
                 {10.0, 1000.0, true}, Stage::medium,
                 "Density of one particle in Eq. 3; extinction goes as 1/density.");
-    rows.number("albedo", "Single-scattering albedo", "1", offsetof(SpeciesLook, albedo),
-                {0.0, 1.0}, Stage::medium, "Share of extinction that scatters, Eq. 10.");
+    rows.number("albedo", "Albedo", "1", offsetof(SpeciesLook, albedo), {0.0, 1.0}, Stage::medium,
+                "Single-scattering albedo: share of extinction that scatters, Eq. 10.");
     rows.colour("colour", "Field colour", offsetof(SpeciesLook, colour), Stage::medium,
                 "Colour when mode.colour is fields. [Riley03] table 2");
     rows.phase("phase", offsetof(SpeciesLook, phase));

@@ -60,6 +60,7 @@ void Session::open(std::vector<std::filesystem::path> files, std::optional<int> 
             [&progress](double fraction) { return goOn(progress, 0.3 + 0.7 * fraction); }));
         return Jobs::Finish([this, dataset, index, volume] {
             for (const std::string& note : dataset->info().notes) say(Message::Kind::note, note);
+            settledSerial = lastSerial_;
             adopt(dataset, index, std::move(*volume));
             document.time = index;
             history.restart(document);
@@ -142,16 +143,20 @@ void Session::savePreset(const std::string& name) {
 
 void Session::say(Message::Kind kind, std::string text) {
     if (!messages.empty() && messages.back().kind == kind && messages.back().text == text) return;
-    messages.push_back({kind, std::move(text)});
+    messages.push_back({kind, std::move(text), ++lastSerial_});
     if (messages.size() > kMaxMessages) messages.erase(messages.begin());
 }
 
 bool Session::undo() {
-    return history.undo(document);
+    if (!history.undo(document)) return false;
+    say(Message::Kind::note, "Undone: " + history.redoLabel());
+    return true;
 }
 
 bool Session::redo() {
-    return history.redo(document);
+    if (!history.redo(document)) return false;
+    say(Message::Kind::note, "Done again: " + history.undoLabel());
+    return true;
 }
 
 }  // namespace neph

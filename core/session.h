@@ -4,6 +4,7 @@
 // background job; until they are there, and when they fail, the last good data stay.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -24,6 +25,7 @@ struct Message {
     enum class Kind { note, warning, error };
     Kind kind = Kind::note;
     std::string text;
+    std::uint64_t serial = 0;  ///< counts up from 1
 };
 
 /// What is kept of the volume that the renderer has been given.
@@ -48,9 +50,10 @@ class Session {
 
     Document document;
     History history;
-    CameraPose homeCamera;          ///< of the preset that was loaded last
-    std::vector<Message> messages;  ///< newest last
-    std::string presetName;         ///< last loaded or saved; empty before
+    CameraPose homeCamera;            ///< of the preset that was loaded last
+    std::vector<Message> messages;    ///< newest last
+    std::uint64_t settledSerial = 0;  ///< errors up to here are overcome: other data were opened
+    std::string presetName;           ///< last loaded or saved; empty before
 
     /// Opens files as one series in the background and shows `time` (negative counts
     /// from the end), or the default time.
@@ -87,6 +90,7 @@ class Session {
     std::shared_ptr<Dataset> dataset_;
     std::optional<ShownVolume> shown_;
     std::optional<SpeciesVolume> fresh_;
+    std::uint64_t lastSerial_ = 0;
     int shownTime_ = -1;
     int wantedTime_ = -1;
     Jobs jobs_;  // last, so that the worker ends before what it uses

@@ -52,7 +52,7 @@ void drawError(Ui& ui, const std::string& text) {
     if (beginNotice("##error", 0.06f)) {
         ImGui::TextColored({0.95f, 0.55f, 0.45f, 1.0f}, "Error");
         ImGui::TextUnformatted(text.c_str());
-        if (ImGui::Button("Close")) ui.errorsDismissed = ui.session.messages.size();
+        if (ImGui::Button("Close")) ui.dismissedSerial = ui.session.messages.back().serial;
     }
     endNotice();
 }
@@ -80,11 +80,12 @@ void drawEmpty(Ui& ui) {
 }
 
 const std::string* newestError(const Ui& ui) {
+    const std::uint64_t seen = std::max(ui.dismissedSerial, ui.session.settledSerial);
     const auto& messages = ui.session.messages;
-    for (std::size_t i = messages.size(); i > std::min(ui.errorsDismissed, messages.size()); --i) {
-        if (messages[i - 1].kind == Message::Kind::error) return &messages[i - 1].text;
-    }
-    return nullptr;
+    const auto found = std::find_if(messages.rbegin(), messages.rend(), [&](const Message& m) {
+        return m.kind == Message::Kind::error && m.serial > seen;
+    });
+    return found == messages.rend() ? nullptr : &found->text;
 }
 
 void drawMessages(Ui& ui) {

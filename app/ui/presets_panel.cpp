@@ -10,7 +10,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr int kVisibleRows = 6;
+constexpr int kVisibleRows = 10;
 
 std::string tooltipOf(const PresetEntry& entry) {
     try {

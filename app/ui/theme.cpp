@@ -39,7 +39,7 @@ const std::array kTints{
     Tint{ImGuiCol_Button, grey(0.21f)},
     Tint{ImGuiCol_ButtonHovered, grey(0.29f)},
     Tint{ImGuiCol_ButtonActive, kAccentDim},
-    Tint{ImGuiCol_SliderGrab, kAccent},
+    Tint{ImGuiCol_SliderGrab, kAccentDim},
     Tint{ImGuiCol_SliderGrabActive, kAccent},
     Tint{ImGuiCol_CheckMark, kAccent},
     Tint{ImGuiCol_PlotHistogram, kAccent},
@@ -47,6 +47,7 @@ const std::array kTints{
     Tint{ImGuiCol_TitleBg, grey(0.12f)},
     Tint{ImGuiCol_TitleBgActive, grey(0.15f)},
     Tint{ImGuiCol_ScrollbarBg, grey(0.08f, 0.40f)},
+    Tint{ImGuiCol_ModalWindowDimBg, {0.0f, 0.0f, 0.0f, 0.35f}},
     Tint{ImGuiCol_TextSelectedBg, kAccentDim},
 };
 

@@ -8,7 +8,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kColumnEms = 22.0f;  // width of a column in letters; two leave half of 1280 pixels
+constexpr float kColumnEms = 23.5f;  // width of a column in letters; two leave half of 1280 pixels
 constexpr float kStatusLines = 1.9f;
 
 void drawColumns(Ui& ui) {
@@ -37,7 +37,8 @@ bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
     ImGui::SetNextWindowPos({at.x, at.y});
     ImGui::SetNextWindowSize({size.x, size.y});
     return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                            ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                             ImGuiWindowFlags_NoBringToFrontOnFocus);
 }

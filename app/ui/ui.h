@@ -39,11 +39,11 @@ struct Ui {
     bool showPanels = true;
     bool showHelp = false;
     bool showMessages = false;
-    bool askForPath = false;           ///< opens the popup in the next frame
-    bool askForPresetName = false;     ///< moves the keyboard to the preset's name
-    std::size_t errorsDismissed = 0;   ///< messages up to here are no longer shown as errors
-    std::vector<PresetEntry> presets;  ///< as last listed
-    std::vector<std::string> titles;   ///< of `presets`
+    bool askForPath = false;            ///< opens the popup in the next frame
+    bool askForPresetName = false;      ///< moves the keyboard to the preset's name
+    std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
+    std::vector<PresetEntry> presets;   ///< as last listed
+    std::vector<std::string> titles;    ///< of `presets`
     bool presetsListed = false;
     std::string presetName;  ///< as typed
     std::string path;        ///< as typed
