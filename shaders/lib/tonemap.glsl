@@ -20,7 +20,9 @@ vec3 displayValue(vec3 radiance, float gain, int curve) {
     return vec3(srgbEncode(shown.r), srgbEncode(shown.g), srgbEncode(shown.b));
 }
 
-/// Ordered noise in (-1/2, 1/2) of a display step, so that a slow gradient shows no bands in 8 bits. [Jimenez14] slide 123
+/// Ordered noise in (-1/2, 1/2) of a display step, so that a slow gradient shows no bands in 8
+/// bits. [Jimenez14] slide 123
 float ditherStep(ivec2 pixel) {
-    return fract(52.9829189f * fract(0.06711056f * float(pixel.x) + 0.00583715f * float(pixel.y))) - 0.5f;
+    return fract(52.9829189f * fract(0.06711056f * float(pixel.x) + 0.00583715f * float(pixel.y))) -
+           0.5f;
 }

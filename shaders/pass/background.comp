@@ -1,19 +1,24 @@
-// background.comp: puts sky and ground behind the eye buffer: T L_bg of Eq. 5. The ground shows the shadow of the cloud.
+// background.comp: puts sky and ground behind the eye buffer: T L_bg of Eq. 5. The ground shows the
+// shadow of the cloud.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/sky.glsl"
 #include "../shared/slicing_block.glsl"
 
-layout(std140, binding = 0) uniform SlicingUniforms { SlicingBlock u_; };
+layout(std140, binding = 0) uniform SlicingUniforms {
+    SlicingBlock u_;
+};
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(rgba32f, binding = 0) readonly uniform image2D i_eye;
 layout(rgba32f, binding = 1) writeonly uniform image2D o_linear;
 layout(location = 0) uniform int lastLayer;
 
-/// Share of sunlight that reaches a point of the ground: what is left in the light buffer after the last slice.
+/// Share of sunlight that reaches a point of the ground: what is left in the light buffer after the
+/// last slice.
 float sunOnGround(vec3 positionM) {
     vec2 at = (vec2(dot(u_.lightU.xyz, positionM), dot(u_.lightV.xyz, positionM)) -
-               vec2(u_.lightU.w, u_.lightV.w)) * u_.lightScale.xy;
+               vec2(u_.lightU.w, u_.lightV.w)) *
+              u_.lightScale.xy;
     if (u_.slices.x == 0 || any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) {
         return 1.0;
     }

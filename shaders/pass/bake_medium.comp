@@ -1,4 +1,5 @@
-// bake_medium.comp: from mass contents and look to the medium: one extinction per optical class and voxel.
+// bake_medium.comp: from mass contents and look to the medium: one extinction per optical class and
+// voxel.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 #include "../shared/slicing_block.glsl"

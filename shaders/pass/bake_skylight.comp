@@ -1,4 +1,5 @@
-// bake_skylight.comp: how much diffuse light reaches each voxel of a column, from above and, weaker, from the ground.
+// bake_skylight.comp: how much diffuse light reaches each voxel of a column, from above and,
+// weaker, from the ground.
 //
 // One invocation a column; writes the last channel of the medium. docs/physics.md §5
 #version 450 core

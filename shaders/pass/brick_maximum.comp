@@ -1,4 +1,5 @@
-// brick_maximum.comp: the largest extinction that trilinear interpolation can give inside each brick.
+// brick_maximum.comp: the largest extinction that trilinear interpolation can give inside each
+// brick.
 //
 // A sample in a brick reads voxels of the brick and one more on every side.
 #version 450 core

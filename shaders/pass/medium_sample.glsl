@@ -1,15 +1,19 @@
-// medium_sample.glsl: what the slicing passes share: reading the medium at a point, with its detail, and skipping what is empty.
+// medium_sample.glsl: what the slicing passes share: reading the medium at a point, with its
+// detail, and skipping what is empty.
 #pragma once
 #include "../lib/noise.glsl"
 #include "../lib/ray_box.glsl"
 #include "../shared/slicing_block.glsl"
 
-layout(std140, binding = 0) uniform SlicingUniforms { SlicingBlock u_; };
+layout(std140, binding = 0) uniform SlicingUniforms {
+    SlicingBlock u_;
+};
 layout(binding = 0) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
 layout(binding = 1) uniform sampler3D t_medium1;
 #endif
-layout(binding = 2) uniform usampler3D t_emptiness;  // distance to the nearest occupied brick, in bricks
+layout(binding = 2) uniform usampler3D
+    t_emptiness;  // distance to the nearest occupied brick, in bricks
 #if NOISE
 layout(binding = 3) uniform sampler3D t_noise;  // r: billow, g: wisp
 #endif
@@ -52,11 +56,14 @@ float totalExtinctionPerM(MediumSample s) {
     return sum;
 }
 
-float skylightOf(MediumSample s) { return s.extinctionPerM[4 * CLASS_TEXTURES - 1]; }
+float skylightOf(MediumSample s) {
+    return s.extinctionPerM[4 * CLASS_TEXTURES - 1];
+}
 
 /// Bricks around the point that are certainly empty: 0 in an occupied brick.
 int emptiness(vec3 positionM) {
-    ivec3 brick = clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_emptiness, 0) - 1);
+    ivec3 brick =
+        clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_emptiness, 0) - 1);
     return int(texelFetch(t_emptiness, brick, 0).r);
 }
 
@@ -71,5 +78,6 @@ float emptyDistanceM(vec3 positionM, vec3 dir, int bricks) {
 
 vec2 lightCoordinate(vec3 positionM) {
     return (vec2(dot(u_.lightU.xyz, positionM), dot(u_.lightV.xyz, positionM)) -
-            vec2(u_.lightU.w, u_.lightV.w)) * u_.lightScale.xy;
+            vec2(u_.lightU.w, u_.lightV.w)) *
+           u_.lightScale.xy;
 }

@@ -1,7 +1,9 @@
-// slice_eye.comp: the eye buffer for one batch of slices: Eq. 5 summed along each pixel's ray, nearest sample first.
+// slice_eye.comp: the eye buffer for one batch of slices: Eq. 5 summed along each pixel's ray,
+// nearest sample first.
 //
-// A sample lies where the ray meets a slice and stands for the length of ray between two slices. It scatters the light
-// that its slice received (Eq. 12) by the phase functions of its classes (Eq. 18), and skylight.
+// A sample lies where the ray meets a slice and stands for the length of ray between two slices. It
+// scatters the light that its slice received (Eq. 12) by the phase functions of its classes (Eq.
+// 18), and skylight.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/phase_table.glsl"
@@ -11,7 +13,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(rgba32f, binding = 0) uniform image2D io_eye;  // rgb: radiance, a: transmittance
-layout(std430, binding = 0) readonly buffer PhaseTables { vec4 phaseTables[]; };
+layout(std430, binding = 0) readonly buffer PhaseTables {
+    vec4 phaseTables[];
+};
 
 const int kPhaseTableSize = 1024;
 
@@ -29,11 +33,11 @@ struct Ray {
 
 Ray rayThrough(ivec2 pixel) {
     vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(u_.picture.xy) - 1.0;
-    return Ray(u_.eyeM.xyz,
-               normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
+    return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
 }
 
-/// Slices of this batch that the ray meets within the occupied box and before the ground: first and last, in light order.
+/// Slices of this batch that the ray meets within the occupied box and before the ground: first and
+/// last, in light order.
 ivec2 slicesMet(Ray ray, float t0, float perUnit) {
     vec2 inside = rayBox(ray.originM, ray.dir, u_.boxLowerM.xyz, u_.boxUpperM.xyz);
     inside.x = max(inside.x, 0.0);
@@ -73,11 +77,13 @@ vec4 marchBatch(Ray ray) {
         MediumSample s = sampleMedium(positionM);
         float extinctionPerM = totalExtinctionPerM(s);
         if (extinctionPerM > 0.0) {
-            float light = textureLod(t_light, vec3(lightCoordinate(positionM), slice - u_.slices.y), 0.0).r;
+            float light =
+                textureLod(t_light, vec3(lightCoordinate(positionM), slice - u_.slices.y), 0.0).r;
             vec3 source = vec3(0.0);
             for (int i = 0; i < CLASSES; ++i) {
-                source += s.extinctionPerM[i] *
-                          (light * sunlit[i] + skylightOf(s) * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
+                source +=
+                    s.extinctionPerM[i] * (light * sunlit[i] + skylightOf(s) * u_.ambient.rgb *
+                                                                   u_.classes[i].colourAlbedo.rgb);
             }
             float segment = exp(-extinctionPerM * segmentM);
             radiance += through * (1.0 - segment) / extinctionPerM * source;
@@ -96,7 +102,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
     bool frontToBack = u_.forward.w > 0.0;
-    vec4 before = u_.slices.y == 0 ? vec4(0.0, 0.0, 0.0, 1.0) : imageLoad(io_eye, pixel);
+    vec4 before = imageLoad(io_eye, pixel);
     vec4 batch = vec4(0.0, 0.0, 0.0, 1.0);
     if (!frontToBack || before.a > 0.0) batch = marchBatch(rayThrough(pixel));
     vec4 near = frontToBack ? before : batch;

@@ -1,6 +1,8 @@
-// slice_light.comp: one slice of the light buffer: light attenuated and forward-scattered by Eq. 14-17.
+// slice_light.comp: one slice of the light buffer: light attenuated and forward-scattered by Eq.
+// 14-17.
 //
-// Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and writes layer k + 1.
+// Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and
+// writes layer k + 1.
 #version 450 core
 layout(local_size_x = 32, local_size_y = 8) in;
 #include "../lib/optics.glsl"

@@ -1,7 +1,9 @@
-// slicing_block.glsl: the numbers of one frame of half-angle slicing, seen by GLSL (std140) and by C++ (GLM).
+// slicing_block.glsl: the numbers of one frame of half-angle slicing, seen by GLSL (std140) and by
+// C++ (GLM).
 //
-// Only 16-byte members, so that both lay it out alike. Grid space: metres from the lower corner of the volume, axes as in world
-// space. Slice i of n is the plane dot(normal, p) = firstM + (i + 1/2) spacingM; the light meets slice 0 first.
+// Only 16-byte members, so that both lay it out alike. Grid space: metres from the lower corner of
+// the volume, axes as in world space. Slice i of n is the plane dot(normal, p) = firstM + (i + 1/2)
+// spacingM; the light meets slice 0 first.
 #pragma once
 
 const int kMaxClasses = 6;
@@ -12,16 +14,16 @@ struct ClassBlock {
 };
 
 struct SlicingBlock {
-    vec4 eyeM;          ///< xyz in grid space; w: height above sea level of the grid's lower corner
-    vec4 forward;       ///< unit; w: 1 when eye order is light order (front to back), else -1
-    vec4 right;         ///< scaled by tan(fov/2) aspect
-    vec4 up;            ///< scaled by tan(fov/2)
-    vec4 normal;        ///< unit, from the light's side to the other; w: firstM
-    vec4 towardsSun;    ///< unit; w: length of a light ray between two slices, m
-    vec4 lightU;        ///< unit, across the light; w: coordinate of the light buffer's left edge, m
-    vec4 lightV;        ///< likewise
-    vec4 lightScale;    ///< xy: 1 / size of the light buffer in m; z: spacingM; w: ring radius in m
-    vec4 boxLowerM;     ///< occupied part of the volume
+    vec4 eyeM;        ///< xyz in grid space; w: height above sea level of the grid's lower corner
+    vec4 forward;     ///< unit; w: 1 when eye order is light order (front to back), else -1
+    vec4 right;       ///< scaled by tan(fov/2) aspect
+    vec4 up;          ///< scaled by tan(fov/2)
+    vec4 normal;      ///< unit, from the light's side to the other; w: firstM
+    vec4 towardsSun;  ///< unit; w: length of a light ray between two slices, m
+    vec4 lightU;      ///< unit, across the light; w: coordinate of the light buffer's left edge, m
+    vec4 lightV;      ///< likewise
+    vec4 lightScale;  ///< xy: 1 / size of the light buffer in m; z: spacingM; w: ring radius in m
+    vec4 boxLowerM;   ///< occupied part of the volume
     vec4 boxUpperM;
     vec4 gridExtentM;   ///< of the whole volume
     vec4 brickM;        ///< size of an occupancy brick
@@ -31,7 +33,8 @@ struct SlicingBlock {
     vec4 skyHorizon;    ///< rgb × intensity
     vec4 ambient;       ///< rgb: radiance that skylight gives a sample under open sky
     vec4 ground;        ///< rgb; w: 1 when visible
-    ivec4 slices;       ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
-    ivec4 picture;      ///< xy: size in pixels, zw: size of the light buffer
+    ivec4
+        slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
+    ivec4 picture;  ///< xy: size in pixels, zw: size of the light buffer
     ClassBlock classes[kMaxClasses];
 };

@@ -194,3 +194,13 @@ TEST_CASE("A change redoes no more than it touches") {
     inputs.look.of(Species::ice).mixingScale = 2.0f;
     CHECK(renderer().render(inputs).bakedMedium);
 }
+
+TEST_CASE("More slices than light layers fit are marched in batches, in either order") {
+    const SpeciesVolume volume = blobs();
+    for (const View& view : {views()[0], views()[1]}) {
+        CAPTURE(view.name);
+        // Software drivers hold 2048 layers.
+        const auto inputs = frame(volume, lookOf(kModes[2]), view.pose, {8, 6}, 2300);
+        CHECK(worstDifference(renderOn(volume, inputs), referenceMarch(volume, inputs)) < 1e-3f);
+    }
+}

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "shaders/lib/glsl_cpp.h"
+
 namespace neph::render {
 namespace {
 
@@ -25,8 +27,7 @@ vec4 v4(dvec3 v, double w = 0.0) {
 }
 
 ClassBlock classBlock(const MediumClass& c) {
-    // The coarsest billows are a quarter of a tile long.
-    const float perTile = 1.0f / (4.0f * c.noiseScaleM);
+    const float perTile = 1.0f / (glsl::kDetailFeaturesPerTile * c.noiseScaleM);
     const float character = c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f;
     return {vec4(c.colour * c.albedo, c.albedo), vec4(c.noiseAmount, perTile, character, 0.0f)};
 }
@@ -118,13 +119,12 @@ void SlicingEngine::uploadPhases(const Look& look, const MediumPlan& plan) {
                       phaseLook_.phaseDisplay == look.phaseDisplay &&
                       phaseLook_.phaseTruncationDeg == look.phaseTruncationDeg;
     if (same) return;
-    std::vector<glm::vec4> values(1);  // never empty: a bound buffer must have a size
-    values.reserve(plan.classes.size() * kPhaseTableSize);
-    values.clear();
+    std::vector<glm::vec4> values;
+    values.reserve(plan.classes.size() * kPhaseTableSize + 1);
     for (const PhaseTable& table : displayPhases(look, plan)) {
         for (const glm::vec3& value : table) values.emplace_back(value, 0.0f);
     }
-    if (values.empty()) values.emplace_back(0.0f);
+    if (values.empty()) values.emplace_back(0.0f);  // a buffer that is bound must have a size
     phases_.write(values.data(), values.size() * sizeof(glm::vec4));
     phaseLook_ = look;
     phasePlan_ = plan;
@@ -132,7 +132,6 @@ void SlicingEngine::uploadPhases(const Look& look, const MediumPlan& plan) {
 }
 
 void SlicingEngine::marchLight(const gl::Program& program, int slices) {
-    light_.bind(4);
     light_.bindImage(0, GL_WRITE_ONLY);
     for (int layer = 0; layer < slices; ++layer) {
         program.setInt(0, layer);
@@ -153,46 +152,54 @@ void SlicingEngine::carryLight(int fromLayer) {
     }
 }
 
+/// Light and eye for the slices of one batch; returns the layer that holds the light behind them.
+int SlicingEngine::marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
+                              gl::ProgramCache& programs, int slices) {
+    const auto names = defines(inputs.look, medium);
+    marchLight(programs.get("pass/slice_light.comp", names), slices);
+    phases_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    eye_.bindImage(0, GL_READ_WRITE);
+    programs.get("pass/slice_eye.comp", names).dispatch({inputs.sizePx, 1});
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    return slices;
+}
+
 void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
                            const MediumTextures& medium, const gl::Texture* noise,
                            gl::ProgramCache& programs, const gl::Texture& linear) {
     const SliceBox box =
         medium.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.occupied;
-    const double texelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
-    plan_ = planSlices(inputs.camera, sunDirWorld(inputs.look), box, planesOf(inputs), texelM);
+    const double voxelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
+    plan_ = planSlices(inputs.camera, sunDirWorld(inputs.look), box, planesOf(inputs), voxelM);
     if (medium.empty()) plan_.count = 0;
     resize(inputs);
     uploadPhases(inputs.look, medium.plan);
 
+    medium.first.bind(0);
+    if (medium.second) medium.second.bind(1);
+    medium.emptiness.bind(2);
+    if (noise) noise->bind(3);
+    light_.bind(4);
     SlicingBlock block = fillBlock(inputs, grid, medium, plan_);
-    int lastLayer = 0;
-    for (int first = 0; first < plan_.count; first += batch_) {
-        const auto names = defines(inputs.look, medium);
+    const auto upload = [&](int first, int slices) {
         block.slices.y = first;
-        block.slices.z = std::min(batch_, plan_.count - first);
+        block.slices.z = slices;
         block_.write(&block, sizeof(block));
         block_.bind(GL_UNIFORM_BUFFER, 0);
-        medium.first.bind(0);
-        if (medium.second) medium.second.bind(1);
-        medium.emptiness.bind(2);
-        if (noise) noise->bind(3);
-        carryLight(first == 0 ? -1 : lastLayer);
-        marchLight(programs.get("pass/slice_light.comp", names), block.slices.z);
-        lastLayer = block.slices.z;
-        phases_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-        eye_.bindImage(0, GL_READ_WRITE);
-        programs.get("pass/slice_eye.comp", names).dispatch({inputs.sizePx, 1});
-        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    }
-    if (plan_.count == 0) {
-        const glm::vec4 clear{0.0f, 0.0f, 0.0f, 1.0f};
-        glClearTexImage(eye_.name(), 0, GL_RGBA, GL_FLOAT, &clear);
-        block_.write(&block, sizeof(block));
-        block_.bind(GL_UNIFORM_BUFFER, 0);
-        light_.bind(4);
+    };
+    upload(0, 0);
+    const glm::vec4 nothingYet{0.0f, 0.0f, 0.0f, 1.0f};
+    glClearTexImage(eye_.name(), 0, GL_RGBA, GL_FLOAT, &nothingYet);
+
+    int lastLayer = -1;
+    for (int first = 0; first < plan_.count; first += batch_) {
+        const int slices = std::min(batch_, plan_.count - first);
+        upload(first, slices);
+        carryLight(lastLayer);
+        lastLayer = marchBatch(inputs, medium, programs, slices);
     }
     const gl::Program& background = programs.get("pass/background.comp");
-    background.setInt(0, lastLayer);
+    background.setInt(0, std::max(lastLayer, 0));
     eye_.bindImage(0, GL_READ_ONLY);
     linear.bindImage(1, GL_WRITE_ONLY);
     background.dispatch({inputs.sizePx, 1});

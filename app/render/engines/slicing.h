@@ -27,6 +27,8 @@ class SlicingEngine {
     void uploadPhases(const Look& look, const MediumPlan& plan);
     void marchLight(const gl::Program& program, int slices);
     void carryLight(int fromLayer);
+    int marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
+                   gl::ProgramCache& programs, int slices);
 
     SlicePlan plan_;
     int batch_ = 0;  ///< slices whose light is held at a time

@@ -12,8 +12,12 @@ layout(local_size_x = 64) in;
 #include "../../../shaders/lib/tonemap.glsl"
 
 const int kFunctions = 12;
-layout(std430, binding = 0) readonly buffer Inputs { vec4 inputs[]; };  // x, y in [0, 1]
-layout(std430, binding = 1) writeonly buffer Outputs { float outputs[]; };
+layout(std430, binding = 0) readonly buffer Inputs {
+    vec4 inputs[];
+};  // x, y in [0, 1]
+layout(std430, binding = 1) writeonly buffer Outputs {
+    float outputs[];
+};
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
