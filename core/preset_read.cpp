@@ -1,38 +1,107 @@
-// preset.cpp: JSON of a look, in both directions.
-#include "core/preset.h"
-
+// preset_read.cpp: presets out of JSON from strangers; every fault becomes an Error.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/names.h"
-#include "core/strict_json.h"
+#include "core/preset.h"
+#include "core/preset_format.h"
 
 namespace neph {
 namespace {
 
-constexpr std::string_view kType = "nephoscope-look";
-constexpr int kVersion = 1;
+/// Keeps the order of keys. Numbers are kept as float, so that a float written in its shortest form
+/// reads back bit for bit.
+using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
+                                  std::int64_t, std::uint64_t, float>;
+
+constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 20;  // a preset has 8 KiB
+constexpr int kMaxJsonDepth = 16;                            // a preset has 3
 constexpr std::array<std::string_view, 6> kTopKeys{"type",        "version", "title",
                                                    "description", "look",    "camera"};
 
-/// A number of the camera object: the single spelling of its key and range.
-struct CameraKey {
-    std::string_view key;
-    float CameraPose::*member;
-    float lo, hi;
+// ---- strict JSON
+// ---------------------------------------------------------------------------------
+
+/// Watches the parser's events: the depth of nesting, and the keys seen in each open object.
+class Watch {
+  public:
+    explicit Watch(std::string_view where) : where_(where) {}
+
+    bool operator()(int depth, Json::parse_event_t event, Json& value) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) open(depth);
+        if (event == Event::object_end || event == Event::array_end) keys_.pop_back();
+        if (event == Event::key) addKey(value.get_ref<const std::string&>());
+        return true;
+    }
+
+  private:
+    void open(int depth) {
+        if (depth >= kMaxJsonDepth) {
+            throw Error({where_, "is nested too deeply",
+                         fmt::format("more than {} levels", kMaxJsonDepth), "at most 3 levels",
+                         ""});
+        }
+        keys_.emplace_back();
+    }
+    void addKey(const std::string& key) {
+        if (keys_.back().insert(key).second) return;
+        throw Error({where_, fmt::format("key \"{}\" stands twice", key), "", "each key once",
+                     "remove one of the two"});
+    }
+
+    std::string where_;
+    std::vector<std::set<std::string>> keys_;
 };
-constexpr std::array kCameraKeys{
-    CameraKey{"distance", &CameraPose::distance, kMinDistance, kMaxDistance},
-    CameraKey{"azimuth_deg", &CameraPose::azimuthDeg, -360.0f, 360.0f},
-    CameraKey{"elevation_deg", &CameraPose::elevationDeg, -90.0f, 90.0f},
-    CameraKey{"fov_deg", &CameraPose::fovDeg, kMinFovDeg, kMaxFovDeg},
-};
-constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  // as far as pan() goes
+
+std::string withoutPrefix(std::string_view message) {
+    const std::size_t bracket = message.find("] ");
+    return std::string(bracket == std::string_view::npos ? message : message.substr(bracket + 2));
+}
+
+Json parseStrictJson(std::string_view text, std::string_view where) {
+    try {
+        return Json::parse(text.begin(), text.end(), Watch(where));
+    } catch (const Json::exception& fault) {
+        throw Error({std::string(where), "is not valid JSON", withoutPrefix(fault.what()), "", ""});
+    }
+}
+
+std::string readSmallFile(const std::filesystem::path& file) {
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) {
+        throw Error({file.string(), "cannot be read", "a folder", "a JSON file", ""});
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw Error({file.string(), "cannot be read", std::strerror(errno), "", ""});
+    std::string text(kMaxJsonBytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kMaxJsonBytes) {
+        throw Error({file.string(), "is too large for a preset", "more than 1 MiB",
+                     "a JSON file of a few KiB", ""});
+    }
+    return text;
+}
+
+std::string excerpt(const Json& value) {
+    constexpr std::size_t kLength = 60;
+    std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    if (text.size() > kLength) text = text.substr(0, kLength) + " ...";
+    return text;
+}
+
+// ---- from JSON to values
+// -------------------------------------------------------------------------
 
 std::string unknownKey(std::string_view where, std::string_view key,
                        std::span<const std::string_view> known) {
@@ -55,8 +124,6 @@ std::string text(const Json& document, std::string_view key, std::string_view wh
     throw Error({std::string(where), fmt::format("\"{}\" is of the wrong type", key),
                  excerpt(*found), "text in quotes", ""});
 }
-
-// ---- reading ------------------------------------------------------------------------------------
 
 std::optional<glm::vec3> toVector(const Json& value) {
     if (!value.is_array() || value.size() != 3) return {};
@@ -165,68 +232,17 @@ CameraPose readCamera(const Json& values, std::string_view where,
 
 void checkHeader(const Json& document, std::string_view where) {
     const auto type = document.find("type");
-    if (type == document.end() || *type != kType) {
+    if (type == document.end() || *type != kPresetType) {
         throw Error({std::string(where), "is not a Nephoscope preset",
                      type == document.end() ? "no \"type\"" : "type " + excerpt(*type),
-                     fmt::format("\"type\": \"{}\"", kType), ""});
+                     fmt::format("\"type\": \"{}\"", kPresetType), ""});
     }
     const auto version = document.find("version");
-    if (version == document.end() || *version != kVersion) {
+    if (version == document.end() || *version != kPresetVersion) {
         throw Error({std::string(where), "is of a version that is not known",
                      version == document.end() ? "no \"version\"" : "version " + excerpt(*version),
-                     fmt::format("\"version\": {}", kVersion), ""});
+                     fmt::format("\"version\": {}", kPresetVersion), ""});
     }
-}
-
-// ---- writing ------------------------------------------------------------------------------------
-
-Json toJson(const glm::vec3& v) {
-    return Json::array({v.x, v.y, v.z});
-}
-
-Json toJson(const Parameter& row, const ParameterValue& value) {
-    switch (row.kind) {
-        case ParameterKind::toggle:
-            return std::get<bool>(value);
-        case ParameterKind::integer:
-            return std::get<int>(value);
-        case ParameterKind::choice:
-            return formatValue(row, value);
-        case ParameterKind::colour:
-            return toJson(std::get<glm::vec3>(value));
-        case ParameterKind::number:
-            break;
-    }
-    return std::get<float>(value);
-}
-
-Json toJson(const CameraPose& pose) {
-    Json camera = Json::object();
-    camera["target"] = toJson(pose.target);
-    for (const CameraKey& row : kCameraKeys) camera[std::string(row.key)] = pose.*(row.member);
-    return camera;
-}
-
-/// One key a line, values on their line: easier to read and to compare than either of dump()'s.
-std::string layOut(const Json& document) {
-    std::string out = "{";
-    std::string_view comma = "\n";
-    for (const auto& [key, value] : document.items()) {
-        out += fmt::format("{}  {}: ", comma, Json(key).dump());
-        comma = ",\n";
-        if (!value.is_object()) {
-            out += value.dump();
-            continue;
-        }
-        out += "{";
-        std::string_view inner = "\n";
-        for (const auto& [name, item] : value.items()) {
-            out += fmt::format("{}    {}: {}", inner, Json(name).dump(), item.dump());
-            inner = ",\n";
-        }
-        out += "\n  }";
-    }
-    return out + "\n}\n";
 }
 
 }  // namespace
@@ -255,23 +271,6 @@ LoadedPreset parsePreset(std::string_view content, std::string_view where) {
 
 LoadedPreset loadPreset(const std::filesystem::path& file) {
     return parsePreset(readSmallFile(file), file.string());
-}
-
-std::string formatPreset(const Preset& preset) {
-    Json document = Json::object();
-    document["type"] = kType;
-    document["version"] = kVersion;
-    document["title"] = preset.title;
-    document["description"] = preset.description;
-    Json look = Json::object();
-    for (const Parameter& row : lookTable()) look[row.id] = toJson(row, valueOf(preset.look, row));
-    document["look"] = std::move(look);
-    if (preset.camera) document["camera"] = toJson(*preset.camera);
-    return layOut(document);
-}
-
-void savePreset(const std::filesystem::path& file, const Preset& preset) {
-    replaceFile(file, formatPreset(preset));
 }
 
 CameraPose loadCamera(std::string_view nameOrFile, std::vector<std::string>& warnings) {
