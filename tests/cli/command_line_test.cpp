@@ -1,0 +1,194 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "tests/cli/program.h"
+
+using namespace neph;
+
+namespace {
+
+const std::string kSource = NEPH_TEST_SOURCE_DIR;
+const std::string kStormFile = kSource + "/samples/supercell/wrfout_d01_0001-01-01_00:30:00";
+// Small and coarse: these tests are about files and words, not about pictures.
+const std::string kQuick = " --size 48x32 --planes 16 ";
+
+std::string textOf(const Metadata& metadata, const std::string& key) {
+    for (const auto& [name, text] : metadata) {
+        if (name == key) return text;
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("Help shows examples and every command, the version is one line, both succeed") {
+    const Outcome help = runProgram("--help");
+    CHECK(help.status == 0);
+    for (const char* word : {"Examples:", "render", "info", "presets", "readers", "bench"}) {
+        CHECK(contains(help.out, word));
+    }
+    const Outcome version = runProgram("--version");
+    CHECK(version.status == 0);
+    CHECK(version.out.starts_with("nephoscope "));
+}
+
+TEST_CASE("Bad usage exits with 2 and says what would be right") {
+    struct Case {
+        const char* arguments;
+        const char* says;
+    };
+    for (const Case& c :
+         {Case{"render --no-such-option", "--no-such-option"}, Case{"rendr", "render?"},
+          Case{"render --set cloud.mixing_scal=1", "cloud.mixing_scale?"},
+          Case{"render --set cloud.mixing_scale=200", "from 0 to 100"},
+          Case{"render --set cloud.mixing_scale", "id=value"}, Case{"render --size 640", "WxH"},
+          Case{"render --size 0x10", "WxH"}, Case{"render --size 99999x10", "WxH"},
+          Case{"render --planes 1", "from 16 to 2048"}, Case{"render --planes x", "--planes"},
+          Case{"render --engine warp", "slicing"}, Case{"render --format double", "half or float"},
+          Case{"render --out a.jpg", ".png or .exr"}, Case{"render --time 4", "from 0 to 3"},
+          Case{"render --time 2:1", "from 0 to 3"}, Case{"presets show", "PRESET"},
+          Case{"presets eat", "eat"}}) {
+        CAPTURE(c.arguments);
+        const Outcome outcome = runProgram(c.arguments);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.err.starts_with("error: "));
+        CHECK(contains(outcome.err, c.says));
+    }
+}
+
+TEST_CASE("Bad input and failed work exit with 1 and name the file") {
+    struct Case {
+        std::string arguments;
+        const char* says;
+    };
+    for (const Case& c : {Case{"render no-such-file", "no-such-file"},
+                          Case{"render " + kSource + "/CMakeLists.txt", "CMakeLists.txt"},
+                          Case{"render --out no/such/folder/a.png", "no/such/folder"},
+                          Case{"render --preset no-such-preset", "no-such-preset"},
+                          Case{"render --preset " + kSource + "/CMakeLists.txt", "JSON"},
+                          Case{"render --camera no-such-camera", "no-such-camera"},
+                          Case{"info " + kSource + "/CMakeLists.txt", "CMakeLists.txt"},
+                          Case{"bench no-such-file", "no-such-file"},
+                          Case{"presets check no-such-file", "no-such-file"}}) {
+        CAPTURE(c.arguments);
+        const Outcome outcome = runProgram(c.arguments);
+        CHECK(outcome.status == 1);
+        CHECK(outcome.err.starts_with("error: "));
+        CHECK(contains(outcome.err, c.says));
+    }
+}
+
+TEST_CASE("Without a display the workbench says what to do instead") {
+    const Outcome outcome = runProgram("");
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.starts_with("error: "));
+    CHECK(contains(outcome.err, "nephoscope render"));
+}
+
+TEST_CASE("A rendered PNG has the size asked for and says where it comes from") {
+    const TemporaryFolder folder;
+    const auto file = folder / "storm.png";
+    const Outcome outcome = runProgram("render " + kStormFile + kQuick + "--out " + file.string());
+    REQUIRE(outcome.status == 0);
+    CHECK(contains(outcome.err, "wrote " + file.string()));
+    CHECK(readPng(file).size == glm::ivec2(48, 32));
+    const Metadata metadata = readPngMetadata(file);
+    CHECK(contains(textOf(metadata, "nephoscope.data"), "wrfout_d01_0001-01-01_00:30:00"));
+    CHECK(contains(textOf(metadata, "nephoscope.data"), "WRF"));
+    CHECK(textOf(metadata, "nephoscope.preset") == "default");
+    CHECK(contains(textOf(metadata, "nephoscope.camera"), "azimuth"));
+}
+
+TEST_CASE("The look in a picture's metadata renders the same picture again") {
+    const TemporaryFolder folder;
+    const auto first = folder / "first.png", second = folder / "second.png";
+    REQUIRE(runProgram("render " + kStormFile + kQuick +
+                       "--set cloud.mixing_scale=0.3 --set sun.elevation=20 --out " +
+                       first.string())
+                .status == 0);
+    std::ofstream(folder / "look.json") << textOf(readPngMetadata(first), "nephoscope.look");
+    REQUIRE(runProgram("render " + kStormFile + kQuick + "--preset " +
+                       (folder / "look.json").string() + " --out " + second.string())
+                .status == 0);
+    CHECK(readPng(first).rgba == readPng(second).rgba);
+}
+
+TEST_CASE("A setting changes the picture") {
+    const TemporaryFolder folder;
+    const auto a = folder / "a.png", b = folder / "b.png";
+    REQUIRE(runProgram("render " + kStormFile + kQuick + "--out " + a.string()).status == 0);
+    REQUIRE(
+        runProgram("render " + kStormFile + kQuick + "--set view.exposure=2 --out " + b.string())
+            .status == 0);
+    CHECK(readPng(a).rgba != readPng(b).rgba);
+}
+
+TEST_CASE("Several times are numbered by their index, in EXR as asked for") {
+    const TemporaryFolder folder;
+    const Outcome outcome = runProgram("render --time 1:2 --format float" + kQuick + "--out " +
+                                       (folder / "storm.exr").string());
+    REQUIRE(outcome.status == 0);
+    CHECK_FALSE(std::filesystem::exists(folder / "storm.exr"));
+    Metadata metadata;
+    const ImageF image = readExr(folder / "storm_0001.exr", &metadata);
+    CHECK(image.size == glm::ivec2(48, 32));
+    CHECK(contains(textOf(metadata, "nephoscope.data"), "0001-01-01_01:00:00"));
+    CHECK(std::filesystem::exists(folder / "storm_0002.exr"));
+    CHECK(image.pixels != readExr(folder / "storm_0002.exr").pixels);
+}
+
+TEST_CASE("The camera of another preset is taken alone") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "camera.json") << R"({"azimuth_deg": 12, "distance": 2})";
+    const auto file = folder / "a.png";
+    REQUIRE(runProgram("render " + kStormFile + kQuick + "--camera " +
+                       (folder / "camera.json").string() + " --out " + file.string())
+                .status == 0);
+    CHECK(contains(textOf(readPngMetadata(file), "nephoscope.camera"), "distance 2 azimuth 12"));
+}
+
+TEST_CASE("An existing picture stays as it is when rendering fails") {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.png";
+    std::ofstream(file) << "old";
+    CHECK(runProgram("render no-such-file --out " + file.string()).status == 1);
+    CHECK(readText(file) == "old");
+}
+
+TEST_CASE("Presets are listed, shown as a whole and checked") {
+    const Outcome list = runProgram("presets");
+    CHECK(list.status == 0);
+    CHECK(contains(list.out, "default"));
+    CHECK(runProgram("presets list").out == list.out);
+    const Outcome show = runProgram("presets show default");
+    CHECK(show.status == 0);
+    CHECK(nlohmann::json::parse(show.out)["type"] == "nephoscope-look");
+    CHECK(runProgram("presets check default").status == 0);
+}
+
+TEST_CASE("Checking a preset with an unknown key fails and names the nearest one") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.json")
+        << R"({"type": "nephoscope-look", "version": 1, "look": {"sun.azimut": 1}})";
+    const Outcome outcome = runProgram("presets check " + (folder / "a.json").string());
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.err, "sun.azimuth"));
+}
+
+TEST_CASE("The page of parameters is what the program prints") {
+    const Outcome printed = runProgram("presets parameters");
+    CHECK(printed.status == 0);
+    // On a difference: nephoscope presets parameters > docs/parameters.md
+    CHECK((printed.out == readText(kSource + "/docs/parameters.md")));
+}
+
+TEST_CASE("Info speaks JSON when asked, and names every time of the bundled storm") {
+    const Outcome outcome = runProgram("info --json");
+    REQUIRE(outcome.status == 0);
+    const auto document = nlohmann::json::parse(outcome.out);
+    CHECK(contains(document.dump(), "0001-01-01_02:00:00"));
+    CHECK(runProgram("readers").status == 0);
+}

@@ -1,0 +1,119 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "core/error.h"
+#include "tests/cli/program.h"
+
+using namespace neph;
+
+namespace {
+
+/// Three by two pixels, all different; values that half holds exactly.
+ImageF linearImage() {
+    ImageF image;
+    image.size = {3, 2};
+    for (int i = 0; i < 6; ++i) {
+        const auto v = static_cast<float>(i);
+        image.pixels.emplace_back(v, 0.5f * v, 1000.0f + 8.0f * v, 0.125f * v);
+    }
+    return image;
+}
+
+Image8 displayImage() {
+    Image8 image;
+    image.size = {3, 2};
+    for (int i = 0; i < 24; ++i) image.rgba.push_back(static_cast<std::uint8_t>(10 * i));
+    return image;
+}
+
+const Metadata kMetadata{{"Software", "Nephoscope"}, {"nephoscope.data", "50 µm, Zürich\nline 2"}};
+
+std::size_t countFiles(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+}  // namespace
+
+TEST_CASE("An EXR reads back pixel for pixel, half and float, with its metadata") {
+    const TemporaryFolder folder;
+    for (const ExrPixels pixels : {ExrPixels::half, ExrPixels::full}) {
+        writeExr(folder / "a.exr", linearImage(), kMetadata, pixels);
+        Metadata metadata;
+        const ImageF image = readExr(folder / "a.exr", &metadata);
+        CHECK(image.size == glm::ivec2(3, 2));
+        CHECK(image.pixels == linearImage().pixels);
+        for (const auto& entry : kMetadata) {
+            CHECK(std::find(metadata.begin(), metadata.end(), entry) != metadata.end());
+        }
+    }
+    CHECK(countFiles(folder.path()) == 1);
+}
+
+TEST_CASE("A float EXR keeps what half cannot hold, and half clips to its largest value") {
+    const TemporaryFolder folder;
+    ImageF image;
+    image.size = {1, 1};
+    image.pixels = {glm::vec4(1e6f, 1.0f / 3.0f, -1e6f, 1.0f)};
+    writeExr(folder / "full.exr", image, {}, ExrPixels::full);
+    CHECK(readExr(folder / "full.exr").pixels == image.pixels);
+    writeExr(folder / "half.exr", image, {}, ExrPixels::half);
+    const glm::vec4 half = readExr(folder / "half.exr").pixels[0];
+    CHECK(half.r == 65504.0f);  // largest finite binary16
+    CHECK(half.b == -65504.0f);
+    CHECK(half.g == doctest::Approx(1.0 / 3.0).epsilon(1.0 / 2048.0));  // 11 bits of mantissa
+}
+
+TEST_CASE("A PNG reads back pixel for pixel, with its metadata, ASCII or not") {
+    const TemporaryFolder folder;
+    writePng(folder / "a.png", displayImage(), kMetadata);
+    const Image8 image = readPng(folder / "a.png");
+    CHECK(image.size == glm::ivec2(3, 2));
+    CHECK(image.rgba == displayImage().rgba);
+    CHECK(readPngMetadata(folder / "a.png") == kMetadata);
+    CHECK(countFiles(folder.path()) == 1);
+}
+
+TEST_CASE("A PNG says that it is sRGB, and its first row is the top one") {
+    const TemporaryFolder folder;
+    writePng(folder / "a.png", displayImage(), {});
+    const std::string bytes = readText(folder / "a.png");
+    CHECK(bytes.substr(1, 3) == "PNG");
+    CHECK(contains(bytes, "sRGB"));
+    CHECK(readPng(folder / "a.png").rgba[0] == 0);
+    CHECK(readPng(folder / "a.png").rgba[12] == 120);
+}
+
+TEST_CASE("A place that cannot be written is an error that names it, and leaves nothing behind") {
+    const TemporaryFolder folder;
+    const auto missing = folder / "missing";
+    CHECK_THROWS_WITH_AS(writePng(missing / "a.png", displayImage(), {}),
+                         doctest::Contains("missing/a.png"), Error);
+    CHECK_THROWS_WITH_AS(writeExr(missing / "a.exr", linearImage(), {}),
+                         doctest::Contains("missing/a.exr"), Error);
+    CHECK_THROWS_AS(writePng(folder.path(), displayImage(), {}), Error);
+    CHECK(countFiles(folder.path()) == 0);
+}
+
+TEST_CASE("Pictures that are cut short or none at all are refused, wherever they are cut") {
+    const TemporaryFolder folder;
+    writePng(folder / "a.png", displayImage(), kMetadata);
+    writeExr(folder / "a.exr", linearImage(), kMetadata);
+    const std::string png = readText(folder / "a.png"), exr = readText(folder / "a.exr");
+    for (std::size_t size = 0; size + 12 < png.size(); size += 7) {  // IEND is the last 12 bytes
+        std::ofstream(folder / "cut.png", std::ios::binary) << png.substr(0, size);
+        CHECK_THROWS_AS(readPng(folder / "cut.png"), Error);
+    }
+    for (std::size_t size = 0; size < exr.size(); size += 7) {
+        std::ofstream(folder / "cut.exr", std::ios::binary) << exr.substr(0, size);
+        CHECK_THROWS_AS(readExr(folder / "cut.exr"), Error);
+    }
+    CHECK_THROWS_AS(readPng(folder / "none.png"), Error);
+    CHECK_THROWS_AS(readExr(folder / "none.exr"), Error);
+    CHECK_THROWS_AS(readPng(folder / "a.exr"), Error);
+    CHECK_THROWS_AS(readExr(folder / "a.png"), Error);
+}

@@ -1,0 +1,39 @@
+// program.h: runs the program as a user does and catches what it says.
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/readers/temporary_folder.h"
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+inline std::string readText(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// `arguments` as typed in a shell; without a display, and with a home of its own, so that neither
+/// the tester's presets nor screen play a part.
+inline Outcome runProgram(const std::string& arguments) {
+    const TemporaryFolder folder;
+    const std::string command = "cd '" + folder.path().string() +
+                                "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR "
+                                "XDG_DATA_HOME=\"$PWD\" '" NEPH_TEST_PROGRAM "' " +
+                                arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
+            readText(folder / "err")};
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
