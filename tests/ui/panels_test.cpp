@@ -1,0 +1,205 @@
+#include <doctest/doctest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/ui/actions.h"
+#include "app/ui/panels.h"
+#include "app/ui/parameter_widget.h"
+#include "app/ui/theme.h"
+#include "app/ui/ui.h"
+
+using namespace neph;
+
+namespace {
+
+/// ImGui without a window: frames are laid out and thrown away.
+class Headless {
+  public:
+    Headless() {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {1280.0f, 720.0f};
+        io.DeltaTime = 0.1f;
+        io.MousePos = {640.0f, 300.0f};
+        ui::applyTheme(1.0f);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    }
+    ~Headless() { ImGui::DestroyContext(); }
+    Headless(const Headless&) = delete;
+    Headless& operator=(const Headless&) = delete;
+
+    void frame(auto&& content) {
+        ImGui::NewFrame();
+        content();
+        ImGui::Render();
+    }
+};
+
+PluginHost noReaders() {
+    return PluginHost(std::span<const std::filesystem::path>{});
+}
+
+/// A window of 300 pixels at the origin with one parameter in it.
+bool drawParameter(Headless& gui, const Parameter& row, Look& look) {
+    bool changed = false;
+    gui.frame([&] {
+        ImGui::SetNextWindowPos({0.0f, 0.0f});
+        ImGui::SetNextWindowSize({300.0f, 100.0f});
+        ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+        changed = ui::parameterWidget(row, look);
+        ImGui::End();
+    });
+    return changed;
+}
+
+}  // namespace
+
+TEST_CASE("Drawing a parameter changes nothing while the mouse is elsewhere") {
+    Headless gui;
+    for (const Parameter& row : lookTable()) {
+        CAPTURE(row.id);
+        Look look;
+        for (int i = 0; i < 3; ++i) CHECK_FALSE(drawParameter(gui, row, look));
+        CHECK(look == Look{});
+    }
+}
+
+TEST_CASE("A drag on a slider sets the parameter of its row alone, within its range") {
+    for (const char* id : {"cloud.mixing_scale", "rain.effective_radius", "sun.elevation"}) {
+        CAPTURE(id);
+        Headless gui;
+        const Parameter& row = parameter(id);
+        Look look;
+        drawParameter(gui, row, look);
+        ImGui::GetIO().MousePos = {220.0f, 18.0f};
+        drawParameter(gui, row, look);
+        ImGui::GetIO().MouseDown[0] = true;
+        for (const float x : {220.0f, 240.0f, 5000.0f}) {
+            ImGui::GetIO().MousePos = {x, 18.0f};
+            drawParameter(gui, row, look);
+        }
+        const float value = std::get<float>(valueOf(look, row));
+        CHECK(static_cast<double>(value) == doctest::Approx(row.range.hi).epsilon(1e-6));
+        ImGui::GetIO().MousePos = {-5000.0f, 18.0f};
+        drawParameter(gui, row, look);
+        CHECK(static_cast<double>(std::get<float>(valueOf(look, row))) ==
+              doctest::Approx(row.range.lo).epsilon(1e-6));
+        setValue(look, row, defaultOf(row));
+        CHECK(look == Look{});
+    }
+}
+
+TEST_CASE("A double click on the label resets to the default") {
+    Headless gui;
+    const Parameter& row = parameter("cloud.mixing_scale");
+    Look look;
+    look.of(Species::cloud).mixingScale = 0.25f;
+    ImGui::GetIO().MousePos = {30.0f, 18.0f};
+    for (const bool down : {false, true, false, true, false}) {
+        ImGui::GetIO().MouseDown[0] = down;
+        drawParameter(gui, row, look);
+    }
+    CHECK(look == Look{});
+}
+
+TEST_CASE("All panels are laid out without data, with help, messages and every fold") {
+    Headless gui;
+    Session session(noReaders());
+    ui::Ui state(session);
+    state.showHelp = state.showMessages = true;
+    session.say(Message::Kind::error, "a fault\n       found: 100 %d");
+    const Document before = session.document;
+    for (int i = 0; i < 5; ++i) gui.frame([&] { ui::draw(state); });
+    CHECK(session.document == before);
+    CHECK(ImGui::GetDrawData()->TotalVtxCount > 0);
+}
+
+TEST_CASE("A drag on the picture orbits, with shift it pans, and the wheel comes nearer") {
+    Headless gui;
+    Session session(noReaders());
+    ui::Ui state(session);
+    state.showPanels = false;
+    session.say(Message::Kind::note, "no notice over the picture");
+    const auto frame = [&] { gui.frame([&] { ui::draw(state); }); };
+    ImGuiIO& io = ImGui::GetIO();
+    const auto dragBy = [&](float dx, float dy) {
+        io.MousePos = {640.0f, 100.0f};
+        frame();
+        io.MouseDown[0] = true;
+        frame();
+        io.MousePos = {640.0f + dx, 100.0f + dy};
+        frame();
+        io.MouseDown[0] = false;
+        frame();
+    };
+    const CameraPose start = session.document.camera;
+    dragBy(72.0f, 0.0f);  // a tenth of the height: 18 degrees
+    CHECK(session.document.camera.azimuthDeg == doctest::Approx(start.azimuthDeg + 18.0f));
+    CHECK(session.document.camera.target == start.target);
+    io.KeyShift = true;
+    dragBy(0.0f, 72.0f);
+    io.KeyShift = false;
+    CHECK(session.document.camera.target.z > start.target.z);
+    CHECK(session.document.camera.elevationDeg == start.elevationDeg);
+    io.MouseWheel = 1.0f;
+    frame();
+    CHECK(session.document.camera.distance < start.distance);
+}
+
+TEST_CASE("A drag that begins on a panel leaves the camera alone") {
+    Headless gui;
+    Session session(noReaders());
+    ui::Ui state(session);
+    ImGuiIO& io = ImGui::GetIO();
+    const CameraPose start = session.document.camera;
+    const auto frame = [&] { gui.frame([&] { ui::draw(state); }); };
+    frame();
+    io.MousePos = {20.0f, 500.0f};
+    frame();
+    io.MouseDown[0] = true;
+    frame();
+    io.MousePos = {640.0f, 300.0f};
+    frame();
+    frame();
+    CHECK(session.document.camera == start);
+}
+
+TEST_CASE("No two actions share a chord, and each says what it does and how") {
+    std::set<std::string_view> texts;
+    for (const ui::Action& action : ui::actions()) {
+        CAPTURE(action.label);
+        CHECK_FALSE(action.label.empty());
+        CHECK(texts.insert(action.chordText).second);
+        const auto same = std::count_if(ui::actions().begin(), ui::actions().end(),
+                                        [&](const auto& a) { return a.chord == action.chord; });
+        CHECK(same == 1);
+        CHECK(action.chord.ctrl == (action.chordText.find("Ctrl") != std::string_view::npos));
+        CHECK(action.chord.shift == (action.chordText.find("Shift") != std::string_view::npos));
+    }
+}
+
+TEST_CASE("Chords act where they are enabled and not otherwise") {
+    Session session(noReaders());
+    ui::Ui state(session);
+    CHECK_FALSE(ui::runChord(state, {ui::Key::z, true}));  // nothing to undo
+    session.document.camera.distance = 0.2f;
+    session.history.commit(session.document);
+    CHECK(ui::runChord(state, {ui::Key::z, true}));
+    CHECK(session.document == Document{});
+    CHECK(ui::runChord(state, {ui::Key::y, true}));
+    CHECK(session.document.camera.distance == 0.2f);
+    session.homeCamera.distance = 3.0f;
+    CHECK(ui::runChord(state, {ui::Key::r}));
+    CHECK(session.document.camera.distance == 3.0f);
+    CHECK_FALSE(ui::runChord(state, {ui::Key::right}));  // no data, no times
+    CHECK(ui::runChord(state, {ui::Key::h}));
+    CHECK(state.showHelp);
+    CHECK(ui::runChord(state, {ui::Key::q, true}));
+    CHECK(state.requests.quit);
+    CHECK_FALSE(ui::runChord(state, {ui::Key::q}));
+}
