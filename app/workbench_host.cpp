@@ -58,6 +58,9 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         if (action != GLFW_RELEASE) hostOf(w).onKey(key, scancode, mods);
     });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
+        hostOf(w).onMouseButton(button, action == GLFW_PRESS);
+    });
     glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
         hostOf(w).onDrop(count, paths);
     });
@@ -80,6 +83,7 @@ void WorkbenchHost::beginFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     holdTappedKeys();
+    replayPresses();
     ImGui::NewFrame();
 }
 
@@ -101,6 +105,25 @@ void WorkbenchHost::endFrame() {
     window_.swap();
 }
 
+/// ImGui looks at the mouse once a frame, too. After a slow frame it is shown where a button went
+/// down, and in the next frame where it came up, so that no click goes astray.
+void WorkbenchHost::replayPresses() {
+    if (presses_.empty()) return;
+    ImGuiIO& io = ImGui::GetIO();
+    Press& press = presses_.front();
+    if (!press.shown) {
+        press.shown = true;
+        io.MouseDown[press.button] = true;
+        io.MousePos = {press.at.x, press.at.y};
+    } else {
+        if (press.released) {
+            io.MouseDown[press.button] = false;
+            io.MousePos = {press.at.x, press.at.y};
+        }
+        presses_.pop_front();
+    }
+}
+
 std::vector<ui::Chord> WorkbenchHost::takeChords() {
     return std::exchange(chords_, {});
 }
@@ -110,7 +133,7 @@ std::vector<std::filesystem::path> WorkbenchHost::takeDropped() {
 }
 
 void WorkbenchHost::wait(double seconds) {
-    if (seconds > 0.0) {
+    if (seconds > 0.0 && presses_.empty()) {
         glfwWaitEventsTimeout(seconds);
     } else {
         glfwPollEvents();
@@ -157,6 +180,21 @@ void WorkbenchHost::onKey(int key, int scancode, int mods) {
     if (ImGui::GetIO().WantTextInput && (!ctrl || editsText)) return;
     if (named != ui::Key::none) {
         chords_.push_back({named, ctrl, (mods & GLFW_MOD_SHIFT) != 0});
+    }
+}
+
+void WorkbenchHost::onMouseButton(int button, bool down) {
+    if (button < 0 || button > 2) return;
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window_.handle(), &x, &y);
+    if (down) {
+        presses_.push_back({button, {x, y}});
+        return;
+    }
+    for (Press& press : presses_) {
+        if (press.button != button || press.released) continue;
+        press.released = true;
+        if (press.shown) press.at = {x, y};
     }
 }
 

@@ -1,5 +1,6 @@
 // workbench_host.h: ImGui in a GLFW window: backends, fonts, keys and dropped files.
 #pragma once
+#include <deque>
 #include <filesystem>
 #include <vector>
 
@@ -35,13 +36,23 @@ class WorkbenchHost {
     void toggleFullScreen();
 
     void onKey(int key, int scancode, int mods);
+    void onMouseButton(int button, bool down);
     void onDrop(int count, const char** paths);
 
   private:
+    struct Press {
+        int button = 0;
+        glm::vec2 at{0.0f};  ///< where it went down, then where it came up
+        bool released = false;
+        bool shown = false;  ///< ImGui has seen it go down
+    };
+
     void holdTappedKeys();
+    void replayPresses();
 
     gl::Window& window_;
     std::vector<ui::Chord> chords_;
+    std::deque<Press> presses_;       // of mouse buttons, that ImGui has not seen through
     std::vector<int> tapped_, held_;  // keys pressed since the last frame, and those held for it
     std::vector<std::filesystem::path> dropped_;
     glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen

@@ -11,7 +11,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kLabelShare = 0.44f;  // of the line
+constexpr float kLabelShare = 0.42f;  // of the line
 constexpr float kTooltipEms = 26.0f;  // width of a tooltip in letters
 constexpr double kTooltipDelayS = 0.35;
 constexpr std::size_t kMaxButtons = 3;  // choices shown side by side; more make a list

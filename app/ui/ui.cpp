@@ -8,7 +8,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kColumnEms = 23.5f;  // width of a column in letters; two leave half of 1280 pixels
+constexpr float kColumnEms = 24.0f;  // width of a column in letters; two leave half of 1280 pixels
 constexpr float kStatusLines = 1.9f;
 
 void drawColumns(Ui& ui) {
