@@ -41,7 +41,7 @@ ShownVolume summarise(const SpeciesVolume& volume) {
 }
 
 int defaultTime(const DatasetInfo& info) {
-    return std::max(0, static_cast<int>(info.times.size()) - 1);
+    return std::max(0, static_cast<int>(info.times.size()) - 1) / 2;
 }
 
 Session::Session(PluginHost host, std::function<void()> wake)

@@ -40,7 +40,8 @@ struct ShownVolume {
 /// The summary of a volume.
 ShownVolume summarise(const SpeciesVolume& volume);
 
-/// The time that is shown first: the last, since models start without cloud.
+/// The time that is shown first: the middle one, since models start without cloud and storms leave
+/// the domain.
 int defaultTime(const DatasetInfo& info);
 
 class Session {

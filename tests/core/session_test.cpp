@@ -37,7 +37,7 @@ std::string lastMessage(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("Opening a series shows its last time, and the volume is handed over once") {
+TEST_CASE("Opening a series shows its middle time, and the volume is handed over once") {
     Session session(testHost());
     session.open(listFiles(std::array{kStorm}));
     CHECK(session.loading());
@@ -45,9 +45,9 @@ TEST_CASE("Opening a series shows its last time, and the volume is handed over o
     REQUIRE(settle(session));
     REQUIRE(session.info() != nullptr);
     CHECK(session.info()->times.size() == 4);
-    CHECK(session.document.time == 3);
+    CHECK(session.document.time == 1);
     REQUIRE(session.shown().has_value());
-    CHECK(session.shown()->timeLabel == "0001-01-01_02:00:00");
+    CHECK(session.shown()->timeLabel == "0001-01-01_01:00:00");
     CHECK(session.shown()->present[static_cast<std::size_t>(Species::cloud)]);
     CHECK_FALSE(session.shown()->present[static_cast<std::size_t>(Species::hail)]);
     CHECK_FALSE(session.shown()->empty());
