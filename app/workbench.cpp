@@ -139,7 +139,14 @@ void Workbench::drawPicture() {
     inputs.planes = draft.planes;
     inputs.camera = placeCamera(session_.document.camera, session_.shown()->grid,
                                 static_cast<double>(windowPx().x) / windowPx().y);
-    const render::FrameStats stats = renderer_.render(inputs);
+    render::FrameStats stats;
+    try {
+        // A frame in motion is short and always comes through; a refinement gives way to the hand.
+        stats = renderer_.render(inputs,
+                                 [&](double) { return draft.step == 0 || !host_.inputWaits(); });
+    } catch (const Cancelled&) {
+        return;
+    }
     if (stats.marchedEye) quality_.measured(draft, stats.milliseconds, windowPx(), planes);
     ui_.report = {stats.milliseconds, stats.planes, draft.sizePx, draft.step == ui::kFullStep,
                   ui_.report.device};
@@ -161,9 +168,9 @@ void Workbench::carryOut() {
 }
 
 double Workbench::waitS() const {
+    if (!drawn_ && session_.shown()) return 0.0;
     const bool refining = session_.shown() && (!drawn_ || drawn_->step < ui::kFullStep);
     const bool uncommitted = restS() < 2.0 * kCommitS;
-    if (interacting_ && !drawn_) return 0.0;
     return session_.loading() || refining || uncommitted ? kBusyWaitS : kIdleWaitS;
 }
 
@@ -172,13 +179,13 @@ void Workbench::run() {
         host_.wait(waitS());
         takeInput();
         takeData();
+        drawPicture();
         host_.beginFrame();
         ui::draw(ui_);
-        interacting_ = host_.interacting();
-        noteChanges();
-        drawPicture();
         ui::showPicture(ui_);
+        interacting_ = host_.interacting();
         host_.endFrame();
+        noteChanges();
         carryOut();
     }
 }

@@ -61,6 +61,9 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
         hostOf(w).onMouseButton(button, action == GLFW_PRESS);
     });
+    glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { hostOf(w).onOther(); });
+    glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { hostOf(w).onOther(); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { hostOf(w).onOther(); });
     glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
         hostOf(w).onDrop(count, paths);
     });
@@ -133,11 +136,18 @@ std::vector<std::filesystem::path> WorkbenchHost::takeDropped() {
 }
 
 void WorkbenchHost::wait(double seconds) {
+    if (inputSeen_) seconds = 0.0;
+    inputSeen_ = false;
     if (seconds > 0.0 && presses_.empty()) {
         glfwWaitEventsTimeout(seconds);
     } else {
         glfwPollEvents();
     }
+}
+
+bool WorkbenchHost::inputWaits() {
+    glfwPollEvents();
+    return inputSeen_;
 }
 
 void WorkbenchHost::wake() {
@@ -172,6 +182,7 @@ void WorkbenchHost::toggleFullScreen() {
 }
 
 void WorkbenchHost::onKey(int key, int scancode, int mods) {
+    inputSeen_ = true;
     if (key >= 0 && key <= GLFW_KEY_LAST) tapped_.push_back(key);
     // What is typed into a field is not a command; a control chord still is, unless it edits text.
     const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
@@ -184,6 +195,7 @@ void WorkbenchHost::onKey(int key, int scancode, int mods) {
 }
 
 void WorkbenchHost::onMouseButton(int button, bool down) {
+    inputSeen_ = true;
     if (button < 0 || button > 2) return;
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_.handle(), &x, &y);
@@ -199,6 +211,7 @@ void WorkbenchHost::onMouseButton(int button, bool down) {
 }
 
 void WorkbenchHost::onDrop(int count, const char** paths) {
+    inputSeen_ = true;
     for (int i = 0; i < count; ++i) dropped_.emplace_back(paths[i]);
 }
 

@@ -29,6 +29,10 @@ class WorkbenchHost {
     /// Ends a wait; from any thread.
     static void wake();
 
+    /// Looks for input without taking it; true when a key, a button, the wheel or the window waits
+    /// to be dealt with. Not between beginFrame and endFrame.
+    bool inputWaits();
+
     /// Whether a mouse button is down.
     bool interacting() const;
 
@@ -37,6 +41,7 @@ class WorkbenchHost {
 
     void onKey(int key, int scancode, int mods);
     void onMouseButton(int button, bool down);
+    void onOther() { inputSeen_ = true; }
     void onDrop(int count, const char** paths);
 
   private:
@@ -57,6 +62,7 @@ class WorkbenchHost {
     std::vector<std::filesystem::path> dropped_;
     glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
     bool fullScreen_ = false;
+    bool inputSeen_ = false;  ///< since the last wait
 };
 
 }  // namespace neph

@@ -96,21 +96,24 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
     impl_->mediumStale = true;
 }
 
-FrameStats Renderer::render(const FrameInputs& inputs) {
+FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
+    impl_->last.reset();  // until this frame is whole
     if (stage == Stage::medium) impl_->bake(inputs, stats);
     if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {
         impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
-        impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
-        impl_->display.setLinear();
     }
     if (stage <= Stage::eye) {
         impl_->slicing.render(inputs, impl_->volume->grid, impl_->medium,
                               impl_->noise ? &impl_->noise : nullptr, impl_->programs,
-                              impl_->linear);
+                              impl_->linear, progress);
         stats.marchedLight = stats.marchedEye = true;
+    }
+    if (impl_->display.size() != glm::ivec3(inputs.sizePx, 1)) {
+        impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
+        impl_->display.setLinear();
     }
     impl_->resolve(inputs);
     impl_->last = inputs;

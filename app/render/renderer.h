@@ -11,6 +11,7 @@
 
 #include "app/image_io/image.h"
 #include "app/render/frame_inputs.h"
+#include "core/progress.h"
 #include "core/species.h"
 
 namespace neph::render {
@@ -29,7 +30,10 @@ class Renderer {
 
     /// Renders into the renderer's own textures; only what the change since the last frame touches
     /// is redone.
-    FrameStats render(const FrameInputs& inputs);
+    ///
+    /// `progress` is asked every few milliseconds of drawing; where it returns false, Cancelled is
+    /// thrown and the display texture keeps the last whole picture.
+    FrameStats render(const FrameInputs& inputs, const Progress& progress = {});
 
     /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the picture);
     /// 0 before the first.

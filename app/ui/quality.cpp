@@ -42,8 +42,7 @@ Draft QualityControl::draft(double restS, glm::ivec2 windowPx, int planes) const
         work = std::max(work, refinement.milliseconds / fullMs_);
         ++step;
     }
-    if (restS >= std::clamp(fullMs_ / 1000.0, kFullS, kLongestRestS))
-        return {windowPx, planes, kFullStep};
+    if (restS >= kFullS) return {windowPx, planes, kFullStep};
     return share(work, windowPx, planes, step);
 }
 

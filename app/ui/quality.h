@@ -1,8 +1,7 @@
 // quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
 //
-// In motion a frame is to take at most kMotionMs. At rest the picture is refined in steps: a
-// picture that is being drawn cannot be interrupted, so the longer one takes, the longer the rest
-// it waits for. Work is the share of pixels x planes of the full picture.
+// In motion a frame is to take at most kMotionMs. At rest the picture is refined in steps, so that
+// a slow machine shows a better one soon. Work is the share of pixels x planes of the full picture.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -13,10 +12,9 @@ struct Refinement {
     double restS;         ///< at rest for so long
     double milliseconds;  ///< a picture that is expected to take so long
 };
-inline constexpr std::array kRefinements{Refinement{0.25, 400.0}, Refinement{1.0, 1500.0}};
+inline constexpr std::array kRefinements{Refinement{0.2, 400.0}, Refinement{0.7, 1500.0}};
 inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
-inline constexpr double kFullS = 2.0;         // at rest for so long, and for as long as it takes:
-inline constexpr double kLongestRestS = 8.0;  // in full
+inline constexpr double kFullS = 2.0;         // at rest for so long: in full, whatever it takes
 inline constexpr double kMotionMs = 100.0;    // a frame that still follows the hand
 inline constexpr double kMotionAimMs = 70.0;  // aimed at: panels and window take the rest
 

@@ -19,8 +19,11 @@ static_assert(sizeof(SlicingBlock) == 21 * 16 + kMaxClasses * 32, "std140 and C+
 
 constexpr std::size_t kLightBytes = std::size_t{128}
                                     << 20;  // bound on the light layers held at a time
-constexpr float kOpaque = 1e-4f;            // transmittance below which the eye sees no further
-constexpr double kRingShare = 3.0 / 8.0;    // of θ_f: the middle of the ring. docs/physics.md §3
+// Between two questions to `progress`, a few milliseconds on the slowest machine. Rows are whole
+// groups of the shader.
+constexpr int kBandRows = 32, kBandSlices = 8;
+constexpr float kOpaque = 1e-4f;          // transmittance below which the eye sees no further
+constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
 
 vec4 v4(dvec3 v, double w = 0.0) {
     return {vec3(v), static_cast<float>(w)};
@@ -131,9 +134,10 @@ void SlicingEngine::uploadPhases(const Look& look, const MediumPlan& plan) {
     havePhases_ = true;
 }
 
-void SlicingEngine::marchLight(const gl::Program& program, int slices) {
+void SlicingEngine::marchLight(const gl::Program& program, int slices, const Progress& progress) {
     light_.bindImage(0, GL_WRITE_ONLY);
     for (int layer = 0; layer < slices; ++layer) {
+        if (layer % kBandSlices == 0 && !goOn(progress, 0.0)) throw Cancelled{};
         program.setInt(0, layer);
         program.dispatch({plan_.lightSizePx, 1});
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -154,19 +158,25 @@ void SlicingEngine::carryLight(int fromLayer) {
 
 /// Light and eye for the slices of one batch; returns the layer that holds the light behind them.
 int SlicingEngine::marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
-                              gl::ProgramCache& programs, int slices) {
+                              gl::ProgramCache& programs, int slices, const Progress& progress) {
     const auto names = defines(inputs.look, medium);
-    marchLight(programs.get("pass/slice_light.comp", names), slices);
+    marchLight(programs.get("pass/slice_light.comp", names), slices, progress);
     phases_.bind(GL_SHADER_STORAGE_BUFFER, 0);
     eye_.bindImage(0, GL_READ_WRITE);
-    programs.get("pass/slice_eye.comp", names).dispatch({inputs.sizePx, 1});
+    const gl::Program& eye = programs.get("pass/slice_eye.comp", names);
+    for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
+        if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};
+        eye.setInt(0, row);
+        eye.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
+    }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     return slices;
 }
 
 void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
                            const MediumTextures& medium, const gl::Texture* noise,
-                           gl::ProgramCache& programs, const gl::Texture& linear) {
+                           gl::ProgramCache& programs, const gl::Texture& linear,
+                           const Progress& progress) {
     const SliceBox box =
         medium.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.occupied;
     const double voxelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
@@ -196,7 +206,7 @@ void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
         const int slices = std::min(batch_, plan_.count - first);
         upload(first, slices);
         carryLight(lastLayer);
-        lastLayer = marchBatch(inputs, medium, programs, slices);
+        lastLayer = marchBatch(inputs, medium, programs, slices, progress);
     }
     const gl::Program& background = programs.get("pass/background.comp");
     background.setInt(0, std::max(lastLayer, 0));

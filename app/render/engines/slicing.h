@@ -9,15 +9,17 @@
 #include "app/render/engines/slice_plan.h"
 #include "app/render/frame_inputs.h"
 #include "app/render/medium_bake.h"
+#include "core/progress.h"
 
 namespace neph::render {
 
 class SlicingEngine {
   public:
     /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
-    /// transmittance).
+    /// transmittance). Asks `progress` between bands of slices and of rows; throws Cancelled.
     void render(const FrameInputs& inputs, const RegularGrid& grid, const MediumTextures& medium,
-                const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear);
+                const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear,
+                const Progress& progress);
 
     const SlicePlan& plan() const { return plan_; }
     std::size_t bytes() const { return light_.bytes() + eye_.bytes() + phases_.bytes(); }
@@ -25,10 +27,10 @@ class SlicingEngine {
   private:
     void resize(const FrameInputs& inputs);
     void uploadPhases(const Look& look, const MediumPlan& plan);
-    void marchLight(const gl::Program& program, int slices);
+    void marchLight(const gl::Program& program, int slices, const Progress& progress);
     void carryLight(int fromLayer);
     int marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
-                   gl::ProgramCache& programs, int slices);
+                   gl::ProgramCache& programs, int slices, const Progress& progress);
 
     SlicePlan plan_;
     int batch_ = 0;  ///< slices whose light is held at a time
