@@ -54,7 +54,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_option("--camera", options.camera, "Camera of a preset, or a file with one")
         ->type_name("NAME|FILE");
-    command.add_option("--time", options.time, "Time index, a:b or all; the last when not given")
+    command.add_option("--time", options.time, "Time index, a:b or all; else the middle one")
         ->type_name("INDEX|a:b|all");
 }
 
