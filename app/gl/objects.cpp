@@ -1,6 +1,10 @@
 // objects.cpp: direct-state-access calls behind the owners.
 #include "app/gl/objects.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+
 namespace neph::gl {
 namespace {
 
@@ -35,6 +39,12 @@ Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size) {
         glTextureStorage2D(texture.name_, 1, format, size.x, size.y);
     } else {
         glTextureStorage3D(texture.name_, 1, format, size.x, size.y, size.z);
+    }
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        throw Error({.what = "the GPU has no room for a texture",
+                     .found = fmt::format("{} x {} x {}, {} MiB", size.x, size.y, size.z,
+                                          texture.bytes_ >> 20),
+                     .hint = "render a smaller picture, or fewer planes"});
     }
     glTextureParameteri(texture.name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.name_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

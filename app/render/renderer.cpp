@@ -1,6 +1,8 @@
 // renderer.cpp: what is kept between frames, and what a change makes necessary.
 #include "app/render/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,6 +38,20 @@ namespace {
 bool sameView(const Camera& a, const Camera& b) {
     return a.eyeWorld == b.eyeWorld && a.forward == b.forward && a.up == b.up &&
            a.tanHalfFovY == b.tanHalfFovY && a.aspect == b.aspect;
+}
+
+int limitOf(GLenum name) {
+    GLint limit = 0;
+    glGetIntegerv(name, &limit);
+    return limit;
+}
+
+void checkSize(glm::ivec2 sizePx) {
+    const int most = limitOf(GL_MAX_TEXTURE_SIZE);
+    if (sizePx.x >= 1 && sizePx.y >= 1 && sizePx.x <= most && sizePx.y <= most) return;
+    throw Error({.what = "a picture of this size cannot be rendered",
+                 .found = fmt::format("{} x {} px", sizePx.x, sizePx.y),
+                 .expected = fmt::format("1 to {} px a side on this GPU", most)});
 }
 
 }  // namespace
@@ -83,14 +99,12 @@ Renderer::Renderer(const std::filesystem::path& shaderDir)
 Renderer::~Renderer() = default;
 
 void Renderer::setVolume(const SpeciesVolume& volume) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
     const glm::ivec3 size = volume.grid.size;
+    const int most = limitOf(GL_MAX_3D_TEXTURE_SIZE);
     if (std::max({size.x, size.y, size.z}) > most) {
-        throw Error({"", "the grid is larger than this GPU takes",
-                     std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
-                         std::to_string(size.z),
-                     "at most " + std::to_string(most) + " cells a side", ""});
+        throw Error({.what = "the grid is larger than this GPU takes",
+                     .found = fmt::format("{} x {} x {} cells", size.x, size.y, size.z),
+                     .expected = fmt::format("at most {} cells a side", most)});
     }
     impl_->volume = uploadVolume(volume);
     impl_->mediumStale = true;
@@ -98,6 +112,7 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
 
 FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
+    checkSize(inputs.sizePx);
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
     impl_->last.reset();  // until this frame is whole

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/render/renderer.h"
+#include "core/error.h"
 #include "tests/gpu/context.h"
 #include "tests/gpu/reference_march.h"
 #include "tests/gpu/scenes.h"
@@ -203,4 +204,23 @@ TEST_CASE("More slices than light layers fit are marched in batches, in either o
         const auto inputs = frame(volume, lookOf(kModes[2]), view.pose, {8, 6}, 2300);
         CHECK(worstDifference(renderOn(volume, inputs), referenceMarch(volume, inputs)) < 1e-3f);
     }
+}
+
+TEST_CASE("A picture larger than the GPU takes is an error that names the limit") {
+    const SpeciesVolume volume = blobs();
+    renderer().setVolume(volume);
+    const auto tooLarge = frame(volume, Look(), views()[0].pose, {1 << 20, 4}, 16);
+    CHECK_THROWS_WITH_AS(renderer().render(tooLarge), doctest::Contains("1048576 x 4 px"), Error);
+}
+
+TEST_CASE("A cancelled frame leaves the last whole picture, and the next frame is right") {
+    const SpeciesVolume volume = blobs();
+    const auto before = frame(volume, Look(), views()[0].pose, {40, 30}, 48);
+    const ImageF whole = renderOn(volume, before);
+    const Image8 shown = renderer().readDisplay();
+    auto turned = frame(volume, Look(), views()[4].pose, {40, 30}, 48);
+    CHECK_THROWS_AS(renderer().render(turned, [](double) { return false; }), Cancelled);
+    renderer().render(before);
+    CHECK(worstDifference(renderer().readLinear(), whole) == 0.0f);
+    CHECK((renderer().readDisplay().rgba == shown.rgba));
 }
