@@ -147,7 +147,9 @@ void Workbench::drawPicture() {
     } catch (const Cancelled&) {
         return;
     }
-    if (stats.marchedEye) quality_.measured(draft, stats.milliseconds, windowPx(), planes);
+    if (stats.marchedEye) {
+        quality_.measured(draft, stats.milliseconds, windowPx(), planes, !stats.bakedMedium);
+    }
     ui_.report = {stats.milliseconds, stats.planes, draft.sizePx, draft.step == ui::kFullStep,
                   ui_.report.device};
     ui_.picture = renderer_.displayTexture();

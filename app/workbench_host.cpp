@@ -34,6 +34,8 @@ constexpr std::array<std::pair<int, ui::Key>, 8> kOthers{{{GLFW_KEY_LEFT, ui::Ke
                                                           {GLFW_KEY_F5, ui::Key::f5},
                                                           {GLFW_KEY_F11, ui::Key::f11}}};
 
+constexpr int kMinWidthPx = 900, kMinHeightPx = 480;  // both columns and a picture between them
+
 ui::Key toKey(int key, int scancode) {
     for (const auto& [code, named] : kOthers) {
         if (code == key) return named;
@@ -55,6 +57,7 @@ WorkbenchHost& hostOf(GLFWwindow* window) {
 WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     GLFWwindow* handle = window.handle();
     glfwSetWindowUserPointer(handle, this);
+    glfwSetWindowSizeLimits(handle, kMinWidthPx, kMinHeightPx, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         if (action != GLFW_RELEASE) hostOf(w).onKey(key, scancode, mods);
     });

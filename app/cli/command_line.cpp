@@ -87,7 +87,8 @@ void addPresets(CLI::App& app, Arguments& arguments) {
 }
 
 void addOthers(CLI::App& app, Arguments& arguments) {
-    CLI::App& info = *app.add_subcommand("info", "Describe files: model, grid, times, maxima of each species and where");
+    CLI::App& info = *app.add_subcommand(
+        "info", "Describe files: model, grid, times, maxima of each species and where");
     info.add_option("FILE", arguments.info.files,
                     "Files of one series, or a folder; none: the bundled storm");
     info.add_flag("--json", arguments.info.json, "As JSON");

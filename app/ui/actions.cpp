@@ -98,6 +98,8 @@ std::span<const Action> actions() {
 }
 
 bool runChord(Ui& ui, Chord chord) {
+    // A field for text is about to open: what is typed is meant for it.
+    if ((ui.askForPath || ui.askForPresetName) && !chord.ctrl) return false;
     const auto found = std::find_if(kActions.begin(), kActions.end(),
                                     [&](const Action& action) { return action.chord == chord; });
     if (found == kActions.end() || !found->enabled(ui)) return false;

@@ -92,7 +92,8 @@ void drawMessages(Ui& ui) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({kMessagesEms * em, 18.0f * em}, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({columnWidth() + em, 6.0f * em}, ImGuiCond_Appearing);
-    if (ImGui::Begin("Messages", &ui.showMessages, ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Messages", &ui.showMessages,
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
         ImGui::PushTextWrapPos(0.0f);
         for (const Message& message : ui.session.messages) {
             const char* kind = message.kind == Message::Kind::error     ? "error: "

@@ -10,7 +10,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr int kVisibleRows = 10;
+constexpr int kVisibleRows = 11;
 
 std::string tooltipOf(const PresetEntry& entry) {
     try {
@@ -33,9 +33,12 @@ void list(Ui& ui) {
 void drawEntry(Ui& ui, std::size_t i) {
     const PresetEntry& entry = ui.presets[i];
     const std::string label = entry.name + (entry.bundled ? "" : "  (yours)");
+    // The chosen one must be told from the one under the mouse.
+    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     if (ImGui::Selectable(label.c_str(), entry.name == ui.session.presetName)) {
         ui.session.loadPreset(entry.name);
     }
+    ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
@@ -71,11 +74,15 @@ void drawPresets(Ui& ui) {
         ui.presetsListed = false;  // looked up anew when it is unfolded
         return;
     }
-    if (!ui.presetsListed) list(ui);
+    const bool listedNow = !ui.presetsListed;
+    if (listedNow) list(ui);
     const int rows = std::min(kVisibleRows, static_cast<int>(ui.presets.size()));
     const float height = static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing();
     if (rows > 0 && ImGui::BeginChild("##presets", {0.0f, height})) {
-        for (std::size_t i = 0; i < ui.presets.size(); ++i) drawEntry(ui, i);
+        for (std::size_t i = 0; i < ui.presets.size(); ++i) {
+            drawEntry(ui, i);
+            if (listedNow && ui.presets[i].name == ui.session.presetName) ImGui::SetScrollHereY();
+        }
     }
     if (rows > 0) ImGui::EndChild();
     drawSave(ui);

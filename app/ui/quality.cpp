@@ -47,10 +47,10 @@ Draft QualityControl::draft(double restS, glm::ivec2 windowPx, int planes) const
 }
 
 void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx,
-                              int planes) {
+                              int planes, bool drawnAlone) {
     if (milliseconds <= 0.0) return;
     const double work = workOf(draft, windowPx, planes);
-    fullMs_ = milliseconds / work;
+    if (drawnAlone) fullMs_ = milliseconds / work;
     // Part of a frame's cost does not shrink with the picture, so approach the aim step by step.
     const double ideal = work * kMotionAimMs / milliseconds;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);

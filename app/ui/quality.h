@@ -31,8 +31,10 @@ class QualityControl {
     /// What to draw when nothing has changed for `restS` seconds.
     Draft draft(double restS, glm::ivec2 windowPx, int planes) const;
 
-    /// Tells how long a draft took, of a full picture of `windowPx` and `planes`.
-    void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx, int planes);
+    /// Tells how long a draft took, of a full picture of `windowPx` and `planes`. `drawnAlone`: the
+    /// time holds no preparation, which a refinement would not repeat.
+    void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx, int planes,
+                  bool drawnAlone = true);
 
   private:
     double motionShare_ = 0.05;  // of the full work; a guess for a slow machine

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "medium_sample.glsl"
 
 layout(binding = 4) uniform sampler2DArray t_light;
-layout(location = 0) uniform int firstRow;  // of the band of rows that is drawn
+layout(location = 0) uniform int firstRow;            // of the band of rows that is drawn
 layout(rgba32f, binding = 0) uniform image2D io_eye;  // rgb: radiance, a: transmittance
 layout(std430, binding = 0) readonly buffer PhaseTables {
     vec4 phaseTables[];

@@ -80,3 +80,13 @@ TEST_CASE("Drafts stay within the window and the planes, whatever their size") {
         CHECK(draft.planes == 16);
     }
 }
+
+TEST_CASE("Preparation that is not repeated does not count against the refinement") {
+    ui::QualityControl quality;
+    const Machine machine{1000.0, 5.0};
+    drag(quality, machine);
+    const ui::Draft before = quality.draft(0.7, kWindowPx, kPlanes);
+    const ui::Draft moving = quality.draft(0.0, kWindowPx, kPlanes);
+    quality.measured(moving, 2000.0, kWindowPx, kPlanes, false);
+    CHECK(quality.draft(0.7, kWindowPx, kPlanes) == before);
+}
