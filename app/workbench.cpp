@@ -14,7 +14,6 @@
 #include "app/ui/quality.h"
 #include "app/ui/ui.h"
 #include "app/workbench_host.h"
-#include "core/file_list.h"
 #include "core/plugin_host.h"
 #include "core/resources.h"
 
@@ -74,11 +73,7 @@ Workbench::Workbench(const SceneOptions& options) {
         session_.say(Message::Kind::warning, warning);
     }
     ui_.report.device = renderer_.deviceName();
-    try {
-        session_.open(listFiles(options.files), parseFirstTime(options.time));
-    } catch (const Error& error) {
-        session_.say(Message::Kind::error, error.message());
-    }
+    session_.openNamed(options.files, parseFirstTime(options.time));
 }
 
 void Workbench::takeInput() {
@@ -89,13 +84,9 @@ void Workbench::takeInput() {
         session_.loadPreset(files.front().string());
         return;
     }
-    try {
-        std::vector<std::string> names;
-        for (const auto& file : files) names.push_back(file.string());
-        session_.open(listFiles(names));
-    } catch (const Error& error) {
-        session_.say(Message::Kind::error, error.message());
-    }
+    std::vector<std::string> names;
+    for (const auto& file : files) names.push_back(file.string());
+    session_.openNamed(names);
 }
 
 void Workbench::takeData() {

@@ -14,11 +14,7 @@ double unitM(const RegularGrid& grid) {
 }
 
 glm::dvec3 towardsEye(const CameraPose& pose) {
-    const double azimuth = glm::radians(static_cast<double>(pose.azimuthDeg));
-    const double elevation =
-        glm::radians(static_cast<double>(std::clamp(pose.elevationDeg, -kPoleDeg, kPoleDeg)));
-    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
-            std::sin(elevation)};
+    return compassDirWorld(pose.azimuthDeg, std::clamp(pose.elevationDeg, -kPoleDeg, kPoleDeg));
 }
 
 }  // namespace
@@ -54,7 +50,7 @@ void pan(CameraPose& pose, const RegularGrid& grid, glm::vec2 step) {
         (camera.right * static_cast<double>(-step.x) + camera.up * static_cast<double>(-step.y)) *
         heightM;
     pose.target += glm::vec3(moveM / grid.extentM());
-    pose.target = glm::clamp(pose.target, glm::vec3(-1.0f), glm::vec3(2.0f));
+    pose.target = glm::clamp(pose.target, kMinTarget, kMaxTarget);
 }
 
 void dolly(CameraPose& pose, float factor) {

@@ -13,15 +13,15 @@ namespace neph {
 struct CameraPose {
     glm::vec3 target{0.5f, 0.5f, 0.35f};  ///< share of the domain in x, y and z
     float distance = 1.1f;                ///< eye to target, in larger horizontal extents
-    float azimuthDeg =
-        180.0f;  ///< where the eye stands as seen from the target, from north clockwise
-    float elevationDeg = 12.0f;  ///< height of the eye above the target's horizon
-    float fovDeg = 40.0f;        ///< vertical field of view
+    float azimuthDeg = 180.0f;            ///< of the eye seen from the target, north to east
+    float elevationDeg = 12.0f;           ///< height of the eye above the target's horizon
+    float fovDeg = 40.0f;                 ///< vertical field of view
     bool operator==(const CameraPose&) const = default;
 };
 
 inline constexpr float kMinFovDeg = 5.0f, kMaxFovDeg = 75.0f;
 inline constexpr float kMinDistance = 1e-3f, kMaxDistance = 20.0f;
+inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  ///< as far as pan() goes
 
 struct Camera {
     glm::dvec3 eyeWorld{0.0};

@@ -53,8 +53,7 @@ struct TimeInfo {
 struct DatasetInfo {
     std::string reader;  ///< plugin id
     std::string model;   ///< for example "WRF V4.2.2"
-    std::string
-        scheme;  ///< microphysics, for example "Thompson (MP_PHYSICS 8)"; empty when unknown
+    std::string scheme;  ///< for example "Thompson (MP_PHYSICS 8)"; empty when unknown
     glm::ivec3 size{0};  ///< cells in x, y, z on the native grid
     glm::dvec2 spacingM{0.0};
     std::vector<TimeInfo> times;  ///< in order of time

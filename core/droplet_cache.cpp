@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -18,6 +17,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/resources.h"
 
 namespace neph {
 namespace {
@@ -111,19 +111,10 @@ bool writeDropletCache(const std::filesystem::path& path, const DropletOptics& o
 }
 
 std::filesystem::path dropletCacheFile(float effectiveRadiusM) {
-    std::filesystem::path folder;
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    if (cache && *cache) {
-        folder = cache;
-    } else if (home && *home) {
-        folder = std::filesystem::path(home) / ".cache";
-    } else {
-        return {};
-    }
-    return folder / "nephoscope" /
-           fmt::format("droplets-v{}-{:.1f}um.bin", kDropletCacheVersion,
-                       roundRadius(effectiveRadiusM) * 1e6f);
+    const auto folder = userCacheDir();
+    if (!folder) return {};
+    return *folder / fmt::format("droplets-v{}-{:.1f}um.bin", kDropletCacheVersion,
+                                 roundRadius(effectiveRadiusM) * 1e6f);
 }
 
 std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM) {

@@ -13,8 +13,7 @@ namespace neph {
 /// Raised with every change of droplets.cpp or mie.cpp that changes numbers; part of the file name.
 inline constexpr unsigned kDropletCacheVersion = 1;
 
-/// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope and a name for the radius; empty when there is
-/// no home.
+/// A file of userCacheDir() for the radius; empty when there is no home.
 std::filesystem::path dropletCacheFile(float effectiveRadiusM);
 
 /// None when the file is absent or not what was written for exactly this radius.

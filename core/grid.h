@@ -3,11 +3,21 @@
 // World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain,
 // z is height above sea level. Arrays are cell-centred, x fastest, then y, then z.
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
 namespace neph {
+
+/// Unit vector of a direction given as on a compass: azimuth from north clockwise, elevation above
+/// the horizon.
+inline glm::dvec3 compassDirWorld(float azimuthDeg, float elevationDeg) {
+    const double azimuth = glm::radians(static_cast<double>(azimuthDeg));
+    const double elevation = glm::radians(static_cast<double>(elevationDeg));
+    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation)};
+}
 
 /// A block of cells; `originM` is the lower corner of the first cell.
 struct RegularGrid {

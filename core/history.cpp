@@ -8,30 +8,11 @@
 namespace neph {
 namespace {
 
-std::string onScreen(const Parameter& row, const ParameterValue& value) {
-    switch (row.kind) {
-        case ParameterKind::toggle:
-            return std::get<bool>(value) ? "on" : "off";
-        case ParameterKind::choice:
-            return std::string(row.choiceLabels[static_cast<std::size_t>(std::get<int>(value))]);
-        case ParameterKind::number: {
-            const double shown = static_cast<double>(std::get<float>(value)) * row.displayScale;
-            const bool unitless = row.displayUnit.empty() || row.displayUnit == "1";
-            return fmt::format("{:.4g}{}{}", shown, unitless ? "" : " ",
-                               unitless ? "" : row.displayUnit);
-        }
-        case ParameterKind::integer:
-        case ParameterKind::colour:
-            break;
-    }
-    return formatValue(row, value);
-}
-
 std::string describeParameter(const Parameter& row, const Look& before, const Look& after) {
     const std::string name = fmt::format("{}: {}", row.group, row.label);
     if (row.kind == ParameterKind::colour) return name;
-    return fmt::format("{} {} -> {}", name, onScreen(row, valueOf(before, row)),
-                       onScreen(row, valueOf(after, row)));
+    return fmt::format("{} {} -> {}", name, screenText(row, valueOf(before, row)),
+                       screenText(row, valueOf(after, row)));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/names.h"
 
 namespace neph {
@@ -184,6 +185,28 @@ std::string formatValue(const Parameter& row, const ParameterValue& value) {
     return describe(value);
 }
 
+std::string unitSuffix(const Parameter& row) {
+    const bool apart = !row.displayUnit.empty() && row.displayUnit != "°";
+    return (apart ? " " : "") + row.displayUnit;
+}
+
+std::string screenText(const Parameter& row, const ParameterValue& value) {
+    switch (row.kind) {
+        case ParameterKind::toggle:
+            return std::get<bool>(value) ? "on" : "off";
+        case ParameterKind::choice:
+            return std::string(row.choiceLabels[static_cast<std::size_t>(std::get<int>(value))]);
+        case ParameterKind::number:
+            return fmt::format("{:.4g}{}",
+                               static_cast<double>(std::get<float>(value)) * row.displayScale,
+                               unitSuffix(row));
+        case ParameterKind::integer:
+        case ParameterKind::colour:
+            break;
+    }
+    return describe(value);
+}
+
 ParameterValue parseValue(const Parameter& row, std::string_view text, std::string_view where) {
     const auto value = tryParse(row, text);
     if (!value || !fits(row, *value)) refuse(row, std::string(text), where);
@@ -200,6 +223,12 @@ void applyAssignment(Look& look, std::string_view assignment) {
     setValue(look, row, parseValue(row, assignment.substr(equals + 1)));
 }
 
+bool applies(const Parameter& row, const Look& look) {
+    if (row.phaseMember == nullptr) return true;
+    const auto kind = load<PhaseKind>(look, row.phaseOffset + offsetof(PhaseSpec, kind));
+    return phaseReads(kind, row.phaseMember);
+}
+
 std::optional<Stage> firstDifference(const Look& a, const Look& b) {
     std::optional<Stage> first;
     for (const Parameter& row : lookTable()) {
@@ -210,10 +239,7 @@ std::optional<Stage> firstDifference(const Look& a, const Look& b) {
 }
 
 glm::dvec3 sunDirWorld(const Look& look) {
-    const double azimuth = glm::radians(static_cast<double>(look.sunAzimuthDeg));
-    const double elevation = glm::radians(static_cast<double>(look.sunElevationDeg));
-    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
-            std::sin(elevation)};
+    return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
 }
 
 }  // namespace neph

@@ -1,5 +1,6 @@
 // look_table.cpp: the rows of the look table. A long table is data: one row, one parameter.
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "core/look.h"
@@ -25,6 +26,22 @@ constexpr std::array<std::string_view, 2> kNoiseIds{"billow", "wisp"};
 constexpr std::array<std::string_view, 2> kNoiseLabels{"Billow", "Wisp"};
 
 using Names = std::span<const std::string_view>;
+
+/// A unit as it is written on screen; nothing for a pure number.
+std::string_view onScreen(std::string_view unit) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpellings{
+        {{"1", ""}, {"deg", "°"}, {"kg m-3", "kg/m³"}, {"m2 kg-1", "m²/kg"}}};
+    for (const auto& [plain, pretty] : kSpellings) {
+        if (plain == unit) return pretty;
+    }
+    return unit;
+}
+
+std::size_t offsetIn(float PhaseSpec::*member) {
+    static const PhaseSpec spec;
+    return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&(spec.*member)) -
+                                    reinterpret_cast<const std::byte*>(&spec));
+}
 
 /// Builds rows; `at` is the offset of the group's struct within Look and `prefix` opens the ids.
 class Rows {
@@ -53,7 +70,8 @@ class Rows {
                       std::size_t offset, ParameterRange range, Stage stage,
                       std::string_view help) {
         Parameter& row = add(id, label, ParameterKind::number, offset, stage, help);
-        row.unit = row.displayUnit = unit;
+        row.unit = unit;
+        row.displayUnit = onScreen(unit);
         row.range = range;
         return row;
     }
@@ -67,14 +85,23 @@ class Rows {
     Parameter& colour(std::string_view id, std::string_view label, std::size_t offset, Stage stage,
                       std::string_view help) {
         Parameter& row = add(id, label, ParameterKind::colour, offset, stage, help);
-        row.unit = row.displayUnit = "1";
+        row.unit = "1";
         row.range = {0.0, 1.0};
         return row;
     }
-    /// A phase function's kind and parameters at `offset`.
-    void phase(std::string_view id, std::size_t offset);
+    /// A phase function's kind and parameters; `spec` is the offset of its PhaseSpec.
+    void phase(std::string_view id, std::size_t spec);
 
   private:
+    Parameter& phaseNumber(const std::string& id, std::string_view label, std::string_view unit,
+                           std::size_t spec, float PhaseSpec::*member, ParameterRange range,
+                           std::string_view help) {
+        Parameter& row =
+            number(id, label, unit, spec + offsetIn(member), range, Stage::medium, help);
+        row.phaseMember = member;
+        row.phaseOffset = at_ + spec;
+        return row;
+    }
     Parameter& add(std::string_view id, std::string_view label, ParameterKind kind,
                    std::size_t offset, Stage stage, std::string_view help) {
         Parameter& row = rows_.emplace_back();
@@ -95,25 +122,23 @@ class Rows {
     std::optional<Species> species_;
 };
 
-void Rows::phase(std::string_view id, std::size_t offset) {
+void Rows::phase(std::string_view id, std::size_t spec) {
     const std::string p(id);
-    choice(p, "Phase function", offset + offsetof(PhaseSpec, kind), Stage::medium, kPhaseIds,
+    choice(p, "Phase function", spec + offsetof(PhaseSpec, kind), Stage::medium, kPhaseIds,
            kPhaseLabels, "Angular distribution of scattered light, P in Eq. 5. docs/physics.md §2");
-    number(p + "_g", "Asymmetry g", "1", offset + offsetof(PhaseSpec, g), {-0.99, 0.999},
-           Stage::medium,
-           "g of Henyey-Greenstein, Draine and Cornette-Shanks; first lobe of the double HG.");
-    number(p + "_g2", "Second lobe g", "1", offset + offsetof(PhaseSpec, g2), {-0.99, 0.99},
-           Stage::medium, "g of the second lobe of the double Henyey-Greenstein.");
-    number(p + "_weight", "First lobe share", "1", offset + offsetof(PhaseSpec, weight), {0.0, 1.0},
-           Stage::medium, "Share of the first lobe of the double Henyey-Greenstein.");
-    number(p + "_alpha", "Draine alpha", "1", offset + offsetof(PhaseSpec, alpha), {0.0, 250.0},
-           Stage::medium, "0 is Henyey-Greenstein, 1 Cornette-Shanks. [Draine03]");
-    Parameter& radius = number(
-        p + "_radius", "Phase radius", "m", offset + offsetof(PhaseSpec, radiusM),
-        {1e-6, 110e-6, true}, Stage::medium,
+    phaseNumber(p + "_g", "Asymmetry g", "1", spec, &PhaseSpec::g, {-0.99, 0.999},
+                "g of Henyey-Greenstein, Draine and Cornette-Shanks; first lobe of the double HG.");
+    phaseNumber(p + "_g2", "Second lobe g", "1", spec, &PhaseSpec::g2, {-0.99, 0.99},
+                "g of the second lobe of the double Henyey-Greenstein.");
+    phaseNumber(p + "_weight", "First lobe share", "1", spec, &PhaseSpec::weight, {0.0, 1.0},
+                "Share of the first lobe of the double Henyey-Greenstein.");
+    phaseNumber(p + "_alpha", "Draine alpha", "1", spec, &PhaseSpec::alpha, {0.0, 250.0},
+                "0 is Henyey-Greenstein, 1 Cornette-Shanks. [Draine03]");
+    Parameter& radius = phaseNumber(
+        p + "_radius", "Phase radius", "m", spec, &PhaseSpec::radiusM, {1e-6, 110e-6, true},
         "Effective radius of the droplets or crystals whose phase function is used; the extinction "
         "has its own. Droplets count up to 50 um.");
-    radius.displayUnit = "um";
+    radius.displayUnit = "µm";
     radius.displayScale = 1e6;
 }
 
@@ -149,7 +174,7 @@ void addLight(Rows& rows) {
                 "Cornette-Shanks g whose cumulative gives the forward share; 0.979 puts 90 % "
                 "within 10 degrees, as [Riley03] fig. 7.");
     rows.number("equal_extinction", "Equal extinction", "m2 kg-1",
-                offsetof(Look, equalMassExtinction), {0.01, 1000.0, true}, Stage::medium,
+                offsetof(Look, equalExtinctionM2PerKg), {0.01, 1000.0, true}, Stage::medium,
                 "Mass extinction of every field when mode.extinction is equal.");
     rows.choice("phase_display", "Phase display", offsetof(Look, phaseDisplay), Stage::eye,
                 kDisplayIds, kDisplayLabels,
@@ -211,7 +236,7 @@ void addSpecies(Rows& rows, Species s) {
         rows.number("effective_radius", "Effective radius", "m",
                     offsetof(SpeciesLook, effectiveRadiusM), {1e-6, 1e-2, true}, Stage::medium,
                     "Radius in Eq. 3 and 9; extinction goes as 1/r. [Riley03] table 3");
-    radius.displayUnit = "um";
+    radius.displayUnit = "µm";
     radius.displayScale = 1e6;
     rows.number("density", "Particle density", "kg m-3", offsetof(SpeciesLook, densityKgPerM3),
                 {10.0, 1000.0, true}, Stage::medium,
@@ -253,6 +278,8 @@ std::span<const Parameter> lookTable() {
 }
 
 Look::Look() {
+    // Sizes of phase functions and amounts of noise are tuned by eye: droplets of cloud and of
+    // drizzle, crystals of cirrus (extinction has its own radii, those of the paper).
     for (int i = 0; i < kSpeciesCount; ++i) {
         const auto s = static_cast<Species>(i);
         SpeciesLook& field = of(s);

@@ -24,15 +24,17 @@ MediumClass classFor(const Look& look, const SpeciesLook& field) {
 
 float extinctionPerContent(const Look& look, const SpeciesLook& field) {
     const float k = look.extinction == ExtinctionMode::equal
-                        ? look.equalMassExtinction
+                        ? look.equalExtinctionM2PerKg
                         : glsl::massExtinctionM2PerKg(field.effectiveRadiusM, field.densityKgPerM3);
     return k * field.mixingScale;
 }
 
-/// The logarithmic display puts black this far below the smallest value, or light at right angles would vanish; tuned by eye.
+/// The logarithmic display puts black this far below the smallest value, or light at right angles
+/// would vanish; tuned by eye.
 constexpr float kLogarithmicFoot = 10.0f;
 
-/// Smallest and cut value over all classes: one common range, so that water and ice keep their ratio.
+/// Smallest and cut value over all classes: one common range, so that water and ice keep their
+/// ratio.
 struct DisplayRange {
     float lo;
     float cut;
@@ -78,8 +80,7 @@ MediumPlan planMedium(const Look& look, const std::array<bool, kSpeciesCount>& p
 std::vector<PhaseTable> displayPhases(const Look& look, const MediumPlan& plan) {
     std::vector<PhaseTable> tables;
     for (const MediumClass& c : plan.classes) tables.push_back(makePhaseTable(c.phase));
-    const DisplayRange range =
-        rangeOf(tables, std::cos(glm::radians(look.phaseTruncationDeg)));
+    const DisplayRange range = rangeOf(tables, std::cos(glm::radians(look.phaseTruncationDeg)));
     for (PhaseTable& table : tables) {
         for (glm::vec3& value : table) {
             for (int i = 0; i < 3; ++i) value[i] = displayed(value[i], look.phaseDisplay, range);

@@ -29,8 +29,8 @@ struct MediumPlan {
     std::vector<MediumClass> classes;  ///< at most kSpeciesCount; empty when nothing is visible
     /// Extinction per mass content, m²/kg, Eq. 9 with the mixing scale; 0 when absent or invisible.
     std::array<float, kSpeciesCount> extinctionPerContent{};
-    std::array<int, kSpeciesCount>
-        classOf{};  ///< index into `classes`, -1 when absent or invisible
+    /// Index into `classes`, -1 when absent or invisible.
+    std::array<int, kSpeciesCount> classOf{};
     bool operator==(const MediumPlan&) const = default;
 };
 

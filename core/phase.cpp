@@ -62,6 +62,27 @@ float dropletSample(const DropletOptics& droplets, float u) {
 
 }  // namespace
 
+bool phaseReads(PhaseKind kind, float PhaseSpec::*parameter) {
+    switch (kind) {
+        case PhaseKind::isotropic:
+        case PhaseKind::rayleigh:
+            break;
+        case PhaseKind::henyeyGreenstein:
+        case PhaseKind::cornetteShanks:
+            return parameter == &PhaseSpec::g;
+        case PhaseKind::doubleHenyeyGreenstein:
+            return parameter == &PhaseSpec::g || parameter == &PhaseSpec::g2 ||
+                   parameter == &PhaseSpec::weight;
+        case PhaseKind::draine:
+            return parameter == &PhaseSpec::g || parameter == &PhaseSpec::alpha;
+        case PhaseKind::waterDroplets:
+        case PhaseKind::roughAggregate:
+        case PhaseKind::solidColumn:
+            return parameter == &PhaseSpec::radiusM;
+    }
+    return false;
+}
+
 glm::vec3 phaseValue(const PhaseSpec& spec, float cosTheta) {
     if (spec.kind == PhaseKind::waterDroplets) {
         return lookUp(waterDroplets(spec.radiusM)->phase, cosTheta);

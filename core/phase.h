@@ -52,6 +52,9 @@ struct PhaseSpec {
     bool operator==(const PhaseSpec&) const = default;
 };
 
+/// Whether functions of a kind read a parameter of PhaseSpec.
+bool phaseReads(PhaseKind kind, float PhaseSpec::*parameter);
+
 /// Entries of a table; entry i belongs to Theta = pi (i / (size - 1))², so that the forward peak is
 /// resolved.
 inline constexpr int kPhaseTableSize = 1024;

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/resources.h"
 
 namespace neph {
 namespace {
@@ -149,16 +150,8 @@ std::vector<fs::path> PluginHost::standardPlaces() {
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
-    const char* data = std::getenv("XDG_DATA_HOME");
-    const char* home = std::getenv("HOME");
-    if (data != nullptr && *data != '\0') {
-        places.push_back(fs::path(data) / "nephoscope/readers");
-    } else if (home != nullptr && *home != '\0') {
-        places.push_back(fs::path(home) / ".local/share/nephoscope/readers");
-    }
-    std::error_code code;
-    const fs::path executable = fs::read_symlink("/proc/self/exe", code);
-    if (!code) places.push_back(executable.parent_path().parent_path() / "lib/nephoscope/readers");
+    if (const auto dir = userDataDir()) places.push_back(*dir / "readers");
+    places.push_back(programDir().parent_path() / "lib/nephoscope/readers");
     return places;
 }
 

@@ -22,6 +22,5 @@ inline constexpr std::array kCameraKeys{
     CameraKey{"elevation_deg", &CameraPose::elevationDeg, -90.0f, 90.0f},
     CameraKey{"fov_deg", &CameraPose::fovDeg, kMinFovDeg, kMaxFovDeg},
 };
-inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  // as far as pan() goes
 
 }  // namespace neph

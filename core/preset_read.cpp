@@ -28,9 +28,6 @@ constexpr int kMaxJsonDepth = 16;                            // a preset has 3
 constexpr std::array<std::string_view, 6> kTopKeys{"type",        "version", "title",
                                                    "description", "look",    "camera"};
 
-// ---- strict JSON
-// ---------------------------------------------------------------------------------
-
 /// Watches the parser's events: the depth of nesting, and the keys seen in each open object.
 class Watch {
   public:
@@ -99,9 +96,6 @@ std::string excerpt(const Json& value) {
     if (text.size() > kLength) text = text.substr(0, kLength) + " ...";
     return text;
 }
-
-// ---- from JSON to values
-// -------------------------------------------------------------------------
 
 std::string unknownKey(std::string_view where, std::string_view key,
                        std::span<const std::string_view> known) {

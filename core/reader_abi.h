@@ -1,9 +1,11 @@
-/* reader_abi.h: the door that readers come in by. Plain C, self-contained; docs/readers.md tells what is read.
+/* reader_abi.h: the door that readers come in by. Plain C, self-contained; docs/readers.md tells
+ * what is read.
  *
- * A reader is a shared library that exports one function, nephReader. The host asks every reader for a score, opens the file
- * with the best one, asks for a description (metadata alone) and later reads boxes of values into its own buffers. All values
- * are SI: conversion happens here. Nothing may be thrown across these calls. Every struct starts with NephHeader: whoever
- * creates a struct fills it in, and whoever receives it touches only what struct_size covers. */
+ * A reader is a shared library that exports one function, nephReader. The host asks every reader
+ * for a score, opens the file with the best one, asks for a description (metadata alone) and later
+ * reads boxes of values into its own buffers. All values are SI: conversion happens here. Nothing
+ * may be thrown across these calls. Every struct starts with NephHeader: whoever creates a struct
+ * fills it in, and whoever receives it touches only what struct_size covers. */
 #ifndef NEPHOSCOPE_READER_ABI_H
 #define NEPHOSCOPE_READER_ABI_H
 
@@ -56,8 +58,9 @@ typedef int32_t NephSpecies;
 #define NEPH_SPECIES_GRAUPEL 4
 #define NEPH_SPECIES_HAIL 5
 
-/* Why something failed, in parts that the host lays out. The host owns it and clears it before each call; the reader writes
- * UTF-8, ends each part with a zero byte and leaves empty what it does not know. */
+/* Why something failed, in parts that the host lays out. The host owns it and clears it before each
+ * call; the reader writes UTF-8, ends each part with a zero byte and leaves empty what it does not
+ * know. */
 typedef struct NephError {
     NephHeader header;
     char where[1024];    /* file; the host puts in the path when left empty */
@@ -92,14 +95,15 @@ typedef struct NephAttribute {
     const char* value;
 } NephAttribute;
 
-/* Everything that is known without reading a field. Lives, with all its strings, as long as the file handle. */
+/* Everything that is known without reading a field. Lives, with all its strings, as long as the
+ * file handle. */
 typedef struct NephDescription {
     NephHeader header;
-    const char* model;    /* for example "WRF V4.2.2" */
-    const char* scheme;   /* microphysics, or empty */
-    int32_t size[3];      /* cells in x, y, z on the native grid; x runs east, y north, z up */
-    double spacing_m[2];  /* of the cells in x and y */
-    uint32_t time_count;  /* at least 1 */
+    const char* model;   /* for example "WRF V4.2.2" */
+    const char* scheme;  /* microphysics, or empty */
+    int32_t size[3];     /* cells in x, y, z on the native grid; x runs east, y north, z up */
+    double spacing_m[2]; /* of the cells in x and y */
+    uint32_t time_count; /* at least 1 */
     const NephTime* const* times;
     uint32_t variable_count;
     const NephVariable* const* variables;
@@ -117,29 +121,31 @@ typedef struct NephReadRequest {
     NephHeader header;
     uint32_t variable; /* index into the description */
     uint32_t time;     /* index into the description */
-    int32_t lower[3];  /* half-open box of cells x, y, z of the variable: 0 <= lower < upper <= size */
+    int32_t lower[3];  /* half-open box of cells x, y, z: 0 <= lower < upper <= size */
     int32_t upper[3];
-    float* values;          /* the host's buffer, x fastest, then y, then z; missing values are NaN */
-    uint64_t value_count;   /* values that fit, exactly those of the box; never write beyond */
+    float* values;        /* the host's buffer, x fastest, then y, then z; missing values are NaN */
+    uint64_t value_count; /* values that fit, exactly those of the box; never write beyond */
     uint64_t values_written; /* set by the reader; fewer than value_count is a failed read */
-    NephProgress progress;  /* may be null; call it between pieces of at most a few megabytes */
+    NephProgress progress;   /* may be null; call it between pieces of at most a few megabytes */
     void* progress_context;
 } NephReadRequest;
 
 typedef struct NephFile NephFile; /* the reader's own */
 
-/* A reader. The struct and its strings live as long as the library is loaded. Calls may come from any thread; one handle is
- * used by one thread at a time, different handles by different threads at once. */
+/* A reader. The struct and its strings live as long as the library is loaded. Calls may come from
+ * any thread; one handle is used by one thread at a time, different handles by different threads at
+ * once. */
 typedef struct NephReader {
     NephHeader header;
     const char* id;         /* for example "wrf_netcdf" */
     const char* version;    /* of the reader */
     const char* title;      /* what it reads, for a person */
-    const char* extensions; /* usual ones, separated by spaces, for file dialogs alone; may be empty */
+    const char* extensions; /* usual ones, separated by spaces, for file dialogs; or empty */
 
-    /* How sure the reader is that the content of `path` (a file or a folder) is its own; the name of the file does not count.
-     * 0: not a format that it knows. 1 to 9: the container is known but the content will be refused by open, which says
-     * why. 10 to 100: can be read. Reads a few kilobytes at most. */
+    /* How sure the reader is that the content of `path` (a file or a folder) is its own; the name
+     * of the file does not count. 0: not a format that it knows. 1 to 9: the container is known but
+     * the content will be refused by open, which says why. 10 to 100: can be read. Reads a few
+     * kilobytes at most. */
     int32_t (*score)(const char* path);
 
     /* Opens without reading a field and sets *file. */

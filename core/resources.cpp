@@ -17,6 +17,17 @@ std::optional<std::string> environment(const char* name) {
     return value;
 }
 
+/// Ours of a user's folders of the XDG base directory specification.
+std::optional<std::filesystem::path> userDir(const char* variable, const char* belowHome) {
+    if (const auto given = environment(variable)) {
+        return std::filesystem::path(*given) / "nephoscope";
+    }
+    if (const auto home = environment("HOME")) {
+        return std::filesystem::path(*home) / belowHome / "nephoscope";
+    }
+    return {};
+}
+
 std::vector<std::filesystem::path> dataDirs() {
     std::vector<std::filesystem::path> dirs;
     if (const auto given = environment("NEPHOSCOPE_DATA_DIR")) dirs.emplace_back(*given);
@@ -52,13 +63,11 @@ std::filesystem::path resourcePath(std::string_view relative) {
 }
 
 std::optional<std::filesystem::path> userDataDir() {
-    if (const auto xdg = environment("XDG_DATA_HOME")) {
-        return std::filesystem::path(*xdg) / "nephoscope";
-    }
-    if (const auto home = environment("HOME")) {
-        return std::filesystem::path(*home) / ".local" / "share" / "nephoscope";
-    }
-    return {};
+    return userDir("XDG_DATA_HOME", ".local/share");
+}
+
+std::optional<std::filesystem::path> userCacheDir() {
+    return userDir("XDG_CACHE_HOME", ".cache");
 }
 
 std::string_view versionText() {

@@ -22,6 +22,9 @@ std::filesystem::path programDir();
 /// $XDG_DATA_HOME/nephoscope or ~/.local/share/nephoscope; none without a home.
 std::optional<std::filesystem::path> userDataDir();
 
+/// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; none without a home.
+std::optional<std::filesystem::path> userCacheDir();
+
 /// For example "0.1.0".
 std::string_view versionText();
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/file_list.h"
 #include "core/resample.h"
 
 namespace neph {
@@ -69,6 +70,14 @@ void Session::open(std::vector<std::filesystem::path> files, std::optional<int> 
     wantedTime_ = shownTime_;
     jobs_.start(std::move(label), std::move(work),
                 [this](const Error& error) { say(Message::Kind::error, error.message()); });
+}
+
+void Session::openNamed(std::span<const std::string> named, std::optional<int> time) {
+    try {
+        open(listFiles(named), time);
+    } catch (const Error& error) {
+        say(Message::Kind::error, error.message());
+    }
 }
 
 void Session::requestTime(int time) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ class Session {
     /// Opens files as one series in the background and shows `time` (negative counts
     /// from the end), or the default time.
     void open(std::vector<std::filesystem::path> files, std::optional<int> time = {});
+    /// Opens what the user named: files, folders, or nothing for the bundled storm. Faults become
+    /// messages.
+    void openNamed(std::span<const std::string> named, std::optional<int> time = {});
     /// Takes over look and camera of a preset as one step of the history. Faults become messages.
     void loadPreset(const std::string& nameOrFile);
     /// Saves look and camera under a name of the user's. Faults become messages.

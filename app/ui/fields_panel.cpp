@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/ui/format.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
 

@@ -1,7 +1,6 @@
 // groups_panel.cpp: everything in the look table that is not of a field, a fold a group.
 #include <imgui.h>
 
-#include "app/ui/format.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
 

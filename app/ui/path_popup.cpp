@@ -5,20 +5,8 @@
 #include <array>
 
 #include "app/ui/panels.h"
-#include "core/file_list.h"
 
 namespace neph::ui {
-namespace {
-
-void open(Ui& ui) {
-    try {
-        ui.session.open(listFiles(std::array{ui.path}));
-    } catch (const Error& error) {
-        ui.session.say(Message::Kind::error, error.message());
-    }
-}
-
-}  // namespace
 
 void drawPathPopup(Ui& ui) {
     if (ui.askForPath) ImGui::OpenPopup("Open");
@@ -29,7 +17,7 @@ void drawPathPopup(Ui& ui) {
     ImGui::SetNextItemWidth(36.0f * ImGui::GetFontSize());
     const bool entered = ImGui::InputText("##path", &ui.path, ImGuiInputTextFlags_EnterReturnsTrue);
     if ((ImGui::Button("Open") || entered) && !ui.path.empty()) {
-        open(ui);
+        ui.session.openNamed(std::array{ui.path});
         ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();

@@ -1,3 +1,4 @@
+// command_line_test.cpp: the commands as a user types them: exit status, output, files.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -46,7 +47,8 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
           Case{"render --set cloud.mixing_scale=200", "from 0 to 100"},
           Case{"render --set cloud.mixing_scale", "id=value"}, Case{"render --size 640", "WxH"},
           Case{"render --size 0x10", "WxH"}, Case{"render --size 99999x10", "WxH"},
-          Case{"render --planes 1", "from 16 to 2048"}, Case{"render --planes x", "--planes"},
+          Case{"render --planes 1", "from 16 to 2048"},
+          Case{"render --planes 0", "from 16 to 2048"}, Case{"render --planes x", "--planes"},
           Case{"render --engine warp", "slicing"}, Case{"render --format double", "half or float"},
           Case{"render --out a.jpg", ".png or .exr"}, Case{"render --time 4", "from 0 to 3"},
           Case{"render --time 2:1", "from 0 to 3"}, Case{"presets show", "PRESET"},
@@ -67,6 +69,8 @@ TEST_CASE("Bad input and failed work exit with 1 and name the file") {
     for (const Case& c : {Case{"render no-such-file", "no-such-file"},
                           Case{"render " + kSource + "/CMakeLists.txt", "CMakeLists.txt"},
                           Case{"render --out no/such/folder/a.png", "no/such/folder"},
+                          Case{"render --out /dev/null/a.png", "no folder /dev/null"},
+                          Case{"bench --json no/such/folder/a.json", "no/such/folder"},
                           Case{"render --preset no-such-preset", "no-such-preset"},
                           Case{"render --preset " + kSource + "/CMakeLists.txt", "JSON"},
                           Case{"render --camera no-such-camera", "no-such-camera"},
@@ -110,7 +114,8 @@ TEST_CASE("The look in a picture's metadata renders the same picture again") {
                        first.string())
                 .status == 0);
     std::ofstream(folder / "look.json") << textOf(readPngMetadata(first), "nephoscope.look");
-    REQUIRE(runProgram("render " + kStormFile + kQuick + "--preset " +
+    // Without --planes: those of the first picture are part of its look.
+    REQUIRE(runProgram("render " + kStormFile + " --size 48x32 --preset " +
                        (folder / "look.json").string() + " --out " + second.string())
                 .status == 0);
     CHECK(readPng(first).rgba == readPng(second).rgba);
@@ -156,6 +161,17 @@ TEST_CASE("An existing picture stays as it is when rendering fails") {
     std::ofstream(file) << "old";
     CHECK(runProgram("render no-such-file --out " + file.string()).status == 1);
     CHECK(readText(file) == "old");
+}
+
+TEST_CASE("A place that cannot be written is refused before the work") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.png");
+    for (const std::string command : {"render --out ", "bench --json "}) {
+        const Outcome outcome = runProgram(command + (folder / "a.png").string());
+        CHECK(outcome.status == 1);
+        CHECK(outcome.err.starts_with("error: "));  // no frame was drawn before
+        CHECK(contains(outcome.err, "the name of a file"));
+    }
 }
 
 TEST_CASE("Presets are listed, shown as a whole and checked") {

@@ -1,3 +1,4 @@
+// image_io_test.cpp: pictures written, read back and refused.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,37 +1,13 @@
 // info_test.cpp: `nephoscope info` and `nephoscope readers`, run as a user runs them.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/cli/program.h"
+#include "tests/environment.h"
+
 namespace {
-
-struct Outcome {
-    int exitCode = -1;
-    std::string text;  ///< what was printed; standard error too where asked for
-};
-
-Outcome runProgram(const std::string& arguments) {
-    const std::string command = "'" NEPH_TEST_PROGRAM "' " + arguments;
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    char buffer[4096];
-    while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) {
-        outcome.text.append(buffer, count);
-    }
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
-    return outcome;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 const std::string kStorm = "'" NEPH_TEST_SOURCE_DIR "/samples/supercell'";
 
@@ -39,21 +15,21 @@ const std::string kStorm = "'" NEPH_TEST_SOURCE_DIR "/samples/supercell'";
 
 TEST_CASE("info tells model, scheme, grid, times and where each hydrometeor is densest") {
     const Outcome outcome = runProgram("info " + kStorm);
-    CHECK(outcome.exitCode == 0);
+    CHECK(outcome.status == 0);
     for (const char* part :
          {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1000 x 1000 m",
           "110 x 120 km", "0001-01-01_00:30:00 to 0001-01-01_02:00:00", "90 min"}) {
         CAPTURE(part);
-        CHECK(contains(outcome.text, part));
+        CHECK(contains(outcome.out, part));
     }
     // 14.22119 g/kg at one hour, by ncwa -y max.
-    CHECK(contains(outcome.text, "14.2"));
+    CHECK(contains(outcome.out, "14.2"));
 }
 
 TEST_CASE("info --json has it all, as numbers") {
     const Outcome outcome = runProgram("info --json " + kStorm);
-    REQUIRE(outcome.exitCode == 0);
-    const auto json = nlohmann::json::parse(outcome.text);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
     CHECK(json.at("type") == "nephoscope-info");
     CHECK(json.at("version") == 1);
     CHECK(json.at("grid").at("size") == nlohmann::json({110, 120, 60}));
@@ -70,23 +46,22 @@ TEST_CASE("info --json has it all, as numbers") {
 }
 
 TEST_CASE("info on what cannot be read fails with file, found, expected and hint") {
-    const Outcome outcome = runProgram("info '" NEPH_TEST_SOURCE_DIR "/LICENSE' 2>&1");
-    CHECK(outcome.exitCode == 1);
-    CHECK(outcome.text.starts_with("error: "));
+    const Outcome outcome = runProgram("info '" NEPH_TEST_SOURCE_DIR "/LICENSE'");
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.starts_with("error: "));
     for (const char* part : {"LICENSE", "found:", "expected: WRF output", "hint:"}) {
-        CHECK(contains(outcome.text, part));
+        CHECK(contains(outcome.err, part));
     }
 }
 
 TEST_CASE("readers lists the plugin with file, version and ABI, and why another was rejected") {
     const Outcome outcome = runProgram("readers");
-    CHECK(outcome.exitCode == 0);
+    CHECK(outcome.status == 0);
     for (const char* part : {"wrf_netcdf 1.0", "wrf_netcdf.so", "ABI         1", "Looked for in"}) {
-        CHECK(contains(outcome.text, part));
+        CHECK(contains(outcome.out, part));
     }
-    setenv("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE", 1);
+    const Environment path("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE");
     const Outcome rejected = runProgram("readers");
-    unsetenv("NEPHOSCOPE_READER_PATH");
-    CHECK(contains(rejected.text, "Rejected"));
-    CHECK(contains(rejected.text, "LICENSE: "));
+    CHECK(contains(rejected.out, "Rejected"));
+    CHECK(contains(rejected.out, "LICENSE: "));
 }

@@ -8,7 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "tests/readers/temporary_folder.h"
+#include "tests/temporary_folder.h"
+#include "tests/text.h"
 
 struct Outcome {
     int status = -1;
@@ -32,8 +33,4 @@ inline Outcome runProgram(const std::string& arguments) {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
             readText(folder / "err")};
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }

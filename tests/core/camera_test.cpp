@@ -1,3 +1,4 @@
+// camera_test.cpp: where the eye stands and looks, and what a gesture does to it.
 #include "core/camera.h"
 
 #include <doctest/doctest.h>

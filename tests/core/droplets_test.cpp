@@ -5,13 +5,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <initializer_list>
 #include <sstream>
 #include <string>
 
 #include "core/droplet_cache.h"
+#include "tests/environment.h"
+#include "tests/temporary_folder.h"
 
 using namespace neph;
 using doctest::Approx;
@@ -38,23 +39,10 @@ std::vector<float> channel(const PhaseTable& table, int colour) {
     return values;
 }
 
-/// An empty folder that is gone at the end of the test, as home of the cache.
+/// An empty home of the cache.
 struct TemporaryCache {
-    fs::path folder =
-        fs::temp_directory_path() / ("nephoscope-droplets-" + std::to_string(std::rand()));
-    std::string before = std::getenv("XDG_CACHE_HOME") ? std::getenv("XDG_CACHE_HOME") : "";
-    TemporaryCache() {
-        fs::create_directories(folder);
-        ::setenv("XDG_CACHE_HOME", folder.c_str(), 1);
-    }
-    ~TemporaryCache() {
-        if (before.empty()) {
-            ::unsetenv("XDG_CACHE_HOME");
-        } else {
-            ::setenv("XDG_CACHE_HOME", before.c_str(), 1);
-        }
-        fs::remove_all(folder);
-    }
+    TemporaryFolder folder;
+    Environment variable{"XDG_CACHE_HOME", folder.path().string()};
 };
 
 void checkSame(const DropletOptics& a, const DropletOptics& b) {
@@ -133,11 +121,7 @@ TEST_CASE("Droplets of 10 µm have the tabulated cumulative at 550 nm") {
 }
 
 TEST_CASE("Droplets agree with the reference tables over all angles") {
-    const fs::path folder = fs::path(NEPH_TEST_SOURCE_DIR) / ".." / "shared" / "data" / "physics";
-    if (!fs::exists(folder)) {
-        MESSAGE("skipped: no reference tables in " << folder.string());
-        return;
-    }
+    const fs::path folder = fs::path(NEPH_TEST_SOURCE_DIR) / "tests" / "core" / "data";
     const char* names[] = {"650", "550", "450"};
     for (int colour = 0; colour < 3; ++colour) {
         std::ifstream file(folder / ("mie_water_reff10_" + std::string(names[colour]) + "nm.csv"));
@@ -221,7 +205,7 @@ TEST_CASE("A corrupt or unwritable cache costs time, never an error") {
     checkSame(*recomputed, computeDroplets(1.2e-6f));
     CHECK(readDropletCache(path, 1.2e-6f).has_value());  // mended
 
-    ::setenv("XDG_CACHE_HOME", "/proc/nowhere", 1);
+    const Environment nowhere("XDG_CACHE_HOME", "/proc/nowhere");
     const auto uncached = waterDroplets(1.3e-6f);
     CHECK(uncached->phase.size() == static_cast<std::size_t>(kPhaseTableSize));
     CHECK(!writeDropletCache(dropletCacheFile(1.3e-6f), *uncached));

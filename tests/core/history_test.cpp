@@ -1,3 +1,4 @@
+// history_test.cpp: steps of undo and redo, and their labels.
 #include "core/history.h"
 
 #include <doctest/doctest.h>
@@ -71,7 +72,7 @@ TEST_CASE("Labels speak as the panels do: units on screen, words for choices") {
     const Document before;
     Document after;
     after.look.of(Species::rain).effectiveRadiusM = 5e-4f;
-    CHECK(describeChange(before, after) == "Rain: Effective radius 1000 um -> 500 um");
+    CHECK(describeChange(before, after) == "Rain: Effective radius 1000 µm -> 500 µm");
     after = {};
     after.look.transport = Transport::lowAlbedo;
     CHECK(describeChange(before, after) == "Modes: Light Translucent -> Low albedo");

@@ -1,3 +1,4 @@
+// jobs_test.cpp: what runs on which thread, what is cancelled, and how failures come back.
 #include "core/jobs.h"
 
 #include <doctest/doctest.h>

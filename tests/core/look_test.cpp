@@ -1,3 +1,4 @@
+// look_test.cpp: the rows of the look table, and values in and out as text, and which act.
 #include "core/look.h"
 
 #include <doctest/doctest.h>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "tests/text.h"
 
 using namespace neph;
 
@@ -22,13 +24,20 @@ std::string messageOf(auto&& work) {
     return {};
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::size_t sizeOf(const Parameter& row) {
     if (row.kind == ParameterKind::toggle) return sizeof(bool);
     return row.kind == ParameterKind::colour ? sizeof(glm::vec3) : sizeof(float);
+}
+
+/// The parameters of the phase function of cloud that act when it is of this kind.
+std::set<std::string> acting(PhaseKind kind) {
+    Look look;
+    look.of(Species::cloud).phase.kind = kind;
+    std::set<std::string> ids;
+    for (const Parameter& row : lookTable()) {
+        if (row.id.starts_with("cloud.phase_") && applies(row, look)) ids.insert(row.id);
+    }
+    return ids;
 }
 
 }  // namespace
@@ -191,4 +200,26 @@ TEST_CASE("The sun stands where compass and horizon say") {
     look.sunElevationDeg = 30.0f;
     CHECK(sunDirWorld(look).z == doctest::Approx(0.5));
     CHECK(glm::length(sunDirWorld(look)) == doctest::Approx(1.0));
+}
+
+TEST_CASE("A phase function shows the parameters that it has, and no others") {
+    using Ids = std::set<std::string>;
+    CHECK(acting(PhaseKind::isotropic) == Ids{});
+    CHECK(acting(PhaseKind::henyeyGreenstein) == Ids{"cloud.phase_g"});
+    CHECK(acting(PhaseKind::doubleHenyeyGreenstein) ==
+          Ids{"cloud.phase_g", "cloud.phase_g2", "cloud.phase_weight"});
+    CHECK(acting(PhaseKind::draine) == Ids{"cloud.phase_g", "cloud.phase_alpha"});
+    CHECK(acting(PhaseKind::waterDroplets) == Ids{"cloud.phase_radius"});
+    CHECK(acting(PhaseKind::roughAggregate) == Ids{"cloud.phase_radius"});
+}
+
+TEST_CASE("What is no parameter of a phase function always acts") {
+    const Look look;
+    for (const Parameter& row : lookTable()) {
+        const bool ofPhase = row.id.find("phase_") != std::string::npos &&
+                             row.id.find(".phase_truncation") == std::string::npos &&
+                             row.id.find(".phase_display") == std::string::npos;
+        CAPTURE(row.id);
+        if (!ofPhase) CHECK(applies(row, look));
+    }
 }

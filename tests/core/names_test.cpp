@@ -1,3 +1,4 @@
+// names_test.cpp: finding what a mistyped name meant.
 #include "core/names.h"
 
 #include <doctest/doctest.h>

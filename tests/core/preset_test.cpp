@@ -1,3 +1,4 @@
+// preset_test.cpp: presets bit for bit, and every way in which a file can be wrong.
 #include "core/preset.h"
 
 #include <doctest/doctest.h>
@@ -9,8 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "tests/readers/temporary_folder.h"
+#include "tests/environment.h"
+#include "tests/temporary_folder.h"
+#include "tests/text.h"
 
 using namespace neph;
 
@@ -32,10 +36,6 @@ std::string refusal(const std::string& text) {
         return error.message();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// Any value that the row takes.
@@ -60,29 +60,6 @@ ParameterValue randomValue(const Parameter& row, std::mt19937& random) {
     }
     return number();
 }
-
-/// Sets an environment variable for one test.
-class Environment {
-  public:
-    Environment(const char* name, const std::string& value) : name_(name) {
-        const char* before = std::getenv(name);
-        if (before != nullptr) before_ = before;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~Environment() {
-        if (before_) {
-            ::setenv(name_, before_->c_str(), 1);
-        } else {
-            ::unsetenv(name_);
-        }
-    }
-    Environment(const Environment&) = delete;
-    Environment& operator=(const Environment&) = delete;
-
-  private:
-    const char* name_;
-    std::optional<std::string> before_;
-};
 
 }  // namespace
 
@@ -261,6 +238,12 @@ TEST_CASE("A place that cannot be written is an error that names it, and the old
     std::filesystem::create_directory(folder / "b.json");
     CHECK_THROWS_AS(savePreset(folder / "b.json", {}), Error);
     CHECK(std::filesystem::is_directory(folder / "b.json"));
+    CHECK_THROWS_WITH_AS(checkReplaceable(folder / "missing" / "a.json"),
+                         doctest::Contains("no folder"), Error);
+    CHECK_THROWS_WITH_AS(checkReplaceable("/dev/null/a.json"), doctest::Contains("no folder"),
+                         Error);
+    CHECK_NOTHROW(checkReplaceable(folder / "a.json"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.json"));
 }
 
 TEST_CASE("A file that is no preset file is refused before it is read in full") {

@@ -1,3 +1,4 @@
+// session_test.cpp: opening, changing time and failing, with the bundled storm.
 #include "core/session.h"
 
 #include <doctest/doctest.h>
@@ -8,7 +9,7 @@
 #include <thread>
 
 #include "core/file_list.h"
-#include "tests/readers/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace neph;
 

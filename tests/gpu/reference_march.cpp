@@ -95,7 +95,7 @@ Medium makeMedium(const SpeciesVolume& volume, const Look& look) {
         const double particleKg =
             4.0 / 3.0 * 3.14159265358979 * r * r * r * static_cast<double>(field.densityKgPerM3);
         const double perKg = look.extinction == ExtinctionMode::equal
-                                 ? static_cast<double>(look.equalMassExtinction)
+                                 ? static_cast<double>(look.equalExtinctionM2PerKg)
                                  : sigma / particleKg;
         auto& out = m.extinctionPerM[static_cast<std::size_t>(m.plan.classOf[s])];
         for (std::size_t i = 0; i < out.size(); ++i) {

@@ -10,8 +10,8 @@
 
 #include "core/resample.h"
 #include "tests/readers/reader_host.h"
-#include "tests/readers/temporary_folder.h"
 #include "tests/readers/wrf_maker.h"
+#include "tests/temporary_folder.h"
 
 using namespace neph;
 

@@ -8,8 +8,9 @@
 #include <stdexcept>
 
 #include "core/reader_file.h"
+#include "tests/environment.h"
 #include "tests/readers/reader_host.h"
-#include "tests/readers/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace neph;
 
@@ -207,11 +208,9 @@ TEST_CASE("A library without the entry is rejected, and without any reader the e
 
 TEST_CASE(
     "Standard places are the path variable's, the user's data folder, and beside the program") {
-    setenv("NEPHOSCOPE_READER_PATH", "/one::/two", 1);
-    setenv("XDG_DATA_HOME", "/data", 1);
+    const Environment readers("NEPHOSCOPE_READER_PATH", "/one::/two");
+    const Environment data("XDG_DATA_HOME", "/data");
     const auto places = PluginHost::standardPlaces();
-    unsetenv("NEPHOSCOPE_READER_PATH");
-    unsetenv("XDG_DATA_HOME");
     REQUIRE(places.size() == 4);
     CHECK(places[0] == "/one");
     CHECK(places[1] == "/two");

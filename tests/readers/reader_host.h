@@ -7,6 +7,7 @@
 #include "core/dataset.h"
 #include "core/error.h"
 #include "core/plugin_host.h"
+#include "tests/text.h"
 
 inline const neph::PluginHost& readerHost() {
     static const neph::PluginHost host(
@@ -27,8 +28,4 @@ neph::ErrorParts errorOf(Work&& work) {
         return error.parts();
     }
     return {};
-}
-
-inline bool contains(std::string_view text, std::string_view part) {
-    return text.find(part) != std::string_view::npos;
 }

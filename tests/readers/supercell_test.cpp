@@ -1,5 +1,5 @@
-// supercell_test.cpp: real model output, the bundled storm and, where it is at hand, the whole run
-// it was cut from.
+// supercell_test.cpp: real model output, the bundled storm and, where NEPHOSCOPE_WHOLE_RUN names
+// its folder, the whole run it was cut from.
 //
 // Maxima were taken from the files with NCO (ncwa -y max), positions of the storms from the model
 // run's own description.
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "core/resample.h"
 #include "core/statistics.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kSamples = fs::path(NEPH_TEST_SOURCE_DIR) / "samples/supercell";
-const fs::path kWholeRun = fs::path(NEPH_TEST_SOURCE_DIR) / "../shared/data/wrf-supercell";
+const char* const kWholeRun = std::getenv("NEPHOSCOPE_WHOLE_RUN");
 
 std::vector<fs::path> filesIn(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -131,11 +132,8 @@ TEST_CASE("The bundled storm has split by two hours, with an anvil to the east")
     CHECK(anvil > 0.05 * massWithin(volume, Species::snow, {0.0, 0.0}, {110.0, 120.0}, 0.0));
 }
 
-TEST_CASE("The whole run opens as thirteen times, the first of them without a cloud") {
-    if (!fs::exists(kWholeRun)) {
-        MESSAGE("the whole run is not at hand: skipped");
-        return;
-    }
+TEST_CASE("The whole run opens as thirteen times, the first of them without a cloud" *
+          doctest::skip(kWholeRun == nullptr)) {
     const auto dataset = openFiles(filesIn(kWholeRun));
     REQUIRE(dataset->info().times.size() == 13);
     CHECK(dataset->info().times[12].seconds == 7200.0);

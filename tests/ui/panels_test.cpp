@@ -1,3 +1,4 @@
+// panels_test.cpp: panels laid out without a window, with a mouse and keys that are made up.
 #include <doctest/doctest.h>
 #include <imgui.h>
 

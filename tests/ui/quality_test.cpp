@@ -1,3 +1,4 @@
+// quality_test.cpp: how finely made-up machines, slow and fast, get to draw.
 #include "app/ui/quality.h"
 
 #include <doctest/doctest.h>
