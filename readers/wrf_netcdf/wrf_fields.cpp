@@ -37,8 +37,9 @@ std::size_t slabEnd(const NcVariable& variable, std::size_t z, const Box& box) {
     return std::min(end, box.upper[2]);
 }
 
-void add(std::span<float> sum, std::span<const float> other) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += other[i];
+/// Of a perturbation of the potential temperature, K, and a pressure, Pa; in K.
+float temperatureK(float thetaPerturbation, float pressurePa) {
+    return (thetaPerturbation + kBaseTheta) * std::pow(pressurePa / kReferencePressure, kKappa);
 }
 
 }  // namespace
@@ -71,27 +72,28 @@ void WrfFile::readSlab(const Variable& variable, std::size_t time, const Box& bo
     switch (variable.source) {
         case Source::stored:
             return readStored(*variable.stored, time, box, values);
-        case Source::interfaceHeight: {
-            std::vector<float> base(values.size());
-            readStored(stored("PH"), time, box, values);
-            readStored(stored("PHB"), time, box, base);
-            add(values, base);
+        case Source::interfaceHeight:
+            readSum("PH", "PHB", time, box, values);
             for (float& value : values) value /= kGravity;
             return;
-        }
         case Source::airPressure:
+            return readSum("P", "PB", time, box, values);
         case Source::airTemperature:
+            readSum("P", "PB", time, box, values);
+            return readTemperature(time, box, values);
         case Source::dryAirDensity:
-            break;
+            readSum("P", "PB", time, box, values);
+            return readDensity(time, box, values);
     }
-    {
-        std::vector<float> base(values.size());
-        readStored(stored("P"), time, box, values);
-        readStored(stored("PB"), time, box, base);
-        add(values, base);
-    }
-    if (variable.source == Source::airTemperature) readTemperature(time, box, values);
-    if (variable.source == Source::dryAirDensity) readDensity(time, box, values);
+}
+
+/// A perturbation and its base state.
+void WrfFile::readSum(const char* perturbation, const char* baseState, std::size_t time,
+                      const Box& box, std::span<float> values) const {
+    std::vector<float> base(values.size());
+    readStored(stored(perturbation), time, box, values);
+    readStored(stored(baseState), time, box, base);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += base[i];
 }
 
 /// Turns pressure in place into temperature.
@@ -99,7 +101,7 @@ void WrfFile::readTemperature(std::size_t time, const Box& box, std::span<float>
     std::vector<float> theta(pressure.size());
     readStored(stored("T"), time, box, theta);
     for (std::size_t i = 0; i < pressure.size(); ++i) {
-        pressure[i] = (theta[i] + kBaseTheta) * std::pow(pressure[i] / kReferencePressure, kKappa);
+        pressure[i] = temperatureK(theta[i], pressure[i]);
     }
 }
 
@@ -108,9 +110,7 @@ void WrfFile::readDensity(std::size_t time, const Box& box, std::span<float> pre
     std::vector<float> other(pressure.size());
     readStored(stored("T"), time, box, other);
     for (std::size_t i = 0; i < pressure.size(); ++i) {
-        const float temperature =
-            (other[i] + kBaseTheta) * std::pow(pressure[i] / kReferencePressure, kKappa);
-        pressure[i] /= kDryGasConstant * temperature;
+        pressure[i] /= kDryGasConstant * temperatureK(other[i], pressure[i]);
     }
     const NcVariable* vapour = file_.variable("QVAPOR");
     if (vapour == nullptr) return;

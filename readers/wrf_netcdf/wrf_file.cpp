@@ -12,29 +12,29 @@
 namespace wrf {
 namespace {
 
+constexpr std::size_t kMostCells = 1U << 20U;  // along an axis; no model comes near
+
 /// A field without which nothing can be drawn.
 struct Needed {
     const char* name;
     const char* meaning;
     bool onInterfaces;
-    const char* hint;
+    const char* why;
 
+    std::string hint() const {
+        return fmt::format("{}; write {} with the history stream (iofields)", why, name);
+    }
     const char* axes() const {
         return onInterfaces ? "(Time, bottom_top_stag, south_north, west_east)"
                             : "(Time, bottom_top, south_north, west_east)";
     }
 };
 constexpr std::array<Needed, 5> kNeeded{{
-    {"PH", "perturbation geopotential", true,
-     "heights are (PH+PHB)/9.81; write PH with the history stream (iofields)"},
-    {"PHB", "base-state geopotential", true,
-     "heights are (PH+PHB)/9.81; write PHB with the history stream (iofields)"},
-    {"P", "perturbation pressure", false,
-     "air density needs pressure, P+PB; write P with the history stream (iofields)"},
-    {"PB", "base-state pressure", false,
-     "air density needs pressure, P+PB; write PB with the history stream (iofields)"},
-    {"T", "perturbation potential temperature", false,
-     "air density needs temperature; write T with the history stream (iofields)"},
+    {"PH", "perturbation geopotential", true, "heights are (PH+PHB)/9.81"},
+    {"PHB", "base-state geopotential", true, "heights are (PH+PHB)/9.81"},
+    {"P", "perturbation pressure", false, "air density needs pressure, P+PB"},
+    {"PB", "base-state pressure", false, "air density needs pressure, P+PB"},
+    {"T", "perturbation potential temperature", false, "air density needs temperature"},
 }};
 
 /// What WRF calls the things that have a role. CF names are empty where CF has none.
@@ -92,9 +92,9 @@ std::optional<std::array<int, 3>> fieldSize(const NcVariable& variable) {
     const NcDimension& y = axes[axes.size() - 2];
     if (!x.name.starts_with("west_east") || !y.name.starts_with("south_north")) return {};
     const std::size_t z = rank == 3 ? axes[first].length : 1;
-    constexpr std::size_t kMost = 1U << 20U;
-    if (x.length < 1 || y.length < 1 || z < 1) return {};
-    if (x.length > kMost || y.length > kMost || z > kMost) return {};
+    for (const std::size_t length : {x.length, y.length, z}) {
+        if (length < 1 || length > kMostCells) return {};
+    }
     return std::array{static_cast<int>(x.length), static_cast<int>(y.length), static_cast<int>(z)};
 }
 
@@ -130,7 +130,7 @@ void WrfFile::describeGrid() {
     constexpr std::array<const char*, 3> kAxes{"west_east", "south_north", "bottom_top"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t length = file_.dimension(kAxes[axis])->length;
-        if (length == 0 || length > 1U << 20U) {
+        if (length == 0 || length > kMostCells) {
             throw Failure{fmt::format("dimension {} has {}", kAxes[axis],
                                       length == 0 ? "no length" : "an impossible length"),
                           "dimensions " + listOf(file_.dimensions()),
@@ -162,7 +162,7 @@ void WrfFile::requireFields() const {
             }
             throw Failure{fmt::format("variable {} ({}) is missing", needed.name, needed.meaning),
                           joined(names), fmt::format("{} on {}", needed.name, needed.axes()),
-                          needed.hint};
+                          needed.hint()};
         }
         std::array<int, 3> expected = size_;
         if (needed.onInterfaces) ++expected[2];

@@ -75,6 +75,8 @@ class WrfFile {
                   std::span<float> values) const;
     void readStored(const NcVariable& variable, std::size_t time, const Box& box,
                     std::span<float> values) const;
+    void readSum(const char* perturbation, const char* baseState, std::size_t time, const Box& box,
+                 std::span<float> values) const;
     void readTemperature(std::size_t time, const Box& box, std::span<float> pressure) const;
     void readDensity(std::size_t time, const Box& box, std::span<float> pressure) const;
 
