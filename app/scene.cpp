@@ -13,13 +13,18 @@
 namespace neph {
 namespace {
 
-std::optional<int> parseIndex(std::string_view text, int count) {
-    int index = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), index);
+std::optional<int> parseNumber(std::string_view text) {
+    int number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (fault != std::errc{} || end != text.data() + text.size()) return {};
-    if (index < 0) index += count;
-    if (index < 0 || index >= count) return {};
-    return index;
+    return number;
+}
+
+/// Index of one of `count` times; negative counts from the end.
+std::optional<int> parseIndex(std::string_view text, int count) {
+    std::optional<int> index = parseNumber(text);
+    if (index && *index < 0) *index += count;
+    return index && *index >= 0 && *index < count ? index : std::nullopt;
 }
 
 void applyPreset(const SceneOptions& options, Scene& scene) {
@@ -59,21 +64,19 @@ Scene makeScene(const SceneOptions& options) {
 std::optional<int> parseFirstTime(const std::string& text) {
     if (text.empty()) return {};
     if (text == "all") return 0;
-    int index = 0;
-    const std::string first = text.substr(0, text.find(':'));
-    const auto [end, fault] = std::from_chars(first.data(), first.data() + first.size(), index);
-    if (fault == std::errc{} && end == first.data() + first.size()) return index;
+    if (const auto first = parseNumber(std::string_view(text).substr(0, text.find(':')))) {
+        return first;
+    }
     throw UsageError({"--time", "cannot be read", text, "INDEX, a:b or all", ""});
 }
 
 std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info) {
     const int count = static_cast<int>(info.times.size());
     if (text.empty()) return {defaultTime(info)};
-    const std::size_t colon = text.find(':');
-    const auto first = text == "all" ? 0 : parseIndex(text.substr(0, colon), count);
-    const auto last = text == "all"                ? count - 1
-                      : colon == std::string::npos ? first
-                                                   : parseIndex(text.substr(colon + 1), count);
+    const std::string_view range = text == "all" ? "0:-1" : std::string_view(text);
+    const std::size_t colon = range.find(':');
+    const auto first = parseIndex(range.substr(0, colon), count);
+    const auto last = colon == range.npos ? first : parseIndex(range.substr(colon + 1), count);
     if (!first || !last || *first > *last) {
         throw UsageError({"--time " + text, "there are no such times", "",
                           fmt::format("INDEX, a:b or all, with indices from 0 to {}", count - 1),

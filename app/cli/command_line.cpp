@@ -9,9 +9,9 @@
 #include <new>
 
 #include "app/cli/bench_command.h"
-#include "app/cli/info.h"
+#include "app/cli/info_command.h"
 #include "app/cli/presets_command.h"
-#include "app/cli/readers.h"
+#include "app/cli/readers_command.h"
 #include "app/cli/render_command.h"
 #include "app/workbench.h"
 #include "core/names.h"
@@ -30,9 +30,6 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope info wrfout_d01 --json                 what is in a file
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
 )";
-
-constexpr std::array<std::string_view, 5> kCommands{"render", "info", "presets", "readers",
-                                                    "bench"};
 
 struct Arguments {
     SceneOptions workbench;
@@ -106,10 +103,13 @@ int runPresets(const CLI::App& command, const Arguments& arguments) {
 }
 
 /// A file that is not there may be a command that was mistyped.
-void checkForCommand(const SceneOptions& options) {
+void checkForCommand(const CLI::App& app, const SceneOptions& options) {
     if (options.files.empty() || std::filesystem::exists(options.files.front())) return;
     const std::string& name = options.files.front();
-    const std::string_view near = nearestName(name, kCommands);
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    const std::vector<std::string_view> known(commands.begin(), commands.end());
+    const std::string_view near = nearestName(name, known);
     if (near.empty()) return;
     throw UsageError({"", fmt::format("there is no file and no command {}", name), "", "",
                       fmt::format("did you mean nephoscope {}?", near)});
@@ -121,7 +121,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("readers")) return runReaders();
     if (app.got_subcommand("bench")) return runBench(arguments.bench);
     if (app.got_subcommand("presets")) return runPresets(*app.get_subcommand("presets"), arguments);
-    checkForCommand(arguments.workbench);
+    checkForCommand(app, arguments.workbench);
     return runWorkbench(arguments.workbench);
 }
 

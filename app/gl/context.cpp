@@ -35,6 +35,13 @@ std::string glfwReason() {
 struct HeadlessContext::Impl {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
+
+    ~Impl() {
+        if (display == EGL_NO_DISPLAY) return;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+        eglTerminate(display);
+    }
 };
 
 HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
@@ -61,12 +68,7 @@ HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
     }
 }
 
-HeadlessContext::~HeadlessContext() {
-    if (impl_->context == EGL_NO_CONTEXT) return;
-    eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(impl_->display, impl_->context);
-    eglTerminate(impl_->display);
-}
+HeadlessContext::~HeadlessContext() = default;
 
 Window::Window(int width, int height, const std::string& title) {
     const std::string hint = "without a display use `nephoscope render FILE --out picture.png`";
@@ -93,6 +95,7 @@ Window::~Window() {
 bool Window::shouldClose() const {
     return glfwWindowShouldClose(window_) != 0;
 }
+
 void Window::swap() {
     glfwSwapBuffers(window_);
 }

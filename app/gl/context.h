@@ -22,8 +22,7 @@ class HeadlessContext {
     std::unique_ptr<Impl> impl_;
 };
 
-/// A GLFW window whose context is current; visible unless `hidden`. Throws Error when there is no
-/// display.
+/// A GLFW window whose context is current. Throws Error when there is no display.
 class Window {
   public:
     Window(int width, int height, const std::string& title);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "core/error.h"
 
 namespace neph::gl {
@@ -12,17 +14,17 @@ std::size_t bytesPerTexel(GLenum format) {
     switch (format) {
         case GL_RGBA32F:
             return 16;
-        case GL_RGBA16F:
-            return 8;
         case GL_R32F:
         case GL_RGBA8:
-            return 4;
-        case GL_RG8:
         case GL_RG16:
-            return format == GL_RG8 ? 2 : 4;
-        default:
+            return 4;
+        case GL_R8UI:
             return 1;
+        default:
+            break;
     }
+    assert(!"a format whose size is not known here");
+    return 0;
 }
 
 }  // namespace

@@ -26,7 +26,6 @@ class Texture {
     explicit operator bool() const { return name_ != 0; }
     glm::ivec3 size() const { return size_; }
     std::size_t bytes() const { return bytes_; }
-    bool is3D() const { return target_ == GL_TEXTURE_3D; }
 
     void setLinear();
     void setRepeat();

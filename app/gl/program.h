@@ -23,7 +23,6 @@ class Program {
 
     /// Runs enough work groups of `groupSize` to cover `items`.
     void dispatch(glm::ivec3 items) const;
-    void use() const { glUseProgram(name_); }
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
 

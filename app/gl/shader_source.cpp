@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 
 class Flattener {
   public:
-    Flattener(fs::path root, ShaderSource& out) : root_(std::move(root)), out_(out) {}
-
-    void defineBelowVersion(const std::vector<std::string>& defines) { defines_ = defines; }
+    Flattener(fs::path root, const std::vector<std::string>& defines, ShaderSource& out)
+        : root_(std::move(root)), defines_(defines), out_(out) {}
 
     void add(const fs::path& file) {
         std::ifstream stream(file);
@@ -30,9 +29,7 @@ class Flattener {
         for (int number = 1; std::getline(stream, line); ++number) {
             if (const std::string target = included(line); !target.empty()) {
                 include(file, target, number);
-            } else if (line.starts_with("#pragma once")) {
-                continue;
-            } else {
+            } else if (!line.starts_with("#pragma once")) {
                 emit(line, {index, number});
                 if (line.starts_with("#version")) emitDefines({index, number});
             }
@@ -69,8 +66,8 @@ class Flattener {
     }
 
     fs::path root_;
+    const std::vector<std::string>& defines_;
     ShaderSource& out_;
-    std::vector<std::string> defines_;
 };
 
 }  // namespace
@@ -78,9 +75,7 @@ class Flattener {
 ShaderSource loadShader(const fs::path& root, const fs::path& file,
                         const std::vector<std::string>& defines) {
     ShaderSource source;
-    Flattener flattener(root, source);
-    flattener.defineBelowVersion(defines);
-    flattener.add(root / file);
+    Flattener(root, defines, source).add(root / file);
     return source;
 }
 

@@ -24,8 +24,9 @@ struct ShaderSource {
     std::string explain(const std::string& driverLog) const;
 };
 
-/// Reads `root / file`; `#include "x"` is looked up beside the including file, then under `root`;
-/// each file once. `defines` ("NOISE 1") go below #version. Throws Error for a missing file.
+/// Reads `root / file`; `#include "x"` is looked up beside the including file, then under `root`,
+/// then beside `root`; each file once. `defines` ("NOISE 1") go below #version. Throws Error for a
+/// missing file.
 ShaderSource loadShader(const std::filesystem::path& root, const std::filesystem::path& file,
                         const std::vector<std::string>& defines);
 

@@ -1,8 +1,9 @@
-// info.cpp: the summary of a series, as text and as JSON (`type` nephoscope-info, version 1).
+// info_command.cpp: the summary of a series, as text and as JSON (`type` nephoscope-info, version
+// 1).
 //
 // Fields are read for their maxima: of every time of a short series, else of the first and the
 // last.
-#include "app/cli/info.h"
+#include "app/cli/info_command.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -193,8 +194,7 @@ Json variablesJson(const DatasetInfo& info) {
     return variables;
 }
 
-}  // namespace
-
+/// The summary for people.
 std::string infoText(Dataset& dataset) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset);
@@ -209,6 +209,7 @@ std::string infoText(Dataset& dataset) {
     return text;
 }
 
+/// The same and more for programs.
 std::string infoJson(Dataset& dataset) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset);
@@ -232,12 +233,10 @@ std::string infoJson(Dataset& dataset) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+}  // namespace
+
 int runInfo(const InfoOptions& options) {
-    std::vector<std::string> named;
-    for (const auto& path : options.files) named.push_back(path.string());
-    const auto files = listFiles(named);
-    const PluginHost host = PluginHost::standard();
-    const auto dataset = Dataset::open(files, host);
+    const auto dataset = Dataset::open(listFiles(options.files), PluginHost::standard());
     fmt::print("{}", options.json ? infoJson(*dataset) : infoText(*dataset));
     return 0;
 }

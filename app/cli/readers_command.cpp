@@ -1,5 +1,5 @@
-// readers.cpp: the list of reader plugins.
-#include "app/cli/readers.h"
+// readers_command.cpp: the list of reader plugins.
+#include "app/cli/readers_command.h"
 
 #include <fmt/format.h>
 

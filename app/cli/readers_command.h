@@ -1,4 +1,4 @@
-// readers.h: `nephoscope readers`: which plugins were found, and why others were not taken.
+// readers_command.h: `nephoscope readers`: which plugins were found, and why others were not taken.
 #pragma once
 
 namespace neph {

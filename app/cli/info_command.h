@@ -1,0 +1,16 @@
+// info_command.h: `nephoscope info`: what a forecaster wants to know of a run before looking at it.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace neph {
+
+struct InfoOptions {
+    std::vector<std::string> files;  ///< files of one series, or a folder; none: the bundled storm
+    bool json = false;
+};
+
+/// Prints the summary; returns the exit code. Throws Error.
+int runInfo(const InfoOptions& options);
+
+}  // namespace neph
