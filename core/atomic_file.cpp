@@ -20,12 +20,14 @@ namespace {
                  "name a file in a folder that exists and that you may write to"});
 }
 
+std::filesystem::path folderOf(const std::filesystem::path& target) {
+    return target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+}
+
 /// A new empty file beside `target`; mkstemp makes it private, so it gets the usual mode first.
 std::filesystem::path createAside(const std::filesystem::path& target) {
-    const auto folder =
-        target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
     std::string name =
-        (folder / ("." + target.filename().string().substr(0, 200) + ".XXXXXX")).string();
+        (folderOf(target) / ("." + target.filename().string().substr(0, 200) + ".XXXXXX")).string();
     const int file = ::mkstemp(name.data());
     if (file < 0) refuse(target, errno);
     const mode_t mask = ::umask(0);
@@ -64,11 +66,23 @@ void writeText(const std::filesystem::path& aside, const std::filesystem::path& 
 
 }  // namespace
 
-void replaceFile(const std::filesystem::path& target,
-                 const std::function<void(const std::filesystem::path& aside)>& write) {
-    if (target.filename().empty() || std::filesystem::is_directory(target)) {
+void checkReplaceable(const std::filesystem::path& target) {
+    std::error_code fault;
+    if (target.filename().empty() || std::filesystem::is_directory(target, fault)) {
         throw Error({target.string(), "cannot be written", "a folder", "the name of a file", ""});
     }
+    const std::filesystem::path folder = folderOf(target);
+    const bool isFolder = std::filesystem::is_directory(folder, fault);
+    if (!isFolder && fault != std::errc::permission_denied) {
+        throw Error({target.string(), "cannot be written", "no folder " + folder.string(), "",
+                     "make the folder first"});
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(target, errno);
+}
+
+void replaceFile(const std::filesystem::path& target,
+                 const std::function<void(const std::filesystem::path& aside)>& write) {
+    checkReplaceable(target);
     const std::filesystem::path aside = createAside(target);
     try {
         write(aside);

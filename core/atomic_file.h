@@ -12,6 +12,10 @@ namespace neph {
 void replaceFile(const std::filesystem::path& target,
                  const std::function<void(const std::filesystem::path& aside)>& write);
 
+/// Throws what replaceFile would throw for a `target` that is a folder, or whose folder is missing
+/// or cannot be written: to be said before the work rather than after it.
+void checkReplaceable(const std::filesystem::path& target);
+
 /// replaceFile with plain text.
 void replaceFile(const std::filesystem::path& target, std::string_view text);
 

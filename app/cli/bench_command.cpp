@@ -133,6 +133,7 @@ void write(const BenchOptions& options, const nlohmann::ordered_json& result) {
 }  // namespace
 
 int runBench(const BenchOptions& options) {
+    if (!options.json.empty()) checkReplaceable(options.json);
     const auto start = Clock::now();
     const Scene scene = makeScene({});
     Opened opened = openData(options);

@@ -10,6 +10,7 @@
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "app/render/renderer.h"
+#include "core/atomic_file.h"
 #include "core/file_list.h"
 #include "core/plugin_host.h"
 #include "core/preset.h"
@@ -32,32 +33,27 @@ FileKind kindOf(const std::filesystem::path& out) {
                       extension.empty() ? "no extension" : extension, ".png or .exr", ""});
 }
 
-/// Found out now rather than after the work.
-void checkFolder(const std::filesystem::path& out) {
-    const auto folder = out.has_parent_path() ? out.parent_path() : std::filesystem::path(".");
-    if (std::filesystem::is_directory(folder)) return;
-    throw Error({out.string(), "cannot be written", "no folder " + folder.string(), "",
-                 "make the folder first"});
-}
-
 void checkOptions(const RenderOptions& options) {
     kindOf(options.out);
-    checkFolder(options.out);
     if (options.engine != "slicing") {
         throw UsageError({"--engine", "there is no engine " + options.engine, "", "slicing", ""});
     }
     if (options.format != "half" && options.format != "float") {
         throw UsageError({"--format", "is not known", options.format, "half or float", ""});
     }
-    if (options.planes != 0) {
-        try {
-            Look look;
-            setValue(look, parameter("view.planes"), options.planes);
-        } catch (const Error& error) {
-            ErrorParts parts = error.parts();
-            parts.where = "--planes";
-            throw UsageError(parts);
-        }
+    parseSize(options.size);
+    checkReplaceable(options.out);  // now rather than after the work
+}
+
+/// As part of the look, so that the look in the metadata renders the same picture again.
+void applyPlanes(const RenderOptions& options, Look& look) {
+    if (!options.planes) return;
+    try {
+        setValue(look, parameter("view.planes"), *options.planes);
+    } catch (const Error& error) {
+        ErrorParts parts = error.parts();
+        parts.where = "--planes";
+        throw UsageError(parts);
     }
 }
 
@@ -105,7 +101,6 @@ void renderTime(const RenderOptions& options, const Scene& scene, Dataset& datas
     render::FrameInputs inputs;
     inputs.look = scene.document.look;
     inputs.sizePx = parseSize(options.size);
-    inputs.planes = options.planes;
     inputs.camera = placeCamera(scene.document.camera, volume.grid,
                                 static_cast<double>(inputs.sizePx.x) / inputs.sizePx.y);
     const render::FrameStats stats = renderer.render(inputs);
@@ -145,8 +140,8 @@ std::filesystem::path outputName(const std::filesystem::path& out, int time, boo
 
 int runRender(const RenderOptions& options) {
     checkOptions(options);
-    parseSize(options.size);
-    const Scene scene = makeScene(options.scene);
+    Scene scene = makeScene(options.scene);
+    applyPlanes(options, scene.document.look);
     printAll("warning", scene.warnings);
     const auto dataset = Dataset::open(listFiles(options.scene.files), PluginHost::standard());
     printAll("note", dataset->info().notes);

@@ -1,5 +1,6 @@
 // render_command.h: `nephoscope render`: pictures to files, without a display.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "app/scene.h"
@@ -10,7 +11,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string out = "nephoscope.png";
     std::string size = "1280x720";
-    int planes = 0;  ///< 0: as the look says
+    std::optional<int> planes;  ///< none: as the look says
     std::string engine = "slicing";
     std::string format = "half";  ///< of EXR
 };
