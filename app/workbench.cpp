@@ -85,6 +85,7 @@ void Workbench::takeInput() {
         return;
     }
     std::vector<std::string> names;
+    names.reserve(files.size());
     for (const auto& file : files) names.push_back(file.string());
     session_.openNamed(names);
 }

@@ -16,8 +16,7 @@ namespace neph {
 namespace {
 
 /// Letters go by what is printed on the key, so that Ctrl+Z is where the layout has it.
-constexpr std::array<std::pair<char, ui::Key>, 9> kLetters{{{'f', ui::Key::f},
-                                                            {'h', ui::Key::h},
+constexpr std::array<std::pair<char, ui::Key>, 8> kLetters{{{'h', ui::Key::h},
                                                             {'m', ui::Key::m},
                                                             {'o', ui::Key::o},
                                                             {'q', ui::Key::q},

@@ -81,7 +81,6 @@ class Session {
     /// Metadata of the open data; nullptr before any.
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
     const std::optional<ShownVolume>& shown() const { return shown_; }
-    const PluginHost& host() const { return *host_; }
 
     void say(Message::Kind kind, std::string text);
     bool undo();

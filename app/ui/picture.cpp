@@ -50,9 +50,11 @@ void moveCamera(Ui& ui) {
 
 void showPicture(const Ui& ui) {
     if (ui.picture == 0) return;
-    ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(ui.picture),
-                                             {0.0f, 0.0f}, ImGui::GetIO().DisplaySize, {0.0f, 1.0f},
-                                             {1.0f, 0.0f});
+    // ImGui's OpenGL backend takes the name of a texture for its pointer.
+    auto* const texture =
+        reinterpret_cast<ImTextureID>(ui.picture);  // NOLINT(performance-no-int-to-ptr)
+    ImGui::GetBackgroundDrawList()->AddImage(texture, {0.0f, 0.0f}, ImGui::GetIO().DisplaySize,
+                                             {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
 }  // namespace neph::ui
