@@ -125,6 +125,24 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     return runWorkbench(arguments.workbench);
 }
 
+/// What to try after bad usage: the option nearest to one that is not known, else the help of the
+/// command in question.
+std::string usageHint(const CLI::App& app) {
+    const auto parsed = app.get_subcommands();
+    const CLI::App& command = parsed.empty() ? app : *parsed.front();
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    }
+    const std::vector<std::string_view> known(options.begin(), options.end());
+    for (const std::string& extra : app.remaining(true)) {
+        const std::string_view near = extra.starts_with("--") ? nearestName(extra, known) : "";
+        if (!near.empty()) return fmt::format("did you mean {}?", near);
+    }
+    return parsed.empty() ? "nephoscope --help"
+                          : fmt::format("nephoscope {} --help", command.get_name());
+}
+
 int parseAndRun(int argc, char** argv) {
     Arguments arguments;
     CLI::App app(
@@ -142,7 +160,7 @@ int parseAndRun(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) return app.exit(fault);  // --help and --version
-        throw UsageError({"", fault.what(), "", "", "nephoscope --help"});
+        throw UsageError({"", fault.what(), "", "", usageHint(app)});
     }
     return dispatch(app, arguments);
 }

@@ -41,18 +41,27 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
         const char* arguments;
         const char* says;
     };
-    for (const Case& c :
-         {Case{"render --no-such-option", "--no-such-option"}, Case{"rendr", "render?"},
-          Case{"render --set cloud.mixing_scal=1", "cloud.mixing_scale?"},
-          Case{"render --set cloud.mixing_scale=200", "from 0 to 100"},
-          Case{"render --set cloud.mixing_scale", "id=value"}, Case{"render --size 640", "WxH"},
-          Case{"render --size 0x10", "WxH"}, Case{"render --size 99999x10", "WxH"},
-          Case{"render --planes 1", "from 16 to 2048"},
-          Case{"render --planes 0", "from 16 to 2048"}, Case{"render --planes x", "--planes"},
-          Case{"render --engine warp", "slicing"}, Case{"render --format double", "half or float"},
-          Case{"render --out a.jpg", ".png or .exr"}, Case{"render --time 4", "from 0 to 3"},
-          Case{"render --time 2:1", "from 0 to 3"}, Case{"presets show", "PRESET"},
-          Case{"presets eat", "eat"}}) {
+    for (const Case& c : {Case{"render --no-such-option", "--no-such-option"},
+                          Case{"render --plane 64", "did you mean --planes?"},
+                          Case{"--tiem 1", "--time?"},
+                          Case{"render --verbose", "nephoscope render --help"},
+                          Case{"rendr", "render?"},
+                          Case{"render --set cloud.mixing_scal=1", "cloud.mixing_scale?"},
+                          Case{"render --set cloud.mixing_scale=200", "from 0 to 100"},
+                          Case{"render --set cloud.mixing_scale", "id=value"},
+                          Case{"render --size 640", "WxH"},
+                          Case{"render --size 0x10", "WxH"},
+                          Case{"render --size 99999x10", "WxH"},
+                          Case{"render --planes 1", "from 16 to 2048"},
+                          Case{"render --planes 0", "from 16 to 2048"},
+                          Case{"render --planes x", "--planes"},
+                          Case{"render --engine warp", "slicing"},
+                          Case{"render --format double", "half or float"},
+                          Case{"render --out a.jpg", ".png or .exr"},
+                          Case{"render --time 4", "from 0 to 3"},
+                          Case{"render --time 2:1", "from 0 to 3"},
+                          Case{"presets show", "PRESET"},
+                          Case{"presets eat", "eat"}}) {
         CAPTURE(c.arguments);
         const Outcome outcome = runProgram(c.arguments);
         CHECK(outcome.status == 2);
