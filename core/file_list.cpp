@@ -14,7 +14,8 @@ void addFolder(const std::filesystem::path& folder, std::vector<std::filesystem:
     const std::size_t before = files.size();
     for (const auto& item : std::filesystem::directory_iterator(folder, error)) {
         const bool hidden = item.path().filename().string().starts_with('.');
-        if (!hidden && item.is_regular_file()) files.push_back(item.path());
+        std::error_code unseen;  // a link that leads nowhere is no file
+        if (!hidden && item.is_regular_file(unseen)) files.push_back(item.path());
     }
     if (error) throw Error({folder.string(), "cannot be listed", error.message(), "", ""});
     if (files.size() == before) {

@@ -149,6 +149,7 @@ TEST_CASE("A folder stands for its files in order of name, nothing for the bundl
     std::ofstream(folder / "b") << "2";
     std::ofstream(folder / "a") << "1";
     std::ofstream(folder / ".hidden") << "0";
+    std::filesystem::create_symlink("loop", folder / "loop");  // leads nowhere
     const auto files = listFiles(std::array{folder.path().string()});
     REQUIRE(files.size() == 2);
     CHECK(files[0].filename() == "a");
