@@ -9,7 +9,7 @@ namespace neph {
 namespace {
 
 std::string describeParameter(const Parameter& row, const Look& before, const Look& after) {
-    const std::string name = fmt::format("{}: {}", row.group, row.label);
+    std::string name = fmt::format("{}: {}", row.group, row.label);
     if (row.kind == ParameterKind::colour) return name;
     return fmt::format("{} {} -> {}", name, screenText(row, valueOf(before, row)),
                        screenText(row, valueOf(after, row)));

@@ -32,6 +32,7 @@ std::vector<PresetEntry> presetsIn(const std::filesystem::path& dir, bool bundle
 [[noreturn]] void refuseUnknown(std::string_view name) {
     const std::vector<PresetEntry> entries = listPresets();
     std::vector<std::string_view> names;
+    names.reserve(entries.size());
     for (const PresetEntry& entry : entries) names.push_back(entry.name);
     const std::string_view near = nearestName(name, names);
     throw Error(

@@ -211,8 +211,7 @@ CameraPose readCamera(const Json& values, std::string_view where,
     std::vector<std::string_view> known{"target"};
     for (const CameraKey& row : kCameraKeys) known.push_back(row.key);
     for (const auto& [key, value] : values.items()) {
-        const auto row = std::find_if(kCameraKeys.begin(), kCameraKeys.end(),
-                                      [&](const CameraKey& r) { return r.key == key; });
+        const auto row = std::ranges::find(kCameraKeys, key, &CameraKey::key);
         if (key == "target") {
             pose.target = cameraTarget(value, where);
         } else if (row != kCameraKeys.end()) {
