@@ -123,8 +123,9 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     if (stage <= Stage::eye) {
         impl_->slicing.render(inputs, impl_->volume->grid, impl_->medium,
                               impl_->noise ? &impl_->noise : nullptr, impl_->programs,
-                              impl_->linear, progress);
-        stats.marchedLight = stats.marchedEye = true;
+                              impl_->linear, stage == Stage::eye, progress);
+        stats.marchedLight = stage <= Stage::light;
+        stats.marchedEye = true;
     }
     if (impl_->display.size() != glm::ivec3(inputs.sizePx, 1)) {
         impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);

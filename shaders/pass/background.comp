@@ -3,11 +3,8 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/sky.glsl"
-#include "../shared/slicing_block.glsl"
+#include "frame.glsl"
 
-layout(std140, binding = 0) uniform SlicingUniforms {
-    SlicingBlock u_;
-};
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(rgba32f, binding = 0) readonly uniform image2D i_eye;
 layout(rgba32f, binding = 1) writeonly uniform image2D o_linear;
@@ -16,9 +13,7 @@ layout(location = 0) uniform int lastLayer;
 /// Share of sunlight that reaches a point of the ground: what is left in the light buffer after the
 /// last slice.
 float sunOnGround(vec3 positionM) {
-    vec2 at = (vec2(dot(u_.lightU.xyz, positionM), dot(u_.lightV.xyz, positionM)) -
-               vec2(u_.lightU.w, u_.lightV.w)) *
-              u_.lightScale.xy;
+    vec2 at = lightCoordinate(positionM);
     if (u_.slices.x == 0 || any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) {
         return 1.0;
     }
@@ -34,14 +29,10 @@ vec3 groundRadiance(vec3 positionM, float distanceM) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
-    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(u_.picture.xy) - 1.0;
-    vec3 dir = normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz);
-    vec3 behind = skyRadiance(dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
-    float eyeHeightM = u_.eyeM.w + u_.eyeM.z;
-    if (u_.ground.w > 0.5 && dir.z < 0.0 && eyeHeightM > 0.0) {
-        float distanceM = -eyeHeightM / dir.z;
-        behind = groundRadiance(u_.eyeM.xyz + distanceM * dir, distanceM);
-    }
+    Ray ray = rayThrough(pixel);
+    vec3 behind = skyRadiance(ray.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
+    float groundM = groundDistanceM(ray);
+    if (groundM > 0.0) behind = groundRadiance(ray.originM + groundM * ray.dir, groundM);
     vec4 eye = imageLoad(i_eye, pixel);
     imageStore(o_linear, pixel, vec4(eye.rgb + eye.a * behind, 1.0 - eye.a));
 }

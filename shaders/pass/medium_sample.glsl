@@ -3,11 +3,8 @@
 #pragma once
 #include "../lib/noise.glsl"
 #include "../lib/ray_box.glsl"
-#include "../shared/slicing_block.glsl"
+#include "frame.glsl"
 
-layout(std140, binding = 0) uniform SlicingUniforms {
-    SlicingBlock u_;
-};
 layout(binding = 0) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
 layout(binding = 1) uniform sampler3D t_medium1;
@@ -74,10 +71,4 @@ float emptyDistanceM(vec3 positionM, vec3 dir, int bricks) {
                      greaterThan(divisible(dir), vec3(0.0)));
     vec3 distance = (ahead * u_.brickM.xyz - positionM) / divisible(dir);
     return min(min(distance.x, distance.y), distance.z);
-}
-
-vec2 lightCoordinate(vec3 positionM) {
-    return (vec2(dot(u_.lightU.xyz, positionM), dot(u_.lightV.xyz, positionM)) -
-            vec2(u_.lightU.w, u_.lightV.w)) *
-           u_.lightScale.xy;
 }

@@ -18,23 +18,11 @@ layout(std430, binding = 0) readonly buffer PhaseTables {
     vec4 phaseTables[];
 };
 
-const int kPhaseTableSize = 1024;
-
 vec3 displayPhase(int index, float cosTheta) {
-    float at = phaseTableIndex(cosTheta, kPhaseTableSize);
-    int entry = min(int(at), kPhaseTableSize - 2);
-    int base = index * kPhaseTableSize + entry;
+    float at = phaseTableIndex(cosTheta, PHASE_TABLE_SIZE);
+    int entry = min(int(at), PHASE_TABLE_SIZE - 2);
+    int base = index * PHASE_TABLE_SIZE + entry;
     return mix(phaseTables[base].rgb, phaseTables[base + 1].rgb, at - float(entry));
-}
-
-struct Ray {
-    vec3 originM;
-    vec3 dir;
-};
-
-Ray rayThrough(ivec2 pixel) {
-    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(u_.picture.xy) - 1.0;
-    return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
 }
 
 /// Slices of this batch that the ray meets within the occupied box and before the ground: first and
@@ -42,8 +30,8 @@ Ray rayThrough(ivec2 pixel) {
 ivec2 slicesMet(Ray ray, float t0, float perUnit) {
     vec2 inside = rayBox(ray.originM, ray.dir, u_.boxLowerM.xyz, u_.boxUpperM.xyz);
     inside.x = max(inside.x, 0.0);
-    bool down = u_.ground.w > 0.5 && ray.dir.z < 0.0 && u_.eyeM.w + ray.originM.z > 0.0;
-    if (down) inside.y = min(inside.y, -(u_.eyeM.w + ray.originM.z) / ray.dir.z);
+    float groundM = groundDistanceM(ray);
+    if (groundM > 0.0) inside.y = min(inside.y, groundM);
     if (inside.x >= inside.y) return ivec2(1, 0);
     vec2 at = (inside - t0) / perUnit;
     ivec2 first = ivec2(ceil(min(at.x, at.y)), floor(max(at.x, at.y)));

@@ -39,7 +39,7 @@ float meanAlbedo(MediumSample s, float extinctionPerM) {
 }
 #endif
 
-float lightBeyond(ivec2 texel, vec2 at, float centre, vec3 positionM) {
+float lightBeyond(vec2 at, float centre, vec3 positionM) {
     MediumSample s = sampleMedium(positionM);
     float extinctionPerM = totalExtinctionPerM(s);
     float opticalDepth = extinctionPerM * u_.towardsSun.w;
@@ -65,6 +65,6 @@ void main() {
     float light = texelFetch(t_light, ivec3(texel, layer), 0).r;
     bool inside = all(greaterThanEqual(positionM, u_.boxLowerM.xyz)) &&
                   all(lessThanEqual(positionM, u_.boxUpperM.xyz));
-    if (inside && emptiness(positionM) == 0) light = lightBeyond(texel, at, light, positionM);
+    if (inside && emptiness(positionM) == 0) light = lightBeyond(at, light, positionM);
     imageStore(o_light, ivec3(texel, layer + 1), vec4(light, 0.0, 0.0, 0.0));
 }

@@ -188,8 +188,13 @@ TEST_CASE("A change redoes no more than it touches") {
     CHECK_FALSE(renderer().render(inputs).marchedEye);
     inputs.look.exposureEv = 1.0f;
     CHECK_FALSE(renderer().render(inputs).marchedEye);
-    inputs.look.sunElevationDeg = 60.0f;
+    inputs.look.sunIntensity = 0.5f;
     render::FrameStats stats = renderer().render(inputs);
+    CHECK(stats.marchedEye);
+    CHECK_FALSE(stats.marchedLight);
+    CHECK(worstDifference(renderer().readLinear(), referenceMarch(volume, inputs)) < 1e-3f);
+    inputs.look.sunElevationDeg = 60.0f;
+    stats = renderer().render(inputs);
     CHECK(stats.marchedLight);
     CHECK_FALSE(stats.bakedMedium);
     inputs.look.of(Species::ice).mixingScale = 2.0f;

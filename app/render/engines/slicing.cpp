@@ -89,6 +89,7 @@ std::vector<std::string> defines(const Look& look, const MediumTextures& medium)
                                    [](const MediumClass& c) { return c.noiseAmount > 0.0f; });
     return {fmt::format("CLASS_TEXTURES {}", medium.textureCount()),
             fmt::format("CLASSES {}", medium.plan.classes.size()),
+            fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize),
             fmt::format("NOISE {}", noisy ? 1 : 0),
             fmt::format("TRANSLUCENT {}", look.transport == Transport::translucent ? 1 : 0),
             fmt::format("CONSISTENT {}", look.lightForm == LightForm::consistent ? 1 : 0)};
@@ -158,9 +159,10 @@ void SlicingEngine::carryLight(int fromLayer) {
 
 /// Light and eye for the slices of one batch; returns the layer that holds the light behind them.
 int SlicingEngine::marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
-                              gl::ProgramCache& programs, int slices, const Progress& progress) {
+                              gl::ProgramCache& programs, int slices, bool keepLight,
+                              const Progress& progress) {
     const auto names = defines(inputs.look, medium);
-    marchLight(programs.get("pass/slice_light.comp", names), slices, progress);
+    if (!keepLight) marchLight(programs.get("pass/slice_light.comp", names), slices, progress);
     phases_.bind(GL_SHADER_STORAGE_BUFFER, 0);
     eye_.bindImage(0, GL_READ_WRITE);
     const gl::Program& eye = programs.get("pass/slice_eye.comp", names);
@@ -175,7 +177,7 @@ int SlicingEngine::marchBatch(const FrameInputs& inputs, const MediumTextures& m
 
 void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
                            const MediumTextures& medium, const gl::Texture* noise,
-                           gl::ProgramCache& programs, const gl::Texture& linear,
+                           gl::ProgramCache& programs, const gl::Texture& linear, bool lightIsValid,
                            const Progress& progress) {
     const SliceBox box =
         medium.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.occupied;
@@ -201,12 +203,14 @@ void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
     const glm::vec4 nothingYet{0.0f, 0.0f, 0.0f, 1.0f};
     glClearTexImage(eye_.name(), 0, GL_RGBA, GL_FLOAT, &nothingYet);
 
+    const bool keepLight =
+        lightIsValid && plan_.count <= batch_;  // of several batches only the last is held
     int lastLayer = -1;
     for (int first = 0; first < plan_.count; first += batch_) {
         const int slices = std::min(batch_, plan_.count - first);
         upload(first, slices);
         carryLight(lastLayer);
-        lastLayer = marchBatch(inputs, medium, programs, slices, progress);
+        lastLayer = marchBatch(inputs, medium, programs, slices, keepLight, progress);
     }
     const gl::Program& background = programs.get("pass/background.comp");
     background.setInt(0, std::max(lastLayer, 0));

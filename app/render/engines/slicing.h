@@ -16,10 +16,11 @@ namespace neph::render {
 class SlicingEngine {
   public:
     /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
-    /// transmittance). Asks `progress` between bands of slices and of rows; throws Cancelled.
+    /// transmittance). `lightIsValid` says that nothing but what the eye sees has changed since the
+    /// last whole frame. Asks `progress` between bands of slices and of rows; throws Cancelled.
     void render(const FrameInputs& inputs, const RegularGrid& grid, const MediumTextures& medium,
                 const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear,
-                const Progress& progress);
+                bool lightIsValid, const Progress& progress);
 
     const SlicePlan& plan() const { return plan_; }
     std::size_t bytes() const { return light_.bytes() + eye_.bytes() + phases_.bytes(); }
@@ -30,7 +31,8 @@ class SlicingEngine {
     void marchLight(const gl::Program& program, int slices, const Progress& progress);
     void carryLight(int fromLayer);
     int marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
-                   gl::ProgramCache& programs, int slices, const Progress& progress);
+                   gl::ProgramCache& programs, int slices, bool keepLight,
+                   const Progress& progress);
 
     SlicePlan plan_;
     int batch_ = 0;  ///< slices whose light is held at a time
