@@ -20,6 +20,7 @@ static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RA
 static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
 static_assert(static_cast<int>(VariableRole::numberConcentration) ==
               NEPH_ROLE_NUMBER_CONCENTRATION);
+static_assert(static_cast<int>(Microphysics::morrison) == NEPH_MICROPHYSICS_MORRISON);
 static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
 static_assert(static_cast<int>(Species::hail) == NEPH_SPECIES_HAIL);
 
@@ -87,6 +88,8 @@ void SeriesDataset::take(const fs::path& path, const PluginHost& host) {
         info_.reader = reader->id;
         info_.model = file.model;
         info_.scheme = file.scheme;
+        info_.microphysics = static_cast<Microphysics>(file.microphysics);
+        info_.cloudDropletsPerM3 = file.cloudDropletsPerM3;
         info_.size = file.size;
         info_.spacingM = file.spacingM;
         info_.attributes = file.attributes;

@@ -32,6 +32,9 @@ enum class VariableRole : int {
     numberConcentration  ///< of `species`, per kg of dry air
 };
 
+/// Whose particle size distributions the hydrometeors follow. docs/physics.md §7
+enum class Microphysics : int { unknown, lin, wsm6, thompson, morrison };
+
 struct VariableInfo {
     std::string name;          ///< as the file spells it, or as the reader names what it derives
     std::string standardName;  ///< CF standard name, or empty
@@ -54,7 +57,9 @@ struct DatasetInfo {
     std::string reader;  ///< plugin id
     std::string model;   ///< for example "WRF V4.2.2"
     std::string scheme;  ///< for example "Thompson (MP_PHYSICS 8)"; empty when unknown
-    glm::ivec3 size{0};  ///< cells in x, y, z on the native grid
+    Microphysics microphysics = Microphysics::unknown;
+    double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 when unknown
+    glm::ivec3 size{0};               ///< cells in x, y, z on the native grid
     glm::dvec2 spacingM{0.0};
     std::vector<TimeInfo> times;  ///< in order of time
     std::vector<VariableInfo> variables;
@@ -70,6 +75,7 @@ struct Box {
     glm::ivec3 lower{0};
     glm::ivec3 upper{0};
     glm::ivec3 size() const { return upper - lower; }
+    bool operator==(const Box&) const = default;
 };
 
 class Dataset {

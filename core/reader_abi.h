@@ -58,6 +58,15 @@ typedef int32_t NephSpecies;
 #define NEPH_SPECIES_GRAUPEL 4
 #define NEPH_SPECIES_HAIL 5
 
+/* Whose particle size distributions the hydrometeors follow. docs/physics.md tells what the host
+ * makes of each. */
+typedef int32_t NephMicrophysics;
+#define NEPH_MICROPHYSICS_UNKNOWN 0
+#define NEPH_MICROPHYSICS_LIN 1
+#define NEPH_MICROPHYSICS_WSM6 2 /* and the other single-moment schemes of that family */
+#define NEPH_MICROPHYSICS_THOMPSON 3
+#define NEPH_MICROPHYSICS_MORRISON 4
+
 /* Why something failed, in parts that the host lays out. The host owns it and clears it before each
  * call; the reader writes UTF-8, ends each part with a zero byte and leaves empty what it does not
  * know. */
@@ -84,9 +93,9 @@ typedef struct NephVariable {
     const char* description;
     NephRole role;
     NephSpecies species; /* NEPH_SPECIES_NONE where the role has no species */
-    int32_t size[3];     /* x, y, z; 1 where the variable lacks the axis */
-    int32_t has_range;   /* 0 when the two values below are not known without reading */
-    double lowest, highest;
+    /* x, y, z; 1 where the variable lacks the axis. Heights and density of models whose levels are
+     * flat may be profiles, 1 x 1 x n. */
+    int32_t size[3];
 } NephVariable;
 
 typedef struct NephAttribute {
@@ -99,8 +108,10 @@ typedef struct NephAttribute {
  * file handle. */
 typedef struct NephDescription {
     NephHeader header;
-    const char* model;   /* for example "WRF V4.2.2" */
-    const char* scheme;  /* microphysics, or empty */
+    const char* model;  /* for example "WRF V4.2.2" */
+    const char* scheme; /* microphysics as a person names it, or empty */
+    NephMicrophysics microphysics;
+    double cloud_droplets_per_m3; /* where the run prescribes their number; 0 when unknown */
     int32_t size[3];     /* cells in x, y, z on the native grid; x runs east, y north, z up */
     double spacing_m[2]; /* of the cells in x and y */
     uint32_t time_count; /* at least 1 */

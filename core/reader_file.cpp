@@ -110,6 +110,14 @@ FileDescription checkedDescription(const NephDescription* pointer) {
     FileDescription description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");
+    const bool schemeKnown = raw.microphysics >= NEPH_MICROPHYSICS_UNKNOWN &&
+                             raw.microphysics <= NEPH_MICROPHYSICS_MORRISON;
+    description.microphysics = schemeKnown ? raw.microphysics : NEPH_MICROPHYSICS_UNKNOWN;
+    const double droplets = raw.cloud_droplets_per_m3;
+    if (!std::isfinite(droplets) || droplets < 0.0) {
+        throw Fault{fmt::format("{} cloud droplets per m3", droplets)};
+    }
+    description.cloudDropletsPerM3 = droplets;
     description.size = checkedSize(raw.size, "the grid");
     for (double spacing : raw.spacing_m) {
         if (!std::isfinite(spacing) || spacing <= 0.0) {

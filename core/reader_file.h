@@ -33,6 +33,8 @@ struct FileVariable {
 /// What a reader says of one file, as plain data.
 struct FileDescription {
     std::string model, scheme;
+    NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
+    double cloudDropletsPerM3 = 0.0;  ///< 0 when unknown
     glm::ivec3 size{0};
     glm::dvec2 spacingM{0.0};
     std::vector<FileTime> times;  ///< in the order of the file, at least one

@@ -19,8 +19,8 @@ std::string nameOf(const std::vector<std::filesystem::path>& files) {
     return files.size() == 1 ? first : fmt::format("{} and {} more", first, files.size() - 1);
 }
 
-bool hasValue(const Array3f& content) {
-    return std::any_of(content.values.begin(), content.values.end(),
+bool hasValue(const Array3f& field) {
+    return std::any_of(field.values.begin(), field.values.end(),
                        [](float value) { return value > 0.0f; });
 }
 
@@ -35,8 +35,9 @@ ShownVolume summarise(const SpeciesVolume& volume) {
     shown.grid = volume.grid;
     shown.timeLabel = volume.timeLabel;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-        shown.present[s] = !volume.contentKgPerM3[s].empty();
-        shown.anything[s] = hasValue(volume.contentKgPerM3[s]);
+        shown.present[s] = volume.has(static_cast<Species>(s));
+        shown.anything[s] =
+            hasValue(volume.contentKgPerM3[s]) || hasValue(volume.extinctionPerM[s]);
     }
     return shown;
 }

@@ -39,19 +39,29 @@ constexpr const SpeciesInfo& info(Species s) {
     return kSpecies[static_cast<std::size_t>(s)];
 }
 
-/// Mass of every hydrometeor on one regular grid at one time: what the renderer is given. Owns its
-/// data.
+/// Every hydrometeor on one regular grid at one time: what the renderer is given. Owns its data.
+///
+/// A species is held in one of two ways: as mass content where its particles have one size for the
+/// whole picture, or as extinction where their size comes from the model and so changes from cell
+/// to cell. Either is additive, so that remapping and averaging keep its column integral.
 struct SpeciesVolume {
     RegularGrid grid;
-    /// kg of hydrometeor per m³ of air, size `grid.size`; an empty array means that the model has
-    /// no such species.
+    /// kg of hydrometeor per m³ of air, size `grid.size`, or empty.
     std::array<Array3f, kSpeciesCount> contentKgPerM3{};
+    /// Extinction coefficient, 1/m, size `grid.size`, or empty. At a mixing scale of 1.
+    std::array<Array3f, kSpeciesCount> extinctionPerM{};
     std::string timeLabel;
     double timeSeconds = 0.0;        ///< since the first time of the series
     std::vector<std::string> notes;  ///< what was clipped, masked or assumed, one sentence each
 
-    bool has(Species s) const { return !contentKgPerM3[static_cast<std::size_t>(s)].empty(); }
+    /// False where the model has no such species.
+    bool has(Species s) const { return !content(s).empty() || holdsExtinction(s); }
+    bool holdsExtinction(Species s) const { return !extinction(s).empty(); }
     const Array3f& content(Species s) const { return contentKgPerM3[static_cast<std::size_t>(s)]; }
+    const Array3f& extinction(Species s) const {
+        return extinctionPerM[static_cast<std::size_t>(s)];
+    }
+    std::size_t bytes() const;
 };
 
 }  // namespace neph

@@ -50,14 +50,6 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-std::size_t bytesHeld(const SpeciesVolume& volume) {
-    std::size_t bytes = 0;
-    for (const Array3f& content : volume.contentKgPerM3) {
-        bytes += content.values.size() * sizeof(float);
-    }
-    return bytes;
-}
-
 long peakResidentBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -140,7 +132,7 @@ int runBench(const BenchOptions& options) {
     const gl::HeadlessContext context;
     render::Renderer renderer(resourcePath("shaders"));
     renderer.setVolume(opened.volume);
-    const std::size_t held = bytesHeld(opened.volume);
+    const std::size_t held = opened.volume.bytes();
     const RegularGrid grid = opened.volume.grid;
     const std::string time = opened.volume.timeLabel;
     opened.volume = {};

@@ -1,15 +1,10 @@
-// failure.h: bad input, in the parts that the ABI carries to the host. Thrown inside this reader,
-// never through its door.
+// failure.h: what this reader throws for bad input and where the host asks it to stop.
 #pragma once
-#include <string>
+#include "core/reader_plugin.h"
 
 namespace wrf {
 
-struct Failure {
-    std::string what, found, expected, hint;
-};
-
-/// Thrown when the host's progress callback asks to stop.
-struct Cancelled {};
+using Failure = neph::plugin::Error;
+using neph::plugin::Cancelled;
 
 }  // namespace wrf

@@ -213,7 +213,10 @@ void WrfFile::describeModel() {
     model_ = start == std::string::npos ? "WRF" : title.substr(start);
     if (const std::size_t end = model_.find(" MODEL"); end != std::string::npos) model_.resize(end);
     const auto physics = file_.number("MP_PHYSICS");
-    if (physics && std::abs(*physics) < 1000.0) scheme_ = schemeName(static_cast<int>(*physics));
+    if (physics && std::abs(*physics) < 1000.0) {
+        scheme_ = schemeName(static_cast<int>(*physics));
+        microphysics_ = microphysicsOf(static_cast<int>(*physics));
+    }
     const auto projection = file_.number("MAP_PROJ");
     if (projection && *projection != 0.0) {
         notes_.push_back(
@@ -236,19 +239,23 @@ void WrfFile::describeModel() {
 
 void WrfFile::addDerived() {
     const std::array<int, 3> interfaces{size_[0], size_[1], size_[2] + 1};
-    variables_.push_back({"interface_height", "altitude", "m",
-                          "height of layer interfaces above sea level, (PH+PHB)/9.81",
-                          NEPH_ROLE_INTERFACE_HEIGHT, NEPH_SPECIES_NONE, interfaces,
-                          Source::interfaceHeight, nullptr});
-    variables_.push_back({"air_pressure", "air_pressure", "Pa", "P+PB", NEPH_ROLE_AIR_PRESSURE,
-                          NEPH_SPECIES_NONE, size_, Source::airPressure, nullptr});
-    variables_.push_back({"air_temperature", "air_temperature", "K", "(T+300) (p/1e5)^(2/7)",
-                          NEPH_ROLE_AIR_TEMPERATURE, NEPH_SPECIES_NONE, size_,
-                          Source::airTemperature, nullptr});
-    variables_.push_back({"dry_air_density", "", "kg m-3",
-                          "density of dry air, from pressure, temperature and QVAPOR",
-                          NEPH_ROLE_DRY_AIR_DENSITY, NEPH_SPECIES_NONE, size_,
-                          Source::dryAirDensity, nullptr});
+    const auto add = [this](neph::plugin::Variable variable, Source source) {
+        variables_.push_back({std::move(variable), source, nullptr});
+    };
+    add({"interface_height", "altitude", "m",
+         "height of layer interfaces above sea level, (PH+PHB)/9.81", NEPH_ROLE_INTERFACE_HEIGHT,
+         NEPH_SPECIES_NONE, interfaces},
+        Source::interfaceHeight);
+    add({"air_pressure", "air_pressure", "Pa", "P+PB", NEPH_ROLE_AIR_PRESSURE, NEPH_SPECIES_NONE,
+         size_},
+        Source::airPressure);
+    add({"air_temperature", "air_temperature", "K", "(T+300) (p/1e5)^(2/7)",
+         NEPH_ROLE_AIR_TEMPERATURE, NEPH_SPECIES_NONE, size_},
+        Source::airTemperature);
+    add({"dry_air_density", "", "kg m-3",
+         "density of dry air, from pressure, temperature and QVAPOR", NEPH_ROLE_DRY_AIR_DENSITY,
+         NEPH_SPECIES_NONE, size_},
+        Source::dryAirDensity);
 }
 
 void WrfFile::addStored() {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/reader_abi.h"
+#include "core/reader_plugin.h"
 #include "readers/wrf_netcdf/nc_file.h"
 
 namespace wrf {
@@ -18,19 +18,12 @@ namespace wrf {
 /// How the values of a variable come about.
 enum class Source { stored, interfaceHeight, airPressure, airTemperature, dryAirDensity };
 
-struct Variable {
-    std::string name, standardName, units, description;
-    NephRole role = NEPH_ROLE_OTHER;
-    NephSpecies species = NEPH_SPECIES_NONE;
-    std::array<int, 3> size{1, 1, 1};
+struct Variable : neph::plugin::Variable {
     Source source = Source::stored;
     const NcVariable* stored = nullptr;
 };
 
-struct Time {
-    std::string label;
-    double seconds = 0.0;
-};
+using neph::plugin::Time;
 
 struct Box {
     std::array<std::size_t, 3> lower{}, upper{};
@@ -56,6 +49,7 @@ class WrfFile {
     }
     const std::string& model() const { return model_; }
     const std::string& scheme() const { return scheme_; }
+    NephMicrophysics microphysics() const { return microphysics_; }
     std::array<int, 3> size() const { return size_; }
     std::array<double, 2> spacingM() const { return spacingM_; }
 
@@ -84,6 +78,7 @@ class WrfFile {
     std::array<int, 3> size_{};
     std::array<double, 2> spacingM_{};
     std::string model_, scheme_;
+    NephMicrophysics microphysics_ = NEPH_MICROPHYSICS_UNKNOWN;
     std::vector<Time> times_;
     std::vector<Variable> variables_;
     std::vector<std::string> notes_;

@@ -37,10 +37,7 @@ NephVariable theVariable{{NEPH_READER_ABI_VERSION, sizeof(NephVariable)},
                          "",
                          NEPH_ROLE_MIXING_RATIO,
                          NEPH_SPECIES_CLOUD,
-                         {2, 2, 2},
-                         0,
-                         0.0,
-                         0.0};
+                         {2, 2, 2}};
 std::array<const NephTime*, 1> times{&theTime};
 std::array<const NephVariable*, 2> variables{&theVariable, &theVariable};
 NephFile handle{0};

@@ -1,0 +1,283 @@
+// reader_plugin.h: a reader in C++: derive from File, throw Error, name it all in one macro.
+//
+// A thin layer over reader_abi.h for authors of readers; C++17, the standard library alone. What is
+// thrown becomes the texts of NephError; descriptions are plain values that this header lays out
+// for the host. docs/write-a-reader.md is the way from nothing to a working reader.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reader_abi.h"
+
+namespace neph::plugin {
+
+/// Bad input, in the parts that the host lays out: what is wrong (naming the variable or key), what
+/// was found, what was expected, the next step. `where` is the file; the host puts in the path that
+/// it opened when it is left empty.
+struct Error {
+    std::string what, found, expected, hint, where{};
+};
+
+/// Thrown by Request::tick when the host has asked to stop; let it pass.
+struct Cancelled {};
+
+struct Time {
+    std::string label;     ///< the model's own words
+    double seconds = 0.0;  ///< on one clock that all files of a series share
+};
+
+struct Variable {
+    std::string name;          ///< unique within the file
+    std::string standardName;  ///< CF standard name, or empty
+    std::string units;         ///< of the values that `read` gives: SI
+    std::string description;
+    NephRole role = NEPH_ROLE_OTHER;
+    NephSpecies species = NEPH_SPECIES_NONE;
+    std::array<int, 3> size{1, 1, 1};  ///< x, y, z; 1 where the variable lacks the axis
+};
+
+/// Everything that is known without reading a field.
+struct Description {
+    std::string model, scheme;
+    NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
+    double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 when unknown
+    std::array<int, 3> size{};        ///< cells in x, y, z; x runs east, y north, z up
+    std::array<double, 2> spacingM{};
+    std::vector<Time> times;
+    std::vector<Variable> variables;
+    std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
+    std::vector<std::pair<std::string, std::string>> attributes;
+};
+
+/// One box of one variable at one time, checked against the description.
+struct Request {
+    std::size_t variable = 0, time = 0;           ///< indices into the description
+    std::array<std::size_t, 3> lower{}, upper{};  ///< half-open, cells x, y, z
+    float* values = nullptr;                      ///< x fastest, then y, then z; NaN where missing
+    std::function<void(double)> tick;             ///< call with a fraction between pieces
+
+    std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
+    std::size_t count() const { return length(0) * length(1) * length(2); }
+};
+
+/// One open file. The constructor of a derived class reads metadata alone and throws Error.
+class File {
+  public:
+    virtual ~File() = default;
+    virtual const Description& description() const = 0;
+    /// Fills request.count() values. Throws Error.
+    virtual void read(const Request& request) = 0;
+};
+
+/// What NEPHOSCOPE_READER is given.
+struct Reader {
+    const char* id;
+    const char* version;
+    const char* title;       ///< what it reads, for a person
+    const char* extensions;  ///< usual ones, separated by spaces; or ""
+    /// 0: not this format; 1 to 9: known, but `open` will refuse it and say why; 10 to 100: can be
+    /// read. What it throws counts as 0.
+    int (*score)(const char* path);
+    std::unique_ptr<File> (*open)(const char* path);
+};
+
+namespace detail {
+
+template <typename T>
+NephHeader header() {
+    return {NEPH_READER_ABI_VERSION, static_cast<std::uint32_t>(sizeof(T))};
+}
+
+/// The description in the ABI's structs, which point into `from`.
+class Layout {
+  public:
+    explicit Layout(const Description& from) {
+        for (const Time& t : from.times) {
+            times_.push_back({header<NephTime>(), t.label.c_str(), t.seconds});
+        }
+        for (const Variable& v : from.variables) {
+            variables_.push_back({header<NephVariable>(),
+                                  v.name.c_str(),
+                                  v.standardName.c_str(),
+                                  v.units.c_str(),
+                                  v.description.c_str(),
+                                  v.role,
+                                  v.species,
+                                  {v.size[0], v.size[1], v.size[2]}});
+        }
+        for (const auto& [name, value] : from.attributes) {
+            attributes_.push_back({header<NephAttribute>(), name.c_str(), value.c_str()});
+        }
+        for (const std::string& note : from.notes) notes_.push_back(note.c_str());
+        pointTo(times_, timePointers_);
+        pointTo(variables_, variablePointers_);
+        pointTo(attributes_, attributePointers_);
+        fill(from);
+    }
+    const NephDescription* get() const { return &description_; }
+
+  private:
+    template <typename T>
+    static void pointTo(const std::vector<T>& structs, std::vector<const T*>& pointers) {
+        for (const T& each : structs) pointers.push_back(&each);
+    }
+    void fill(const Description& from) {
+        description_.header = header<NephDescription>();
+        description_.model = from.model.c_str();
+        description_.scheme = from.scheme.c_str();
+        description_.microphysics = from.microphysics;
+        description_.cloud_droplets_per_m3 = from.cloudDropletsPerM3;
+        for (std::size_t axis = 0; axis < 3; ++axis) description_.size[axis] = from.size[axis];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            description_.spacing_m[axis] = from.spacingM[axis];
+        }
+        description_.time_count = static_cast<std::uint32_t>(timePointers_.size());
+        description_.times = timePointers_.data();
+        description_.variable_count = static_cast<std::uint32_t>(variablePointers_.size());
+        description_.variables = variablePointers_.data();
+        description_.note_count = static_cast<std::uint32_t>(notes_.size());
+        description_.notes = notes_.data();
+        description_.attribute_count = static_cast<std::uint32_t>(attributePointers_.size());
+        description_.attributes = attributePointers_.data();
+    }
+
+    std::vector<NephTime> times_;
+    std::vector<NephVariable> variables_;
+    std::vector<NephAttribute> attributes_;
+    std::vector<const char*> notes_;
+    std::vector<const NephTime*> timePointers_;
+    std::vector<const NephVariable*> variablePointers_;
+    std::vector<const NephAttribute*> attributePointers_;
+    NephDescription description_{};
+};
+
+template <std::size_t N>
+void put(char (&target)[N], const std::string& text) {
+    const std::size_t length = text.size() < N ? text.size() : N - 1;
+    std::memcpy(target, text.data(), length);
+    target[length] = '\0';
+}
+
+/// Runs `work` and turns what it throws into a status and an error text.
+template <typename Work>
+NephStatus guarded(NephError* to, Work&& work) {
+    Error error;
+    try {
+        work();
+        return NEPH_OK;
+    } catch (const Cancelled&) {
+        return NEPH_CANCELLED;
+    } catch (const Error& thrown) {
+        error = thrown;
+    } catch (const std::bad_alloc&) {
+        error.what = "there is not enough memory for its fields";
+    } catch (const std::exception& thrown) {
+        error.what = thrown.what();
+    } catch (...) {
+        error.what = "failed for an unknown reason";
+    }
+    if (to != nullptr && to->header.struct_size >= sizeof(NephError)) {
+        put(to->where, error.where);
+        put(to->what, error.what);
+        put(to->found, error.found);
+        put(to->expected, error.expected);
+        put(to->hint, error.hint);
+    }
+    return NEPH_FAILED;
+}
+
+/// The ABI's request as a Request. Throws Error where it does not fit the description.
+inline Request checked(const NephReadRequest& raw, const Description& description) {
+    if (raw.header.struct_size < sizeof(NephReadRequest) ||
+        raw.variable >= description.variables.size() || raw.time >= description.times.size()) {
+        throw Error{"there is no such variable or time", {}, {}, {}, {}};
+    }
+    const Variable& variable = description.variables[raw.variable];
+    Request request;
+    request.variable = raw.variable;
+    request.time = raw.time;
+    request.values = raw.values;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (raw.lower[axis] < 0 || raw.upper[axis] <= raw.lower[axis] ||
+            raw.upper[axis] > variable.size[axis]) {
+            throw Error{"the box asked for lies outside variable " + variable.name, {}, {}, {}, {}};
+        }
+        request.lower[axis] = static_cast<std::size_t>(raw.lower[axis]);
+        request.upper[axis] = static_cast<std::size_t>(raw.upper[axis]);
+    }
+    if (raw.values == nullptr || raw.value_count != request.count()) {
+        throw Error{"the buffer does not fit the box of " + variable.name, {}, {}, {}, {}};
+    }
+    request.tick = [progress = raw.progress, context = raw.progress_context](double fraction) {
+        if (progress != nullptr && progress(context, fraction) == 0) throw Cancelled{};
+    };
+    return request;
+}
+
+}  // namespace detail
+}  // namespace neph::plugin
+
+/// The handle behind the ABI: an open File and its description as the host sees it.
+struct NephFile {
+    explicit NephFile(std::unique_ptr<neph::plugin::File> opened)
+        : file(std::move(opened)), layout(file->description()) {}
+    std::unique_ptr<neph::plugin::File> file;
+    neph::plugin::detail::Layout layout;
+};
+
+namespace neph::plugin::detail {
+
+/// The calls of the ABI for one Reader; a type of its own for each, because C calls carry no state.
+template <const Reader& kReader>
+struct Calls {
+    static std::int32_t score(const char* path) {
+        try {
+            return kReader.score(path);
+        } catch (...) {
+            return 0;
+        }
+    }
+    static NephStatus open(const char* path, NephFile** file, NephError* error) {
+        return guarded(error,
+                       [&] { *file = std::make_unique<NephFile>(kReader.open(path)).release(); });
+    }
+    static const NephDescription* describe(NephFile* file) { return file->layout.get(); }
+    static NephStatus read(NephFile* file, NephReadRequest* request, NephError* error) {
+        return guarded(error, [&] {
+            request->values_written = 0;
+            file->file->read(checked(*request, file->file->description()));
+            request->values_written = request->value_count;
+        });
+    }
+    static void close(NephFile* file) { delete file; }
+
+    static const NephReader* table(std::uint32_t hostAbiVersion) {
+        static const NephReader reader{header<NephReader>(),
+                                       kReader.id,
+                                       kReader.version,
+                                       kReader.title,
+                                       kReader.extensions,
+                                       &score,
+                                       &open,
+                                       &describe,
+                                       &read,
+                                       &close};
+        return hostAbiVersion == NEPH_READER_ABI_VERSION ? &reader : nullptr;
+    }
+};
+
+}  // namespace neph::plugin::detail
+
+/// Exports `reader`, a constant of type neph::plugin::Reader with static storage. Once a library.
+#define NEPHOSCOPE_READER(reader)                                                           \
+    extern "C" NEPH_READER_EXPORT const NephReader* nephReader(uint32_t host_abi_version) { \
+        return neph::plugin::detail::Calls<reader>::table(host_abi_version);                \
+    }
