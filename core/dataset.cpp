@@ -49,8 +49,16 @@ class SeriesDataset : public Dataset {
                   const Progress& progress);
     Array3f read(std::string_view variable, int time, std::optional<Box> box,
                  const Progress& progress) override;
+    std::unique_ptr<Dataset> anotherHandle() const override {
+        return std::unique_ptr<Dataset>(new SeriesDataset(info_, reader_, files_));
+    }
 
   private:
+    SeriesDataset(const DatasetInfo& info, std::shared_ptr<const ReaderPlugin> reader,
+                  std::vector<SeriesFile> files)
+        : reader_(std::move(reader)), files_(std::move(files)) {
+        info_ = info;
+    }
     void take(const fs::path& path, const PluginHost& host);
     void requireSameGrid(const fs::path& path, const FileDescription& file) const;
     void mergeVariables(const FileDescription& file);
@@ -210,9 +218,10 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
                      .what = fmt::format("the box asked of {} lies outside it", variable),
                      .expected = fmt::format("within {} x {} x {} cells", size.x, size.y, size.z)});
     }
-    Array3f values(all.size());
-    source.read(index->second, static_cast<std::size_t>(when.indexInFile), all.lower, all.upper,
-                values.values, progress);
+    Array3f values;
+    values.size = all.size();
+    values.values = source.read(index->second, static_cast<std::size_t>(when.indexInFile),
+                                all.lower, all.upper, progress);
     return values;
 }
 

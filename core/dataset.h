@@ -83,7 +83,10 @@ class Dataset {
     /// Opens files that form one series. Throws Error when no reader takes them or a reader fails.
     static std::shared_ptr<Dataset> open(std::span<const std::filesystem::path> files,
                                          const PluginHost& host, const Progress& progress = {});
+    Dataset() = default;
     virtual ~Dataset() = default;
+    Dataset(const Dataset&) = delete;
+    Dataset& operator=(const Dataset&) = delete;
 
     const DatasetInfo& info() const { return info_; }
 
@@ -91,6 +94,9 @@ class Dataset {
     /// defaults to everything. Throws Error (unknown variable, failed read) or Cancelled.
     virtual Array3f read(std::string_view variable, int time, std::optional<Box> box = {},
                          const Progress& progress = {}) = 0;
+
+    /// The same series for another thread, opened cheaply; null where there can be but one.
+    virtual std::unique_ptr<Dataset> anotherHandle() const { return nullptr; }
 
   protected:
     DatasetInfo info_;

@@ -1,12 +1,13 @@
 // read_plan.h: how much of a data set is read for a picture: where, and how finely, so that it fits
 // into memory.
 //
-// A plan is made before any field is read. What is coarsened is averaged, not skipped: every block
-// of `coarsening` x `coarsening` columns becomes one column with their mean content, so that the
-// mass of the domain stays the same.
+// A plan is made before any mixing ratio is read. What is coarsened is averaged, not skipped: every
+// block of `coarsening` x `coarsening` columns becomes one column with their mean content, so that
+// the mass of the domain stays the same.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -15,11 +16,18 @@
 
 namespace neph {
 
-/// What one time's volume may take, in bytes.
+/// What one time's volume may take, in bytes. Without bounds unless told.
 struct MemoryBudget {
-    std::uint64_t machine;  ///< of the process: the fields of a SpeciesVolume
-    std::uint64_t gpu;      ///< of the renderer: fields and medium
+    std::uint64_t machine = std::numeric_limits<std::uint64_t>::max();  ///< fields of the process
+    std::uint64_t gpu = std::numeric_limits<std::uint64_t>::max();      ///< fields and medium
 };
+
+/// A share of the memory that this machine has free now. `gpuBytes` is what the renderer may take.
+MemoryBudget defaultBudget(std::uint64_t gpuBytes);
+
+/// What a renderer that computes on the CPU may take: its bound is time, not memory.
+/// docs/measurements.md
+inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 
 /// Part of the domain, metres from its south-west corner; z above sea level.
 struct Region {
@@ -36,13 +44,16 @@ struct ReadPlan {
     bool operator==(const ReadPlan&) const = default;
 };
 
-/// The finest plan for `region` (everything when not given) at `time` that fits `budget`. Reads
-/// the heights of some columns. Throws Error where the region holds no cell.
-ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region,
-                  const MemoryBudget& budget, const Progress& progress = {});
+/// The finest plan for `region` (everything when not given) at `time` that fits `budget`, or the
+/// coarsest there is. Cells that the region touches are read whole. The levels are spaced by the
+/// median native layer, rounded so that the times of a series share them. Reads the lowest and the
+/// highest interface and some rows of heights. Throws Error where the region holds no cell.
+ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region = {},
+                  const MemoryBudget& budget = {}, const Progress& progress = {});
 
-/// One sentence for the screen and for `info`, for example "Every 2 x 2 columns are averaged: the
-/// whole domain at 1 km would take 3.1 GiB of 1.0 GiB." Empty for everything at full resolution.
+/// One or two sentences for the screen and for `info`, for example "Every 2 x 2 columns are
+/// averaged to one of 2 km: all would take 3.1 GiB, not 0.8 GiB." Empty for everything at full
+/// resolution.
 std::string describe(const ReadPlan& plan, const DatasetInfo& info);
 
 }  // namespace neph

@@ -14,6 +14,15 @@ constexpr float kImpossibleRatio = 1.0f;
 
 }  // namespace
 
+Repairs& Repairs::operator+=(const Repairs& part) {
+    negative += part.negative;
+    missing += part.missing;
+    impossible += part.impossible;
+    smallest = std::min(smallest, part.smallest);
+    allZero = allZero && part.allZero;
+    return *this;
+}
+
 Repairs repair(Array3f& mixingRatio) {
     Repairs repairs;
     for (float& q : mixingRatio.values) {
@@ -45,7 +54,7 @@ std::vector<std::string> describe(const Repairs& repairs, std::string_view varia
                                     count(repairs.negative, "negative"), repairs.smallest));
     }
     if (repairs.missing > 0) {
-        notes.push_back(fmt::format("{}: {} (NaN) taken as zero.", variable,
+        notes.push_back(fmt::format("{}: {} (NaN or infinite) taken as zero.", variable,
                                     count(repairs.missing, "missing")));
     }
     if (repairs.impossible > 0) {

@@ -16,6 +16,9 @@ struct Repairs {
     std::size_t impossible = 0;  ///< above 1 kg/kg: a fill value that the reader could not know
     float smallest = 0.0f;       ///< kg/kg, of the negative ones
     bool allZero = true;         ///< nothing is left
+
+    /// Adds what was put right in another part of the field.
+    Repairs& operator+=(const Repairs& part);
 };
 
 /// Sets negative, missing and impossible mixing ratios (kg/kg) to zero.

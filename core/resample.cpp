@@ -1,5 +1,4 @@
-// resample.cpp: conservative remapping of columns, one species at a time so that little is held at
-// once.
+// resample.cpp: bands of native columns, averaged to coarse columns and remapped to regular levels.
 #include "core/resample.h"
 
 #include <fmt/format.h>
@@ -7,134 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
+#include <vector>
 
-#include "core/error.h"
+#include "core/native_band.h"
 #include "core/repair.h"
 
 namespace neph {
 namespace {
-
-void requireSize(const Dataset& dataset, const VariableInfo& variable, int extraLevels) {
-    const glm::ivec3 expected = dataset.info().size + glm::ivec3(0, 0, extraLevels);
-    if (variable.size == expected) return;
-    const auto text = [](glm::ivec3 s) { return fmt::format("{} x {} x {}", s.x, s.y, s.z); };
-    throw Error({.where = dataset.info().times.front().file.string(),
-                 .what = fmt::format("variable {} does not lie on the grid", variable.name),
-                 .found = text(variable.size),
-                 .expected = text(expected)});
-}
-
-const VariableInfo& required(const Dataset& dataset, VariableRole role, std::string_view meaning) {
-    if (const VariableInfo* variable = dataset.info().find(role)) {
-        requireSize(dataset, *variable, role == VariableRole::interfaceHeight ? 1 : 0);
-        return *variable;
-    }
-    throw Error({.where = dataset.info().times.front().file.string(),
-                 .what = fmt::format("{} cannot be had from this file", meaning),
-                 .expected = "a variable of that role from the reader"});
-}
-
-Error badCell(const Dataset& dataset, int time, const VariableInfo& variable, glm::ivec3 cell,
-              float value, std::string expected) {
-    const TimeInfo& when = dataset.info().times.at(static_cast<std::size_t>(time));
-    return Error({.where = when.file.string(),
-                  .what = fmt::format("variable {} is unusable at {}", variable.name, when.label),
-                  .found = fmt::format("{} in cell x {}, y {}, level {} ({})", value, cell.x,
-                                       cell.y, cell.z, variable.description),
-                  .expected = std::move(expected),
-                  .hint = "the run blew up or the file is damaged: leave this time out"});
-}
-
-glm::ivec3 cellOf(const Array3f& array, std::size_t index) {
-    const auto width = static_cast<std::size_t>(array.size.x);
-    const std::size_t layer = width * static_cast<std::size_t>(array.size.y);
-    return {static_cast<int>(index % width), static_cast<int>(index % layer / width),
-            static_cast<int>(index / layer)};
-}
-
-Array3f readDensity(Dataset& dataset, int time, const Progress& progress) {
-    const VariableInfo& variable =
-        required(dataset, VariableRole::dryAirDensity, "the density of dry air");
-    Array3f density = dataset.read(variable.name, time, {}, progress);
-    for (std::size_t i = 0; i < density.values.size(); ++i) {
-        const float value = density.values[i];
-        if (!std::isfinite(value) || value <= 0.0f) {
-            throw badCell(dataset, time, variable, cellOf(density, i), value, "above 0 kg/m3");
-        }
-    }
-    return density;
-}
-
-/// The largest number with two digits that is not above `value`; value > 0.
-double roundedDown(double value) {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return std::floor(value / unit + 1e-9) * unit;
-}
-
-RegularGrid gridFor(const DatasetInfo& info, const Array3f& heights,
-                    const ResampleOptions& options) {
-    const auto [lowest, highest] = std::ranges::minmax(heights.values);
-    double bottom = static_cast<double>(lowest);
-    double top = static_cast<double>(highest);
-    RegularGrid grid;
-    grid.spacingM = {info.spacingM.x, info.spacingM.y, 0.0};
-    int levels = options.levels;
-    if (levels <= 0) {
-        const int most = std::max(options.maxLevels, 1);
-        double spacing = roundedDown(medianLayerDepth(heights));
-        const auto count = [&] {
-            return std::ceil(top / spacing - 1e-6) - std::floor(bottom / spacing + 1e-6);
-        };
-        if (count() > most) spacing = (top - bottom) / std::max(most - 2, 1);
-        bottom = spacing * std::floor(bottom / spacing + 1e-6);
-        levels = std::clamp(static_cast<int>(std::ceil((top - bottom) / spacing - 1e-6)), 1, most);
-        top = std::max(top, bottom + spacing * levels);
-    }
-    grid.spacingM.z = (top - bottom) / levels;
-    grid.originM = {0.0, 0.0, bottom};
-    grid.size = {info.size.x, info.size.y, levels};
-    return grid;
-}
-
-/// Remaps every column of one species.
-Array3f remap(const Array3f& heights, const Array3f& density, const Array3f& ratio,
-              const RegularGrid& grid, const Progress& progress) {
-    Array3f out(grid.size);
-    const auto layers = static_cast<std::size_t>(ratio.size.z);
-    const std::size_t layer = ratio.values.size() / layers;
-    std::vector<double> interfaces(layers + 1);
-    std::vector<double> content(layers);
-    std::vector<double> target(static_cast<std::size_t>(grid.size.z));
-    for (std::size_t column = 0; column < layer; ++column) {
-        if (column % 16384 == 0 &&
-            !goOn(progress, static_cast<double>(column) / static_cast<double>(layer))) {
-            throw Cancelled{};
-        }
-        bool empty = true;
-        for (std::size_t k = 0; k < layers; ++k) {
-            const std::size_t i = column + k * layer;
-            content[k] =
-                static_cast<double>(ratio.values[i]) * static_cast<double>(density.values[i]);
-            empty = empty && ratio.values[i] == 0.0f;
-        }
-        if (empty) continue;
-        for (std::size_t k = 0; k <= layers; ++k) {
-            interfaces[k] = static_cast<double>(heights.values[column + k * layer]);
-        }
-        std::ranges::fill(target, 0.0);
-        resampleColumn(interfaces, content, grid.originM.z, grid.spacingM.z, target);
-        for (std::size_t k = 0; k < target.size(); ++k) {
-            out.values[column + k * layer] = static_cast<float>(target[k]);
-        }
-    }
-    return out;
-}
-
-/// Part `index` of `parts` of the whole work.
-Progress partOf(const Progress& progress, int index, int parts) {
-    if (!progress) return {};
-    return [=](double fraction) { return progress((index + fraction) / parts); };
-}
 
 /// Slope of content within layer k, per metre: the smaller of the slopes to its neighbours, and
 /// never so steep that the line leaves the range of the neighbours' means (van Leer's limiter on
@@ -153,25 +32,196 @@ double limitedSlope(std::span<const double> interfaces, std::span<const double> 
     return std::copysign(std::min(central, steepest), below);
 }
 
+/// The blocks of native columns of one band: which block a native column belongs to.
+struct Blocks {
+    glm::ivec2 native;  ///< columns of the band
+    glm::ivec2 coarse;  ///< blocks of the band; those at the north and east may be cut
+    int edge;           ///< native columns along each edge of a whole block
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(coarse.y);
+    }
+    /// Calls `visit(block, column)` for every native column.
+    template <typename Visit>
+    void each(Visit&& visit) const {
+        std::size_t column = 0;
+        for (int y = 0; y < native.y; ++y) {
+            std::size_t block =
+                static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(y / edge);
+            for (int x = 0; x < native.x; ++block) {
+                const int end = std::min(x + edge, native.x);
+                for (; x < end; ++x) visit(block, column++);
+            }
+        }
+    }
+};
+
+Blocks blocksOf(const Box& band, int coarsening) {
+    const glm::ivec2 native(band.size());
+    return {native, (native + coarsening - 1) / coarsening, coarsening};
+}
+
+/// Mean of each level of `field` over each block; block fastest.
+std::vector<double> blockMeans(const ColumnField& field, const Blocks& blocks) {
+    const auto levels = static_cast<std::size_t>(field.values.size.z);
+    std::vector<double> means(blocks.count() * levels);
+    std::vector<double> columns(blocks.count());
+    blocks.each([&](std::size_t block, std::size_t) { columns[block] += 1.0; });
+    for (std::size_t level = 0; level < levels; ++level) {
+        double* mean = means.data() + level * blocks.count();
+        blocks.each([&](std::size_t block, std::size_t column) {
+            mean[block] += static_cast<double>(field.at(column, level));
+        });
+        for (std::size_t block = 0; block < blocks.count(); ++block) mean[block] /= columns[block];
+    }
+    return means;
+}
+
+/// One quantity per m³, such as content, as the mean of each block over the depth that the block's
+/// layer has, so that its integral over the block's whole area is kept. Beyond the border of the
+/// domain there is nothing. Block fastest.
+std::vector<double> averaged(const Array3f& quantity, const ColumnField& heights,
+                             std::span<const double> interfaces, const Blocks& blocks) {
+    const auto layers = static_cast<std::size_t>(quantity.size.z);
+    const std::size_t layer = quantity.index(0, 0, 1);
+    const double share = 1.0 / (static_cast<double>(blocks.edge) * blocks.edge);
+    std::vector<double> means(blocks.count() * layers);
+    for (std::size_t k = 0; k < layers; ++k) {
+        double* mean = means.data() + k * blocks.count();
+        const float* values = quantity.values.data() + k * layer;
+        blocks.each([&](std::size_t block, std::size_t column) {
+            const double depth = static_cast<double>(heights.at(column, k + 1)) -
+                                 static_cast<double>(heights.at(column, k));
+            mean[block] += static_cast<double>(values[column]) * depth;
+        });
+        const double* lower = interfaces.data() + k * blocks.count();
+        for (std::size_t block = 0; block < blocks.count(); ++block) {
+            mean[block] *= share / (lower[block + blocks.count()] - lower[block]);
+        }
+    }
+    return means;
+}
+
+/// Remaps the blocks of one band to the levels of `out`, into its rows from `firstRow` on.
+void remap(std::span<const double> interfaces, std::span<const double> quantity, std::size_t blocks,
+           const RegularGrid& grid, int firstRow, Array3f& out) {
+    const std::size_t layers = quantity.size() / blocks;
+    const std::size_t first = out.index(0, firstRow, 0);
+    const std::size_t layer = out.index(0, 0, 1);
+    std::vector<double> column(layers + 1), content(layers);
+    std::vector<double> target(static_cast<std::size_t>(grid.size.z));
+    for (std::size_t block = 0; block < blocks; ++block) {
+        double most = 0.0;
+        for (std::size_t k = 0; k < layers; ++k) {
+            content[k] = quantity[block + k * blocks];
+            most = std::max(most, content[k]);
+        }
+        if (most == 0.0) continue;
+        for (std::size_t k = 0; k <= layers; ++k) column[k] = interfaces[block + k * blocks];
+        std::ranges::fill(target, 0.0);
+        resampleColumn(column, content, grid.originM.z, grid.spacingM.z, target);
+        for (std::size_t k = 0; k < target.size(); ++k) {
+            out.values[first + block + k * layer] = static_cast<float>(target[k]);
+        }
+    }
+}
+
+/// One species on its way into the volume.
+struct SpeciesWork {
+    const VariableInfo* ratio;
+    Array3f* out;
+    Repairs repairs{};
+};
+
+/// What every species of a band needs, read when the first of them holds anything.
+struct BandAir {
+    ColumnField heights, density;
+    std::vector<double> interfaces;  ///< of the blocks, block fastest
+    bool empty() const { return interfaces.empty(); }
+};
+
+class BandResampler {
+  public:
+    BandResampler(const ReadPlan& plan, int time, std::vector<SpeciesWork>& species)
+        : plan_(plan), time_(time), species_(species), bands_(bandsOf(plan.box, plan.coarsening)) {}
+
+    void run(Dataset& dataset, const Progress& progress) {
+        overBands(
+            dataset, bands_.size(),
+            [this](Dataset& handle, std::size_t band, const Progress& report) {
+                take(handle, bands_[band], report);
+            },
+            progress);
+    }
+
+  private:
+    void take(Dataset& dataset, const Box& band, const Progress& progress) {
+        const Blocks blocks = blocksOf(band, plan_.coarsening);
+        const int firstRow = (band.lower.y - plan_.box.lower.y) / plan_.coarsening;
+        BandAir air;
+        for (SpeciesWork& species : species_) {
+            Repairs repairs;
+            Array3f quantity = readRatio(dataset, *species.ratio, time_, band, repairs, progress);
+            {
+                const std::lock_guard lock(mutex_);
+                species.repairs += repairs;
+            }
+            if (repairs.allZero) continue;
+            if (air.empty()) air = readAir(dataset, band, blocks, progress);
+            toContent(quantity, air.density);
+            remap(air.interfaces, averaged(quantity, air.heights, air.interfaces, blocks),
+                  blocks.count(), plan_.grid, firstRow, *species.out);
+        }
+    }
+
+    BandAir readAir(Dataset& dataset, const Box& band, const Blocks& blocks,
+                    const Progress& progress) const {
+        BandAir air;
+        air.heights = readHeights(dataset, time_, band, progress);
+        air.density = readDensity(dataset, time_, band, progress);
+        air.interfaces = blockMeans(air.heights, blocks);
+        return air;
+    }
+
+    /// Mixing ratio, kg per kg of dry air, in place to content, kg/m³.
+    static void toContent(Array3f& ratio, const ColumnField& density) {
+        const std::size_t layer = ratio.index(0, 0, 1);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(ratio.size.z); ++k) {
+            float* values = ratio.values.data() + k * layer;
+            for (std::size_t i = 0; i < layer; ++i) values[i] *= density.at(i, k);
+        }
+    }
+
+    const ReadPlan& plan_;
+    const int time_;
+    std::vector<SpeciesWork>& species_;
+    const std::vector<Box> bands_;
+    std::mutex mutex_;  // of the repairs; rows of the result belong to one band alone
+};
+
+void addNotes(const std::vector<SpeciesWork>& species, SpeciesVolume& volume) {
+    std::vector<std::string> empty;
+    for (const SpeciesWork& work : species) {
+        std::ranges::move(describe(work.repairs, work.ratio->name),
+                          std::back_inserter(volume.notes));
+        if (work.repairs.allZero) empty.push_back(work.ratio->name);
+    }
+    if (species.empty()) {
+        volume.notes.push_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
+    } else if (empty.size() == species.size()) {
+        volume.notes.push_back(fmt::format(
+            "There is no condensate at {}: every mixing ratio is zero.", volume.timeLabel));
+    } else {
+        for (const std::string& name : empty) {
+            volume.notes.push_back(fmt::format("{}: zero everywhere at this time.", name));
+        }
+    }
+}
+
 }  // namespace
 
 Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progress) {
-    const VariableInfo& variable =
-        required(dataset, VariableRole::interfaceHeight, "the height of layers");
-    Array3f heights = dataset.read(variable.name, time, {}, progress);
-    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
-    for (std::size_t i = 0; i < heights.values.size(); ++i) {
-        const float value = heights.values[i];
-        if (!std::isfinite(value)) {
-            throw badCell(dataset, time, variable, cellOf(heights, i), value, "heights in metres");
-        }
-        if (i >= layer && !(value > heights.values[i - layer])) {
-            throw badCell(
-                dataset, time, variable, cellOf(heights, i), value,
-                fmt::format("more than the {} of the level below", heights.values[i - layer]));
-        }
-    }
-    return heights;
+    return readHeights(dataset, time, wholeBox(dataset.info()), progress).values;
 }
 
 double medianLayerDepth(const Array3f& heights) {
@@ -213,46 +263,25 @@ void resampleColumn(std::span<const double> interfacesM, std::span<const double>
     }
 }
 
-RegularGrid chooseGrid(Dataset& dataset, int time, const ResampleOptions& options) {
-    return gridFor(dataset.info(), readInterfaceHeights(dataset, time, {}), options);
-}
-
 SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options,
                        const Progress& progress) {
     const DatasetInfo& info = dataset.info();
-    std::vector<const VariableInfo*> ratios;
-    for (int s = 0; s < kSpeciesCount; ++s) {
-        const auto* ratio = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
-        if (ratio != nullptr) ratios.push_back(ratio);
-    }
-    const int parts = 2 + 2 * static_cast<int>(ratios.size());
-    const Array3f heights = readInterfaceHeights(dataset, time, partOf(progress, 0, parts));
-    const Array3f density = readDensity(dataset, time, partOf(progress, 1, parts));
+    const ReadPlan plan = options.plan ? *options.plan : planRead(dataset, time);
     SpeciesVolume volume;
-    volume.grid = gridFor(info, heights, options);
+    volume.grid = plan.grid;
     volume.timeLabel = info.times.at(static_cast<std::size_t>(time)).label;
     volume.timeSeconds = info.times.at(static_cast<std::size_t>(time)).seconds;
-    std::vector<std::string> empty;
-    int part = 2;
-    for (const VariableInfo* variable : ratios) {
-        requireSize(dataset, *variable, 0);
-        Array3f ratio = dataset.read(variable->name, time, {}, partOf(progress, part++, parts));
-        const Repairs repairs = repair(ratio);
-        std::ranges::move(describe(repairs, variable->name), std::back_inserter(volume.notes));
-        if (repairs.allZero) empty.push_back(variable->name);
-        volume.contentKgPerM3[static_cast<std::size_t>(*variable->species)] =
-            remap(heights, density, ratio, volume.grid, partOf(progress, part++, parts));
+    std::vector<SpeciesWork> species;
+    for (std::size_t s = 0; s < kSpecies.size(); ++s) {
+        const auto* ratio = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
+        if (ratio == nullptr) continue;
+        requireOnGrid(dataset, *ratio, false);
+        volume.contentKgPerM3[s] = Array3f(plan.grid.size);
+        species.push_back({ratio, &volume.contentKgPerM3[s]});
     }
-    if (ratios.empty()) {
-        volume.notes.push_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
-    } else if (empty.size() == ratios.size()) {
-        volume.notes.push_back(fmt::format(
-            "There is no condensate at {}: every mixing ratio is zero.", volume.timeLabel));
-    } else {
-        for (const std::string& name : empty) {
-            volume.notes.push_back(fmt::format("{}: zero everywhere at this time.", name));
-        }
-    }
+    requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
+    BandResampler(plan, time, species).run(dataset, progress);
+    addNotes(species, volume);
     return volume;
 }
 

@@ -1,21 +1,22 @@
 // resample.h: from a model's native levels to a regular grid in metres, conserving the mass of
-// every column.
+// every column, and of the domain where columns are averaged.
 //
-// Within a native layer the content is taken as a straight line of height, its slope limited so
-// that nothing overshoots or turns negative; the line is integrated exactly over each target layer.
-// The horizontal grid stays as it is.
+// The work goes band by band of native rows, so that little more is held than the result. Within a
+// native layer the content is taken as a straight line of height, its slope limited so that nothing
+// overshoots or turns negative; the line is integrated exactly over each target layer.
 #pragma once
+#include <optional>
 #include <span>
 
 #include "core/dataset.h"
 #include "core/progress.h"
+#include "core/read_plan.h"
 #include "core/species.h"
 
 namespace neph {
 
 struct ResampleOptions {
-    int levels = 0;       ///< number of target levels; 0 chooses them from the data
-    int maxLevels = 256;  ///< bound on what is chosen
+    std::optional<ReadPlan> plan;  ///< none: everything at full resolution
 };
 
 /// Heights of interfaces, metres, nz + 1 levels. Throws Error when they do not increase in every
@@ -25,14 +26,9 @@ Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progres
 /// Median depth of all layers, metres.
 double medianLayerDepth(const Array3f& interfaceHeights);
 
-/// The target grid of one time of a dataset: native x, y; from the lowest to the highest interface,
-/// spacing no coarser than the median native layer unless `maxLevels` forbids. Chosen spacings and
-/// borders are rounded outward to numbers that the times of a series share. Throws Error.
-RegularGrid chooseGrid(Dataset& dataset, int time, const ResampleOptions& options);
-
 /// Mass content of every hydrometeor of `dataset` at `time`. Negative and missing values are
-/// clipped, counted and noted. Column mass is conserved to 1e-4 for every species. Throws Error or
-/// Cancelled.
+/// clipped, counted and noted. Column mass is conserved to 1e-4 for every species, that of the
+/// domain where columns are averaged. Reads on several threads. Throws Error or Cancelled.
 SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options = {},
                        const Progress& progress = {});
 

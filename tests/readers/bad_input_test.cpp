@@ -197,6 +197,7 @@ TEST_CASE("NaN in heights or in what gives the air its density is an error namin
         spec.fields[name] = [](int x, int y, int z, int) {
             return x == 1 && y == 2 && z == 3 ? kNan : 0.001f;
         };
+        spec.fields["QCLOUD"] = [](int, int, int, int) { return 1e-3f; };
         writeWrf(folder / "a", spec);
         const auto dataset = openFiles({folder / "a"});
         const ErrorParts error = errorOf([&] { resample(*dataset, 0); });
