@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "core/error.h"
 
@@ -20,6 +23,7 @@ constexpr std::uint32_t kMaxEntries = 1'000'000;
 constexpr std::size_t kMaxTextLength = 65536;
 constexpr std::int32_t kMaxAxis = 1 << 20;
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 36;
+constexpr double kMaxSpacingM = 1e7;  // a quarter of the way around the Earth
 
 /// One faulty claim of a plugin; becomes an Error that names plugin and file.
 struct Fault {
@@ -81,6 +85,29 @@ FileVariable checkedVariable(const NephVariable* pointer) {
     return variable;
 }
 
+/// Whether a variable's size fits its role on a grid of `cells`.
+bool fitsGrid(const FileVariable& variable, glm::ivec3 cells) {
+    if (variable.role == NEPH_ROLE_OTHER) return true;
+    if (variable.role == NEPH_ROLE_INTERFACE_HEIGHT) ++cells.z;
+    const bool ofSpecies = variable.role == NEPH_ROLE_MIXING_RATIO ||
+                           variable.role == NEPH_ROLE_EFFECTIVE_RADIUS ||
+                           variable.role == NEPH_ROLE_NUMBER_CONCENTRATION;
+    const bool profile = variable.size == glm::ivec3(1, 1, cells.z);
+    return variable.size == cells || (profile && !ofSpecies);
+}
+
+/// Takes its role from what does not lie on the grid, with a note: it can still be read by name.
+void dropMisfits(FileDescription& description) {
+    for (FileVariable& variable : description.variables) {
+        if (fitsGrid(variable, description.size)) continue;
+        variable.role = NEPH_ROLE_OTHER;
+        variable.species = NEPH_SPECIES_NONE;
+        description.notes.push_back(
+            fmt::format("{} is not used: it has {} x {} x {} values and does not lie on the grid.",
+                        variable.name, variable.size.x, variable.size.y, variable.size.z));
+    }
+}
+
 std::vector<FileTime> checkedTimes(const NephDescription& raw) {
     std::vector<FileTime> times;
     for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
@@ -120,7 +147,7 @@ FileDescription checkedDescription(const NephDescription* pointer) {
     description.cloudDropletsPerM3 = droplets;
     description.size = checkedSize(raw.size, "the grid");
     for (double spacing : raw.spacing_m) {
-        if (!std::isfinite(spacing) || spacing <= 0.0) {
+        if (!(spacing > 0.0 && spacing <= kMaxSpacingM)) {
             throw Fault{fmt::format("a grid spacing of {} m", spacing)};
         }
     }
@@ -136,6 +163,7 @@ FileDescription checkedDescription(const NephDescription* pointer) {
         description.attributes[checkedText(attribute.name, "an attribute")] =
             checkedText(attribute.value, "an attribute");
     }
+    dropMisfits(description);
     return description;
 }
 
@@ -178,28 +206,68 @@ auto guarded(const ReaderPlugin& reader, const std::filesystem::path& path, Call
         throw;
     } catch (const std::exception& problem) {
         throw faultOf(reader, path, fmt::format("it threw {}", problem.what()));
+    } catch (...) {
+        throw faultOf(reader, path, "it threw what is no std::exception");
     }
 }
 
+/// A read, with all that the plugin touches.
+struct Reading {
+    NephReadRequest request{};
+    std::vector<float> values;  // NaN until written; with kSlack more than asked for
+
+    static constexpr std::size_t kSlack = 4096;  // finds out, unharmed, who writes a row too much
+    static constexpr float kUntouched = -6.02e23f;  // what no field holds
+
+    explicit Reading(std::size_t count)
+        : values(count + kSlack, std::numeric_limits<float>::quiet_NaN()) {
+        std::fill_n(values.end() - kSlack, kSlack, kUntouched);
+        request.header = {NEPH_READER_ABI_VERSION, sizeof(NephReadRequest)};
+        request.values = values.data();
+        request.value_count = count;
+    }
+
+    /// Leaves the values asked for. Throws Fault.
+    void check(const std::string& variable) {
+        const std::size_t count = values.size() - kSlack;
+        const auto slack = std::span(values).last(kSlack);
+        if (std::ranges::any_of(slack, [](float value) { return value != kUntouched; })) {
+            throw Fault{
+                fmt::format("read wrote beyond the {} values asked of {}", count, variable)};
+        }
+        if (request.values_written != count) {
+            throw Fault{fmt::format("read gave {} values of {}, {} were asked for",
+                                    request.values_written, variable, count)};
+        }
+        values.resize(count);
+    }
+};
+
 struct ProgressBridge {
     const Progress& progress;
+    bool stopped = false;
     std::exception_ptr thrown{};  ///< kept here, because nothing may be thrown through the plugin
 };
 
 std::int32_t reportProgress(void* context, double fraction) {
     auto& bridge = *static_cast<ProgressBridge*>(context);
     try {
-        return goOn(bridge.progress, fraction) ? 1 : 0;
+        fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+        bridge.stopped = bridge.stopped || !goOn(bridge.progress, fraction);
     } catch (...) {
         bridge.thrown = std::current_exception();
-        return 0;
+        bridge.stopped = true;
     }
+    return bridge.stopped ? 0 : 1;
 }
 
 }  // namespace
 
 void ReaderFile::Closer::operator()(NephFile* file) const {
-    calls->close(file);
+    try {
+        calls->close(file);
+    } catch (...) {  // against the rules, and nothing is left to be told
+    }
 }
 
 ReaderFile::ReaderFile(std::shared_ptr<const ReaderPlugin> reader, std::filesystem::path path)
@@ -215,33 +283,31 @@ ReaderFile::ReaderFile(std::shared_ptr<const ReaderPlugin> reader, std::filesyst
         *reader_, path_, [&] { return checkedDescription(reader_->calls->describe(file_.get())); });
 }
 
-void ReaderFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
-                      std::span<float> values, const Progress& progress) {
+std::vector<float> ReaderFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower,
+                                    glm::ivec3 upper, const Progress& progress) {
     ProgressBridge bridge{progress};
-    NephReadRequest request{};
-    request.header = {NEPH_READER_ABI_VERSION, sizeof(NephReadRequest)};
+    const glm::i64vec3 size = upper - lower;
+    Reading reading(static_cast<std::size_t>(size.x * size.y * size.z));
+    NephReadRequest& request = reading.request;
     request.variable = static_cast<std::uint32_t>(variable);
     request.time = static_cast<std::uint32_t>(time);
     for (int axis = 0; axis < 3; ++axis) {
         request.lower[axis] = lower[axis];
         request.upper[axis] = upper[axis];
     }
-    request.values = values.data();
-    request.value_count = values.size();
     request.progress = &reportProgress;
     request.progress_context = &bridge;
     NephError error = emptyError();
     const NephStatus status = guarded(
         *reader_, path_, [&] { return reader_->calls->read(file_.get(), &request, &error); });
     if (bridge.thrown) std::rethrow_exception(bridge.thrown);
-    if (status == NEPH_CANCELLED) throw Cancelled{};
-    if (status != NEPH_OK) throw errorFrom(error, path_, *reader_);
-    if (request.values_written != values.size()) {
-        throw faultOf(
-            *reader_, path_,
-            fmt::format("read gave {} values of {}, {} were asked for", request.values_written,
-                        description_.variables[variable].name, values.size()));
+    if (bridge.stopped) throw Cancelled{};
+    if (status == NEPH_CANCELLED) {
+        throw faultOf(*reader_, path_, "read was cancelled, and nobody had asked to");
     }
+    if (status != NEPH_OK) throw errorFrom(error, path_, *reader_);
+    guarded(*reader_, path_, [&] { reading.check(description_.variables.at(variable).name); });
+    return std::move(reading.values);
 }
 
 }  // namespace neph

@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -50,10 +49,10 @@ class ReaderFile {
 
     const FileDescription& description() const { return description_; }
 
-    /// Fills `values`, which must hold exactly the cells of [lower, upper). Throws Error or
-    /// Cancelled.
-    void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
-              std::span<float> values, const Progress& progress);
+    /// The cells of [lower, upper), x fastest; NaN where the reader left them unwritten. Throws
+    /// Error or Cancelled.
+    std::vector<float> read(std::size_t variable, std::size_t time, glm::ivec3 lower,
+                            glm::ivec3 upper, const Progress& progress);
 
   private:
     struct Closer {

@@ -100,9 +100,8 @@ std::string openFault() {
 }
 
 std::string readFault() {
-    std::array<float, 8> values{};
     return errorOf([&] {
-               ReaderFile(plugin(), "some.file").read(0, 0, {0, 0, 0}, {2, 2, 2}, values, {});
+               ReaderFile(plugin(), "some.file").read(0, 0, {0, 0, 0}, {2, 2, 2}, {});
            })
         .what;
 }
