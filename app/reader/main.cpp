@@ -1,0 +1,200 @@
+// main.cpp of nephoscope-reader: loads one reader library and answers what the host asks of it.
+//
+// Started by core/reader_process with a socket and shared memory as descriptors 3 and 4; its one
+// argument is the library. Ends when the host goes away, even while the library hangs.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <thread>
+
+#include "core/error.h"
+#include "core/plugin_file.h"
+#include "core/plugin_library.h"
+#include "core/reader_process.h"
+#include "core/reader_wire.h"
+
+namespace {
+
+using namespace neph;
+
+constexpr std::size_t kGuardValues = 1024;  // behind those asked for; kReaderGuardBytes
+constexpr float kUntouched = -6.02e23f;     // what no field holds
+static_assert(kGuardValues * sizeof(float) == kReaderGuardBytes);
+
+/// The memory shared with the host, mapped anew when the host has made it larger.
+class Shared {
+  public:
+    Shared() { grow(kReaderValuesAt); }
+    ReaderControl& control() { return *reinterpret_cast<ReaderControl*>(at_); }
+
+    /// Room for values, all missing, with a guard behind them.
+    std::span<float> values(std::size_t count) {
+        grow(kReaderValuesAt + count * sizeof(float) + kReaderGuardBytes);
+        const std::span all(reinterpret_cast<float*>(at_ + kReaderValuesAt), count + kGuardValues);
+        std::ranges::fill(all.first(count), std::numeric_limits<float>::quiet_NaN());
+        std::ranges::fill(all.last(kGuardValues), kUntouched);
+        return all.first(count);
+    }
+    static bool guardTouched(std::span<float> values) {
+        const std::span guard(values.data() + values.size(), kGuardValues);
+        return std::ranges::any_of(guard, [](float value) { return value != kUntouched; });
+    }
+
+  private:
+    void grow(std::size_t bytes) {
+        if (bytes <= bytes_) return;
+        struct stat now {};
+        if (fstat(kReaderMemory, &now) != 0 || static_cast<std::size_t>(now.st_size) < bytes) {
+            throw Error({.what = "the shared memory is smaller than what is asked for"});
+        }
+        if (at_ != nullptr) munmap(at_, bytes_);
+        at_ = nullptr;
+        bytes_ = 0;
+        void* mapped = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, kReaderMemory, 0);
+        if (mapped == MAP_FAILED) throw Error({.what = "there is not enough memory to read it"});
+        at_ = static_cast<std::byte*>(mapped);
+        bytes_ = bytes;
+    }
+    std::byte* at_ = nullptr;
+    std::size_t bytes_ = 0;
+};
+
+class Server {
+  public:
+    explicit Server(PluginLibrary library) : library_(std::move(library)) {}
+
+    /// The answer to one question.
+    std::string answer(std::string_view question) {
+        wire::Unpacker from(question);
+        wire::Packer to;
+        try {
+            to.number(wire::Answer::ok);
+            switch (from.number<wire::Ask>()) {
+                case wire::Ask::score:
+                    score(from, to);
+                    break;
+                case wire::Ask::open:
+                    open(from, to);
+                    break;
+                case wire::Ask::read:
+                    read(from);
+                    break;
+                case wire::Ask::close:
+                    files_.erase(from.number<std::uint32_t>());
+                    break;
+            }
+        } catch (const Error& error) {
+            to = {};
+            wire::pack(to.number(wire::Answer::failed), error.parts());
+        } catch (const Cancelled&) {
+            to = {};
+            to.number(wire::Answer::cancelled);
+        }
+        return to.take();
+    }
+
+  private:
+    void score(wire::Unpacker& from, wire::Packer& to) {
+        std::int32_t score = 0;
+        try {
+            score = library_.calls->score(from.text().c_str());
+        } catch (...) {  // against the rules: it does not know the file
+        }
+        to.number(score);
+    }
+
+    void open(wire::Unpacker& from, wire::Packer& to) {
+        const std::uint32_t handle = ++lastHandle_;
+        const auto& file =
+            files_.try_emplace(handle, *library_.calls, library_.identity.id, from.text())
+                .first->second;
+        to.number(handle);
+        wire::pack(to, file.description());
+    }
+
+    void read(wire::Unpacker& from) {
+        const auto request = from.number<wire::ReadRequest>();
+        const std::span<float> values = shared_.values(from.number<std::uint64_t>());
+        ReaderControl& control = shared_.control();
+        const auto tick = [&control](double fraction) {
+            std::atomic_ref(control.fraction).store(fraction);
+            std::atomic_ref(control.beats).fetch_add(1);
+            return std::atomic_ref(control.cancel).load() == 0;
+        };
+        files_.at(request.handle)
+            .read(request.variable, request.time, request.lower, request.upper, values, tick);
+        if (Shared::guardTouched(values)) {
+            throw Error({.what = fmt::format("reader {} is faulty: it wrote more values than were "
+                                             "asked for",
+                                             library_.identity.id),
+                         .hint = "report this to the author of the reader"});
+        }
+    }
+
+    PluginLibrary library_;
+    Shared shared_;
+    std::map<std::uint32_t, PluginFile> files_;
+    std::uint32_t lastHandle_ = 0;
+};
+
+void limitResources() {
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);  // a damaged file is no reason to fill a disk
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(NEPH_SANITIZED)
+    const rlimit memory{kReaderMemoryBytes, kReaderMemoryBytes};
+    setrlimit(RLIMIT_AS, &memory);  // sanitizers map terabytes that they never touch
+#endif
+}
+
+/// Ends the process when the host has gone, whatever the library is doing.
+void watchHost() {
+    std::thread([] {
+        pollfd host{kReaderSocket, POLLRDHUP, 0};
+        while (poll(&host, 1, -1) <= 0) {
+        }
+        _exit(0);
+    }).detach();
+}
+
+/// Loads the library and tells the host what it is, or why it cannot be used.
+std::optional<Server> introduce(const char* library) {
+    wire::Packer hello;
+    std::optional<Server> server;
+    try {
+        PluginLibrary loaded = loadPlugin(library);
+        wire::pack(hello.number(wire::Answer::ok), loaded.identity);
+        server.emplace(std::move(loaded));
+    } catch (const Error& error) {
+        wire::pack(hello.number(wire::Answer::failed), error.parts());
+    }
+    wire::send(kReaderSocket, hello.take());
+    return server;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2 || fcntl(kReaderSocket, F_GETFD) < 0 || fcntl(kReaderMemory, F_GETFD) < 0) {
+        fmt::print(stderr, "nephoscope-reader is started by nephoscope; it has no use by itself\n");
+        return 2;
+    }
+    limitResources();
+    watchHost();
+    std::optional<Server> server = introduce(arguments[1]);
+    std::string question;
+    while (server && wire::receive(kReaderSocket, question)) {
+        if (!wire::send(kReaderSocket, server->answer(question))) break;
+    }
+    return 0;
+}

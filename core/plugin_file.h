@@ -1,0 +1,49 @@
+// plugin_file.h: one file, opened through the calls of a reader in this process, with everything
+// that the reader says checked.
+//
+// Nothing that comes through the ABI is trusted: sizes, counts, numbers and strings are checked
+// before they are used, so that a faulty reader gives an Error and no wrong picture.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/reader_abi.h"
+#include "core/reader_file.h"
+
+namespace neph {
+
+class PluginFile {
+  public:
+    /// Opens and describes. `reader` is the name of the reader in messages. Throws Error.
+    PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path);
+
+    const FileDescription& description() const { return description_; }
+
+    /// Fills `values`, which must hold exactly the cells of [lower, upper). `progress` must not
+    /// throw. Throws Error or Cancelled.
+    void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
+              std::span<float> values, const Progress& progress);
+
+  private:
+    struct Closer {
+        const NephReader* calls;
+        void operator()(NephFile* file) const;
+    };
+    /// Runs one call of the reader; what it throws against the rules becomes an Error.
+    void guarded(const std::function<void()>& call) const;
+    Error faulty(const std::string& text) const;
+
+    const NephReader* calls_;
+    std::string reader_;
+    std::filesystem::path path_;
+    std::unique_ptr<NephFile, Closer> file_;
+    FileDescription description_;
+};
+
+}  // namespace neph

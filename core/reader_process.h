@@ -1,0 +1,90 @@
+// reader_process.h: a process that runs one reader library, and the questions put to it.
+//
+// Whatever a library does to its process (crash, abort, hang, eat memory), the host gets an Error
+// that names the reader and the file. One ReaderProcess is used by one thread at a time.
+#pragma once
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/reader_file.h"
+#include "core/reader_wire.h"
+
+namespace neph {
+
+/// Numbers of the descriptors that the process inherits.
+inline constexpr int kReaderSocket = 3;
+inline constexpr int kReaderMemory = 4;
+
+/// What lies at the start of the shared memory. Values begin at kReaderValuesAt.
+struct ReaderControl {
+    std::uint32_t cancel = 0;  ///< set by the host; both sides use atomic_ref
+    std::uint32_t beats = 0;   ///< counts the reader's signs of progress
+    double fraction = 0.0;     ///< the last of them
+};
+inline constexpr std::size_t kReaderValuesAt = 4096;
+/// Behind the values, where a reader that writes too much is found out.
+inline constexpr std::size_t kReaderGuardBytes = 4096;
+
+/// Address space that a reader process may take. Far above what reading a band or a chunk of any
+/// model output needs; a damaged header that asks for more gets "not enough memory".
+inline constexpr std::uint64_t kReaderMemoryBytes = std::uint64_t{8} << 30U;
+
+class ReaderProcess {
+  public:
+    /// Starts the process and has it load `library`. Throws Error, with the reason in `what`, when
+    /// that is no reader.
+    explicit ReaderProcess(const std::filesystem::path& library);
+    ~ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+
+    const wire::Identity& identity() const { return identity_; }
+    bool alive() const { return pid_ > 0; }
+
+    /// What the reader makes of a file, 0 to 100. Throws Error when the reader does not survive it.
+    int score(const std::filesystem::path& file);
+
+    struct Opened {
+        std::uint32_t handle = 0;
+        FileDescription description;
+    };
+    /// Throws Error or Cancelled.
+    Opened open(const std::filesystem::path& file, const Progress& progress);
+    void close(std::uint32_t handle);
+
+    /// The values of a box, x fastest; `what` names file and variable in messages. Throws Error or
+    /// Cancelled.
+    std::vector<float> read(const wire::ReadRequest& request, const std::filesystem::path& file,
+                            std::string_view variable, const Progress& progress);
+
+  private:
+    struct Task {
+        const std::filesystem::path& file;
+        std::string doing;  ///< "opening it", "reading QCLOUD"
+    };
+    void start();
+    void growMemory(std::size_t bytes);
+    void map(std::size_t bytes);
+    /// Puts a question and waits for the answer, which comes without its first byte when it is ok.
+    std::string ask(std::string_view message, const Task& task, const Progress& progress);
+    void await(const Task& task, const Progress& progress);
+    [[noreturn]] void endAndThrow(const Task& task, std::string reason);
+    std::string end();
+
+    std::filesystem::path library_;
+    wire::Identity identity_;
+    pid_t pid_ = -1;
+    int socket_ = -1;
+    int memory_ = -1;
+    std::byte* mapped_ = nullptr;
+    std::size_t mappedBytes_ = 0;
+};
+
+}  // namespace neph
