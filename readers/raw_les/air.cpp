@@ -1,0 +1,63 @@
+// air.cpp: gas laws. Equations of docs/physics.md §7, constants of the model at hand.
+#include "readers/raw_les/air.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raw {
+namespace {
+
+// [USSA76]: radius of the Earth, gravity, gas constant R*/M0 with R* = 8314.32, M0 = 28.9644.
+constexpr double kEarthRadiusM = 6'356'766.0;
+constexpr double kGravity = 9.80665;
+constexpr double kGas = 8314.32 / 28.9644;
+
+struct Layer {
+    double baseM, baseK, lapseKPerM;  // geopotential height
+};
+constexpr std::array kLayers{
+    Layer{0.0, 288.15, -6.5e-3},
+    Layer{11'000.0, 216.65, 0.0},
+    Layer{20'000.0, 216.65, 1.0e-3},
+    Layer{32'000.0, 228.65, 2.8e-3},
+};
+constexpr double kTopM = 47'000.0;
+constexpr double kSeaLevelPa = 101'325.0;
+
+/// Pressure at `heightM` over that at the base of its layer.
+double pressureRatio(const Layer& layer, double heightM) {
+    const double climb = heightM - layer.baseM;
+    if (layer.lapseKPerM == 0.0) return std::exp(-kGravity * climb / (kGas * layer.baseK));
+    return std::pow(1.0 + layer.lapseKPerM * climb / layer.baseK,
+                    -kGravity / (kGas * layer.lapseKPerM));
+}
+
+}  // namespace
+
+double temperatureK(double thetaK, double pressurePa, const GasConstants& gas) {
+    return thetaK * std::pow(pressurePa / gas.referencePressure, gas.dryGas / gas.heatCapacity);
+}
+
+double dryDensity(double temperatureK, double pressurePa, double vapourRatio,
+                  const GasConstants& gas) {
+    const double moisture = 1.0 + std::max(vapourRatio, 0.0) * gas.vapour / gas.dryGas;
+    return pressurePa / (gas.dryGas * temperatureK * moisture);
+}
+
+Air standardAtmosphere(double heightM) {
+    // From geometric to geopotential height.
+    const double geopotential = kEarthRadiusM * heightM / (kEarthRadiusM + heightM);
+    const double height = std::clamp(geopotential, -5000.0, kTopM);
+    double pressure = kSeaLevelPa;
+    std::size_t i = 0;
+    for (; i + 1 < kLayers.size() && height > kLayers[i + 1].baseM; ++i) {
+        pressure *= pressureRatio(kLayers[i], kLayers[i + 1].baseM);
+    }
+    pressure *= pressureRatio(kLayers[i], height);
+    const double temperature =
+        kLayers[i].baseK + kLayers[i].lapseKPerM * (height - kLayers[i].baseM);
+    return {temperature, pressure, pressure / (kGas * temperature)};
+}
+
+}  // namespace raw

@@ -1,0 +1,189 @@
+// brick_file.cpp: from a sidecar to fields.
+#include "readers/raw_les/brick_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <map>
+
+#include "readers/raw_les/sidecar.h"
+
+namespace raw {
+namespace {
+
+namespace fs = std::filesystem;
+namespace plugin = neph::plugin;
+
+struct Meaning {
+    NephRole role;
+    std::optional<Quantity> quantity;
+    const char* standardName;
+};
+
+Meaning meaningOf(BrickRole role) {
+    switch (role) {
+        case BrickRole::mixingRatio:
+            return {NEPH_ROLE_MIXING_RATIO, Quantity::ratio, ""};
+        case BrickRole::numberConcentration:
+            return {NEPH_ROLE_NUMBER_CONCENTRATION, Quantity::number, ""};
+        case BrickRole::effectiveRadius:
+            return {NEPH_ROLE_EFFECTIVE_RADIUS, Quantity::radius, ""};
+        case BrickRole::dryAirDensity:
+            return {NEPH_ROLE_DRY_AIR_DENSITY, Quantity::density, ""};
+        case BrickRole::airPressure:
+            return {NEPH_ROLE_AIR_PRESSURE, Quantity::pressure, "air_pressure"};
+        case BrickRole::airTemperature:
+            return {NEPH_ROLE_AIR_TEMPERATURE, Quantity::temperature, "air_temperature"};
+        case BrickRole::potentialTemperature:
+            return {NEPH_ROLE_OTHER, Quantity::temperature, "air_potential_temperature"};
+        case BrickRole::vapourMixingRatio:
+            return {NEPH_ROLE_OTHER, Quantity::ratio, "humidity_mixing_ratio"};
+        case BrickRole::other:
+            break;
+    }
+    return {NEPH_ROLE_OTHER, {}, ""};
+}
+
+std::uint64_t fieldBytes(const Sidecar& sidecar, const BrickVariable& variable) {
+    std::uint64_t bytes = bytesOf(variable.type);
+    for (const std::size_t n : sidecar.shape) bytes *= n;  // at most 8 · 2⁶⁰
+    return bytes;
+}
+
+/// Every file must end where the last variable in it ends.
+void requireSizes(const Sidecar& sidecar, const fs::path& folder) {
+    std::map<std::string, std::uint64_t> ends;
+    for (const BrickVariable& variable : sidecar.variables) {
+        const std::uint64_t times = variable.files.size() == 1 ? sidecar.times.size() : 1;
+        std::uint64_t end = 0;
+        if (__builtin_mul_overflow(fieldBytes(sidecar, variable), times, &end) ||
+            __builtin_add_overflow(end, variable.firstByte, &end)) {
+            throw Error{
+                fmt::format("variable {} is larger than any disk", variable.name), {}, {}, {}};
+        }
+        for (const std::string& file : variable.files) {
+            if (!file.empty()) ends[file] = std::max(ends[file], end);
+        }
+    }
+    for (const auto& [file, end] : ends) {
+        const std::string path = (folder / file).string();
+        const auto found = fileSize(path);
+        if (found == end) continue;
+        const char* what = !found         ? "is missing"
+                           : *found < end ? "is shorter than its sidecar says"
+                                          : "is longer than its sidecar says";
+        throw Error{
+            what, found ? fmt::format("{} bytes", *found) : std::string(),
+            fmt::format("{} bytes: {} x {} x {} cells, {} time(s) in all", end, sidecar.shape[0],
+                        sidecar.shape[1], sidecar.shape[2], sidecar.times.size()),
+            "check shape, numbers and times in the sidecar", path};
+    }
+}
+
+/// Factor from the unit of the sidecar to SI.
+double factorOf(const BrickVariable& variable, const Meaning& meaning) {
+    if (!meaning.quantity) return 1.0;
+    const auto factor = siFactor(*meaning.quantity, variable.unit);
+    if (factor) return *factor;
+    throw Error{fmt::format("the unit of variable {} is not known", variable.name),
+                inQuotes(variable.unit),
+                acceptedUnits(*meaning.quantity),
+                {}};
+}
+
+void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVariable& from,
+                 Contents& contents) {
+    const Meaning meaning = meaningOf(from.role);
+    const double factor = factorOf(from, meaning);
+    plugin::Variable variable{from.name,
+                              meaning.standardName,
+                              meaning.quantity ? siUnit(*meaning.quantity) : from.unit,
+                              from.description,
+                              meaning.role,
+                              from.species,
+                              contents.description.size};
+    if (from.role == BrickRole::potentialTemperature) {
+        contents.potentialTemperature = contents.sources.size();
+    }
+    if (from.role == BrickRole::vapourMixingRatio) contents.vapour = contents.sources.size();
+    Source source;
+    if (!from.profile.empty()) {
+        variable.size[0] = variable.size[1] = 1;
+        for (const double value : from.profile) {
+            source.profile.push_back(
+                static_cast<float>((value * from.scale + from.offset) * factor));
+        }
+        return contents.add(std::move(variable), std::move(source));
+    }
+    RawField field;
+    field.firstByte = from.firstByte;
+    field.size = sidecar.shape;
+    field.type = from.type;
+    field.swapped = sidecar.bigEndian != (std::endian::native == std::endian::big);
+    field.missing = from.missing;
+    field.scale = from.scale * factor;
+    field.offset = from.offset * factor;
+    const std::uint64_t bytes = fieldBytes(sidecar, from);
+    const bool together = from.files.size() == 1;
+    source.stored = [field, folder, bytes, together, files = from.files](std::size_t time) {
+        RawField at = field;
+        const std::string& file = files[together ? 0 : time];
+        at.path = file.empty() ? "" : (folder / file).string();
+        if (together) at.firstByte += time * bytes;
+        return at;
+    };
+    contents.add(std::move(variable), std::move(source));
+}
+
+Contents describe(const Sidecar& sidecar, const fs::path& folder) {
+    requireSizes(sidecar, folder);
+    Contents contents;
+    plugin::Description& d = contents.description;
+    d.model = sidecar.model;
+    d.scheme = sidecar.scheme;
+    d.microphysics = sidecar.microphysics;
+    d.cloudDropletsPerM3 = sidecar.cloudDropletsPerM3;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        d.size[axis] = static_cast<int>(sidecar.shape[axis]);
+    }
+    d.spacingM = sidecar.spacingM;
+    d.times = sidecar.times;
+    d.notes = sidecar.notes;
+    contents.interfacesM = sidecar.interfacesM;
+    for (const BrickVariable& variable : sidecar.variables) {
+        addVariable(sidecar, folder, variable, contents);
+    }
+    contents.completeAir();
+    return contents;
+}
+
+}  // namespace
+
+int scoreSidecar(const std::string& path) {
+    const auto text = findText(path);
+    return text && looksLikeSidecar(*text) ? 80 : 0;
+}
+
+std::unique_ptr<plugin::File> openBrick(const std::string& sidecarPath) {
+    try {
+        return makeFile(describe(parseSidecar(readText(sidecarPath)), folderOf(sidecarPath)));
+    } catch (Error& error) {
+        if (error.where.empty()) error.where = sidecarPath;
+        throw;
+    }
+}
+
+std::vector<std::string> sidecars(const std::string& folder) {
+    std::vector<std::string> found;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() != ".json") continue;
+        if (scoreSidecar(entry.path().string()) > 0) found.push_back(entry.path().string());
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+}  // namespace raw

@@ -1,0 +1,20 @@
+// brick_file.h: bare bricks of numbers, described by a JSON sidecar.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "readers/raw_les/contents.h"
+
+namespace raw {
+
+/// 80 for a sidecar, 0 otherwise.
+int scoreSidecar(const std::string& path);
+
+/// Opens a sidecar; every file's size is checked before anything is read. Throws Error.
+std::unique_ptr<neph::plugin::File> openBrick(const std::string& sidecarPath);
+
+/// The sidecars in a folder, sorted.
+std::vector<std::string> sidecars(const std::string& folder);
+
+}  // namespace raw

@@ -1,0 +1,79 @@
+// reader.cpp: the door of the raw reader: which of its three formats a path is, and what to open
+// instead where it is a part of one.
+#include <filesystem>
+#include <functional>
+
+#include "core/reader_plugin.h"
+#include "readers/raw_les/brick_file.h"
+#include "readers/raw_les/grads_file.h"
+#include "readers/raw_les/microhh_case.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace plugin = neph::plugin;
+
+constexpr int kPart = 5;    // open says what to do
+constexpr int kWhole = 80;  // a folder that is one data set
+
+bool isFolder(const std::string& path) {
+    std::error_code error;
+    return fs::is_directory(path, error);
+}
+
+/// Descriptors of a folder: with one it is that data set, with several open asks which.
+std::vector<std::string> descriptors(const std::string& folder) {
+    std::vector<std::string> found = raw::modelCtls(folder);
+    for (std::string& sidecar : raw::sidecars(folder)) found.push_back(std::move(sidecar));
+    return found;
+}
+
+int scoreOf(const std::string& path) {
+    if (const int score = raw::scoreMicrohh(path); score > 0) return score;
+    if (isFolder(path)) {
+        const std::size_t count = descriptors(path).size();
+        return count == 1 ? kWhole : count > 1 ? kPart : 0;
+    }
+    if (const int score = raw::scoreCtl(path); score > 0) return score;
+    if (const int score = raw::scoreSidecar(path); score > 0) return score;
+    return raw::ctlThatNames(path) ? kPart : 0;
+}
+
+std::unique_ptr<plugin::File> openPath(const std::string& path) {
+    if (raw::scoreMicrohh(path) > 0) return raw::openMicrohh(path);
+    if (isFolder(path)) {
+        const auto found = descriptors(path);
+        if (found.size() == 1) return openPath(found.front());
+        throw raw::Error{found.empty() ? "holds no descriptor of raw model output"
+                                       : "holds several descriptors of model output",
+                         raw::listed(found), "one .ctl or one nephoscope-brick sidecar",
+                         found.empty() ? "" : "open one of them"};
+    }
+    if (raw::scoreSidecar(path) > 0) return raw::openBrick(path);
+    if (raw::scoreCtl(path) > 0) return raw::openGrads(path);
+    const auto ctl = raw::ctlThatNames(path);
+    throw raw::Error{"holds numbers without a header",
+                     {},
+                     "the descriptor of such a file",
+                     ctl ? "open " + *ctl : "open its .ctl"};
+}
+
+int score(const char* path) {
+    return scoreOf(path);
+}
+
+std::unique_ptr<plugin::File> open(const char* path) {
+    return openPath(path);
+}
+
+constexpr plugin::Reader kReader{
+    "raw_les",
+    "1.0",
+    "raw LES output (CM1 and other GrADS .ctl, MicroHH case, nephoscope-brick)",
+    "ctl ini json",
+    &score,
+    &open};
+
+}  // namespace
+
+NEPHOSCOPE_READER(kReader)
