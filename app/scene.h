@@ -20,6 +20,7 @@ class UsageError : public Error {
 /// Options that the workbench and `render` share, as typed.
 struct SceneOptions {
     std::vector<std::string> files;        ///< files or folders; none for the bundled storm
+    std::vector<std::string> readers;      ///< libraries or folders, before those found elsewhere
     std::string preset;                    ///< name or file; empty for `default`
     std::vector<std::string> assignments;  ///< id=value
     std::string camera;                    ///< preset name or file; empty for the preset's

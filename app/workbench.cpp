@@ -52,7 +52,7 @@ class Workbench {
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
     render::Renderer renderer_{resourcePath("shaders")};
-    Session session_{PluginHost::standard(), &WorkbenchHost::wake};
+    Session session_;
     ui::Ui ui_{session_};
     ui::QualityControl quality_;
 
@@ -63,7 +63,8 @@ class Workbench {
     bool interacting_ = false;
 };
 
-Workbench::Workbench(const SceneOptions& options) {
+Workbench::Workbench(const SceneOptions& options)
+    : session_(PluginHost::standard(options.readers), &WorkbenchHost::wake) {
     const Scene scene = makeScene(options);
     session_.document = seen_ = scene.document;
     session_.homeCamera = scene.document.camera;

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -136,8 +137,27 @@ PluginHost::PluginHost(std::span<const fs::path> places) {
     }
 }
 
-PluginHost PluginHost::standard() {
-    return PluginHost(standardPlaces());
+PluginHost PluginHost::standard(std::span<const std::string> named) {
+    std::vector<fs::path> places;
+    for (const std::string& name : named) {
+        if (!fs::exists(name)) {
+            throw Error({.where = name,
+                         .what = "there is no such reader",
+                         .hint = "give the path of a library or of a folder of libraries"});
+        }
+        places.push_back(fs::absolute(name));
+    }
+    const std::size_t namedCount = places.size();
+    std::ranges::move(standardPlaces(), std::back_inserter(places));
+    PluginHost host(places);
+    for (const fs::path& place : std::span(places).first(namedCount)) {
+        const auto fault = std::ranges::find(host.rejected_, place, &RejectedPlugin::library);
+        if (fault == host.rejected_.end()) continue;
+        throw Error({.where = place.string(),
+                     .what = "cannot be used as a reader: " + fault->reason,
+                     .hint = "docs/write-a-reader.md tells what a reader needs"});
+    }
+    return host;
 }
 
 std::vector<fs::path> PluginHost::standardPlaces() {
@@ -146,12 +166,12 @@ std::vector<fs::path> PluginHost::standardPlaces() {
         std::string_view rest(list);
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(':'), rest.size());
-            if (end > 0) places.emplace_back(rest.substr(0, end));
+            if (end > 0) places.push_back(fs::absolute(rest.substr(0, end)));
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
     if (const auto dir = userDataDir()) places.push_back(*dir / "readers");
-    places.push_back(programDir().parent_path() / "lib/nephoscope/readers");
+    places.push_back(ownReaderDir());
     return places;
 }
 

@@ -38,8 +38,9 @@ class PluginHost {
     /// place that does not exist is passed over. Of two readers with the same id the first is kept.
     explicit PluginHost(std::span<const std::filesystem::path> places);
 
-    /// The readers a user has: those of standardPlaces().
-    static PluginHost standard();
+    /// The readers a user has: the libraries or folders in `named`, then those of
+    /// standardPlaces(). Throws Error where one of `named` is not there or is no reader.
+    static PluginHost standard(std::span<const std::string> named = {});
 
     /// NEPHOSCOPE_READER_PATH (separated by colons), the user's data folder (XDG), and beside the
     /// executable.

@@ -89,6 +89,12 @@ struct Reader {
     std::unique_ptr<File> (*open)(const char* path);
 };
 
+/// What Reader::open is where the constructor of a File takes the path.
+template <typename T>
+std::unique_ptr<File> openAs(const char* path) {
+    return std::make_unique<T>(path);
+}
+
 namespace detail {
 
 template <typename T>

@@ -62,6 +62,10 @@ std::filesystem::path resourcePath(std::string_view relative) {
                  "set NEPHOSCOPE_DATA_DIR to the folder that holds presets, samples and shaders"});
 }
 
+std::filesystem::path ownReaderDir() {
+    return programDir().parent_path() / NEPHOSCOPE_READER_SUBDIR;
+}
+
 std::optional<std::filesystem::path> userDataDir() {
     return userDir("XDG_DATA_HOME", ".local/share");
 }

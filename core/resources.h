@@ -19,6 +19,9 @@ std::filesystem::path resourcePath(std::string_view relative);
 /// Directory of the running program.
 std::filesystem::path programDir();
 
+/// Where the readers of this installation lie, or those of the build tree.
+std::filesystem::path ownReaderDir();
+
 /// $XDG_DATA_HOME/nephoscope or ~/.local/share/nephoscope; none without a home.
 std::optional<std::filesystem::path> userDataDir();
 

@@ -104,7 +104,7 @@ struct Opened {
 Opened openData(const BenchOptions& options) {
     Opened opened;
     const auto start = Clock::now();
-    opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard());
+    opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
     opened.openMs = millisecondsSince(start);
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     const auto begun = Clock::now();

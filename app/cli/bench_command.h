@@ -7,8 +7,9 @@
 namespace neph {
 
 struct BenchOptions {
-    std::vector<std::string> files;  ///< none: the bundled storm
-    std::string json;                ///< file for the result; empty: stdout
+    std::vector<std::string> files;    ///< none: the bundled storm
+    std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
+    std::string json;                  ///< file for the result; empty: stdout
 };
 
 /// A table on stderr, JSON to the file or stdout. Returns 0; throws Error.

@@ -38,7 +38,14 @@ struct Arguments {
     BenchOptions bench;
     std::string preset;
     std::vector<std::string> presets;
+    std::vector<std::string> readers;
 };
+
+void addReaderOption(CLI::App& command, std::vector<std::string>& readers) {
+    command.add_option("--reader", readers, "Reader plugin to use; may be repeated")
+        ->type_name("LIBRARY|FOLDER")
+        ->allow_extra_args(false);  // what follows is a file
+}
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
     command.add_option("FILE", options.files,
@@ -47,12 +54,12 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->type_name("NAME|FILE");
     command.add_option("--set", options.assignments, "Set one parameter; may be repeated")
         ->type_name("ID=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     command.add_option("--camera", options.camera, "Camera of a preset, or a file with one")
         ->type_name("NAME|FILE");
     command.add_option("--time", options.time, "Time index, a:b or all; else the middle one")
         ->type_name("INDEX|a:b|all");
+    addReaderOption(command, options.readers);
 }
 
 void addRender(CLI::App& app, RenderOptions& options) {
@@ -89,10 +96,13 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     info.add_option("FILE", arguments.info.files,
                     "Files of one series, or a folder; none: the bundled storm");
     info.add_flag("--json", arguments.info.json, "As JSON");
-    app.add_subcommand("readers", "List reader plugins");
+    addReaderOption(info, arguments.info.readers);
+    CLI::App& readers = *app.add_subcommand("readers", "List reader plugins");
+    addReaderOption(readers, arguments.readers);
     CLI::App& bench = *app.add_subcommand("bench", "Measure frame times");
     bench.add_option("FILE", arguments.bench.files, "Data; none: the bundled storm");
     bench.add_option("--json", arguments.bench.json, "File for the result; none: stdout");
+    addReaderOption(bench, arguments.bench.readers);
 }
 
 int runPresets(const CLI::App& command, const Arguments& arguments) {
@@ -118,7 +128,7 @@ void checkForCommand(const CLI::App& app, const SceneOptions& options) {
 int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("render")) return runRender(arguments.render);
     if (app.got_subcommand("info")) return runInfo(arguments.info);
-    if (app.got_subcommand("readers")) return runReaders();
+    if (app.got_subcommand("readers")) return runReaders(arguments.readers);
     if (app.got_subcommand("bench")) return runBench(arguments.bench);
     if (app.got_subcommand("presets")) return runPresets(*app.get_subcommand("presets"), arguments);
     checkForCommand(app, arguments.workbench);

@@ -236,7 +236,8 @@ std::string infoJson(Dataset& dataset) {
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
-    const auto dataset = Dataset::open(listFiles(options.files), PluginHost::standard());
+    const auto dataset =
+        Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
     fmt::print("{}", options.json ? infoJson(*dataset) : infoText(*dataset));
     return 0;
 }

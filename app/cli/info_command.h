@@ -7,6 +7,7 @@ namespace neph {
 
 struct InfoOptions {
     std::vector<std::string> files;  ///< files of one series, or a folder; none: the bundled storm
+    std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
     bool json = false;
 };
 

@@ -7,8 +7,8 @@
 
 namespace neph {
 
-int runReaders() {
-    const PluginHost host = PluginHost::standard();
+int runReaders(std::span<const std::string> named) {
+    const PluginHost host = PluginHost::standard(named);
     for (const auto& reader : host.readers()) {
         fmt::print("{} {}: {}\n  library     {}\n  ABI         {}\n  extensions  {}\n", reader->id,
                    reader->version, reader->title, reader->library.string(), reader->abiVersion,
@@ -20,6 +20,7 @@ int runReaders() {
         fmt::print("  {}: {}\n", rejected.library.string(), rejected.reason);
     }
     fmt::print("\nLooked for in\n");
+    for (const auto& place : named) fmt::print("  {}\n", place);
     for (const auto& place : PluginHost::standardPlaces()) fmt::print("  {}\n", place.string());
     return host.readers().empty() ? 1 : 0;
 }

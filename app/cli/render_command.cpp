@@ -143,7 +143,8 @@ int runRender(const RenderOptions& options) {
     Scene scene = makeScene(options.scene);
     applyPlanes(options, scene.document.look);
     printAll("warning", scene.warnings);
-    const auto dataset = Dataset::open(listFiles(options.scene.files), PluginHost::standard());
+    const auto dataset =
+        Dataset::open(listFiles(options.scene.files), PluginHost::standard(options.scene.readers));
     printAll("note", dataset->info().notes);
     const std::vector<int> times = parseTimes(options.scene.time, dataset->info());
     const gl::HeadlessContext context;

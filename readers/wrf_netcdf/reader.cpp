@@ -43,12 +43,9 @@ int score(const char* path) {
     }
 }
 
-std::unique_ptr<plugin::File> open(const char* path) {
-    return std::make_unique<File>(path);
-}
-
 constexpr plugin::Reader kReader{
-    "wrf_netcdf", "1.0", "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)", "nc", &score, &open};
+    "wrf_netcdf", "1.0",  "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)",
+    "nc",         &score, &plugin::openAs<File>};
 
 }  // namespace
 
