@@ -1,0 +1,106 @@
+// raw_les_microhh_test.cpp: MicroHH cases: word size from sizes, fields told from other files, air.
+#include <doctest/doctest.h>
+
+#include "tests/readers/raw_maker.h"
+#include "tests/readers/reader_host.h"
+#include "tests/temporary_folder.h"
+
+using namespace neph;
+
+TEST_CASE("A MicroHH case opens by its folder, its .ini and its grid, in float and in double") {
+    for (const bool doubles : {false, true}) {
+        CAPTURE(doubles);
+        const TemporaryFolder folder;
+        MicrohhSpec spec;
+        spec.doubles = doubles;
+        const auto path = writeMicrohh(folder.path(), spec);
+        for (const char* name : {"", "case.ini", "grid.0000000"}) {
+            CAPTURE(name);
+            const auto dataset = openFiles({*name == 0 ? path : path / name});
+            const DatasetInfo& info = dataset->info();
+            CHECK(info.model == "MicroHH");
+            CHECK(info.scheme == "two-moment warm rain (swmicro=2mom_warm)");
+            CHECK(info.cloudDropletsPerM3 == 7e7);
+            CHECK(info.size == glm::ivec3(4, 3, 2));
+            CHECK(info.spacingM == glm::dvec2(100.0));
+            REQUIRE(info.times.size() == 2);
+            CHECK(info.times[1].label == "7200 s");
+            CHECK(info.notes.empty());
+            CHECK(info.find("thl_bot") == nullptr);
+            CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
+            CHECK(dataset->read("rhoref", 0).values == std::vector<float>{1.2f, 1.1f});
+            const Array3f ql = dataset->read("ql", 1, Box{{1, 1, 0}, {3, 3, 2}});
+            CHECK(ql.at(0, 0, 0) == 0.0f);
+            CHECK(ql.at(1, 1, 1) == 1e-3f);
+        }
+    }
+}
+
+TEST_CASE("A MicroHH field opened by itself says what to open") {
+    const TemporaryFolder folder;
+    writeMicrohh(folder.path(), {});
+    const ErrorParts error = errorOf([&] { openFiles({folder / "ql.0003600"}); });
+    CHECK(contains(error.what, "one field of a MicroHH case"));
+    CHECK(contains(error.hint, "open the folder"));
+}
+
+TEST_CASE("MicroHH times count units of ten to the iotimeprec seconds") {
+    const TemporaryFolder folder;
+    MicrohhSpec spec;
+    spec.more = "[time]\niotimeprec=-1\n";
+    const DatasetInfo info = openFiles({writeMicrohh(folder.path(), spec)})->info();
+    CHECK(info.times[0].label == "360 s");
+    CHECK(info.times[1].seconds == doctest::Approx(360.0));
+}
+
+TEST_CASE("Times at which a hydrometeor is not there are left out with a note") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    writeFloats(folder / "qr.0007200", std::vector<float>(24, 1e-5f));
+    const DatasetInfo info = openFiles({path})->info();
+    REQUIRE(info.times.size() == 1);
+    CHECK(info.times[0].label == "7200 s");
+    CHECK(contains(info.notes.at(0), "1 of 2 times are left out"));
+}
+
+TEST_CASE("A MicroHH case without rhoref takes the standard atmosphere, and a note says so") {
+    const TemporaryFolder folder;
+    MicrohhSpec spec;
+    spec.density = false;
+    const auto dataset = openFiles({writeMicrohh(folder.path(), spec)});
+    CHECK(contains(dataset->info().notes.at(0), "Standard Atmosphere 1976"));
+    // Table of the standard atmosphere: 1.225 kg/m³ at 0 m, 1.2133 at 100 m.
+    const auto density = dataset->read("dry_air_density", 0).values;
+    CHECK(density[0] == doctest::Approx(1.2221).epsilon(2e-4));
+    CHECK(density[1] == doctest::Approx(1.2162).epsilon(2e-4));
+}
+
+TEST_CASE("What does not fit a MicroHH grid is refused with both numbers") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    const auto whatOf = [&] { return errorOf([&] { openFiles({path / "case.ini"}); }); };
+    writeText(folder / "ql.0003600", std::string(95, 'x'));
+    CHECK(contains(whatOf().what, "shorter than a field"));
+    CHECK(whatOf().found == "95 bytes");
+    CHECK(contains(whatOf().expected, "96 bytes"));
+    std::filesystem::remove(folder / "ql.0003600");
+    writeText(folder / "grid.0000000", std::string(73, 'x'));
+    CHECK(whatOf().found == "73 bytes");
+    CHECK(contains(whatOf().expected, "72 bytes (float) or 144 bytes (double)"));
+    writeFloats(folder / "grid.0000000", std::vector<float>(18, 7.0f));
+    CHECK(contains(whatOf().what, "x is not that of the .ini"));
+    writeText(folder / "case.ini", "[grid]\nitot=0\njtot=3\nktot=2\n");
+    CHECK(contains(whatOf().what, "grid/itot"));
+}
+
+TEST_CASE("A MicroHH grid in the other byte order is noticed by its first value") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    writeFloats(folder / "grid.0000000",
+                {50, 150, 250, 350, 0, 100, 200, 300, 50, 150, 250, 0, 100, 200, 25, 75, 0, 50},
+                true);
+    writeFloats(folder / "ql.0003600", std::vector<float>(24, 0.5f), true);
+    const auto dataset = openFiles({path});
+    CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
+    CHECK(dataset->read("ql", 0).values[5] == 0.5f);
+}
