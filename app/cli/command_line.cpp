@@ -95,6 +95,9 @@ void addOthers(CLI::App& app, Arguments& arguments) {
         "info", "Describe files: model, grid, times, maxima of each species and where");
     info.add_option("FILE", arguments.info.files,
                     "Files of one series, or a folder; none: the bundled storm");
+    info.add_option("--time", arguments.info.time,
+                    "Times to read; else all, or of much data the first and the last")
+        ->type_name("INDEX|a:b|all");
     info.add_flag("--json", arguments.info.json, "As JSON");
     addReaderOption(info, arguments.info.readers);
     CLI::App& readers = *app.add_subcommand("readers", "List reader plugins");

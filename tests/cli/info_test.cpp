@@ -18,7 +18,8 @@ TEST_CASE("info tells model, scheme, grid, times and where each hydrometeor is d
     CHECK(outcome.status == 0);
     for (const char* part :
          {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1000 x 1000 m",
-          "110 x 120 km", "0001-01-01_00:30:00 to 0001-01-01_02:00:00", "90 min"}) {
+          "110 x 120 km", "Cloud    base 0.00 km, top 15.46 km", "at full resolution",
+          "0001-01-01_00:30:00 to 0001-01-01_02:00:00", "90 min"}) {
         CAPTURE(part);
         CHECK(contains(outcome.out, part));
     }
@@ -45,11 +46,45 @@ TEST_CASE("info --json has it all, as numbers") {
     CHECK(json.at("notes").empty());
 }
 
+TEST_CASE("info gives cloud base and top and the heaviest columns as an independent sum has them") {
+    // By numpy on what ncdump prints: q times p / (287 T_K (1 + 1.6084 q_v)) times the depth of
+    // layers.
+    const Outcome outcome = runProgram("info --json " + kStorm);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    const auto number = [&](const char* pointer) {
+        return json.at(nlohmann::json::json_pointer(pointer)).get<double>();
+    };
+    CHECK(number("/condensate/maximum_kg_per_m2") == doctest::Approx(107.22).epsilon(1e-4));
+    CHECK(number("/condensate/x_km") == 30.5);
+    CHECK(number("/condensate/y_km") == 94.5);
+    CHECK(json.at("condensate").at("time") == "0001-01-01_02:00:00");
+    CHECK(number("/species/4/column/maximum_kg_per_m2") == doctest::Approx(68.691).epsilon(1e-4));
+    CHECK(number("/species/4/column/y_km") == 93.5);
+    CHECK(number("/times/0/maxima/2/column/maximum_kg_per_m2") ==
+          doctest::Approx(36.113).epsilon(1e-4));
+    CHECK(number("/times/0/cloud/base_km") == doctest::Approx(0.750893).epsilon(1e-5));
+    CHECK(number("/times/0/cloud/top_km") == doctest::Approx(13.867420).epsilon(1e-5));
+    CHECK(number("/times/0/precipitation/base_km") == 0.0);
+    CHECK(number("/times/3/precipitation/top_km") == doctest::Approx(16.803547).epsilon(1e-5));
+    CHECK(json.at("shown") == "at full resolution");
+}
+
+TEST_CASE("info --time reads the times asked for and says how many that were") {
+    const Outcome outcome = runProgram("info --json --time 1 " + kStorm);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(!json.at("times")[0].contains("maxima"));
+    CHECK(json.at("times")[1].contains("maxima"));
+    CHECK(json.at("notes")[0] == "1 of 4 times were read; --time all reads every one.");
+    CHECK(contains(runProgram("info --time 9 " + kStorm).err, "error"));
+}
+
 TEST_CASE("info on what cannot be read fails with file, found, expected and hint") {
     const Outcome outcome = runProgram("info '" NEPH_TEST_SOURCE_DIR "/LICENSE'");
     CHECK(outcome.status == 1);
     CHECK(outcome.err.starts_with("error: "));
-    for (const char* part : {"LICENSE", "found:", "expected: WRF output", "hint:"}) {
+    for (const char* part : {"LICENSE", "found:", "expected: ", "WRF output", "hint:"}) {
         CHECK(contains(outcome.err, part));
     }
 }
