@@ -7,8 +7,10 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/header_cache.h"
 #include "core/names.h"
 #include "core/reader_file.h"
+#include "core/series.h"
 
 namespace neph {
 namespace {
@@ -37,16 +39,15 @@ VariableInfo infoOf(const FileVariable& variable) {
     return info;
 }
 
-/// What a series keeps of one of its files.
-struct SeriesFile {
+/// What a data set keeps of one of its files.
+struct KnownFile {
     fs::path path;
     std::map<std::string, std::size_t, std::less<>> variables;  ///< name to index in the file
 };
 
 class SeriesDataset : public Dataset {
   public:
-    SeriesDataset(std::span<const fs::path> files, const PluginHost& host,
-                  const Progress& progress);
+    explicit SeriesDataset(const Series& series);
     Array3f read(std::string_view variable, int time, std::optional<Box> box,
                  const Progress& progress) override;
     std::unique_ptr<Dataset> anotherHandle() const override {
@@ -54,90 +55,61 @@ class SeriesDataset : public Dataset {
     }
 
   private:
+    using KnownFiles = std::vector<KnownFile>;
     SeriesDataset(const DatasetInfo& info, std::shared_ptr<const ReaderPlugin> reader,
-                  std::vector<SeriesFile> files)
+                  std::shared_ptr<const KnownFiles> files)
         : reader_(std::move(reader)), files_(std::move(files)) {
         info_ = info;
     }
-    void take(const fs::path& path, const PluginHost& host);
-    void requireSameGrid(const fs::path& path, const FileDescription& file) const;
+    void describe(const FileDescription& first);
     void mergeVariables(const FileDescription& file);
     void sortTimes();
-    ReaderFile& opened(const SeriesFile& file);
+    ReaderFile& opened(const KnownFile& file);
     void requireUnchanged(const FileDescription& now, const TimeInfo& when,
                           std::string_view variable, std::size_t index) const;
-    static Error missing(const SeriesFile& file, std::string_view variable);
+    Error missing(const TimeInfo& when, const KnownFile& file, std::string_view variable) const;
 
     std::shared_ptr<const ReaderPlugin> reader_;
-    std::vector<SeriesFile> files_;
-    std::unique_ptr<ReaderFile> open_;  ///< the file read last
+    std::shared_ptr<const KnownFiles> files_;  ///< shared by all handles
+    std::unique_ptr<ReaderFile> open_;         ///< the file read last
     fs::path openPath_;
 };
 
-SeriesDataset::SeriesDataset(std::span<const fs::path> files, const PluginHost& host,
-                             const Progress& progress) {
-    if (files.empty()) throw Error({.what = "no files were given", .hint = "name at least one"});
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (!goOn(progress, static_cast<double>(i) / static_cast<double>(files.size()))) {
-            throw Cancelled{};
+SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
+    describe(series.files.front().description);
+    auto files = std::make_shared<KnownFiles>();
+    for (const SeriesFile& file : series.files) {
+        const FileDescription& described = file.description;
+        mergeVariables(described);
+        for (std::size_t i = 0; i < described.times.size(); ++i) {
+            const FileTime& time = described.times[i];
+            info_.times.push_back({time.label, time.seconds, file.path, static_cast<int>(i)});
         }
-        take(files[i], host);
+        for (const std::string& note : described.notes) {
+            if (std::ranges::find(info_.notes, note) == info_.notes.end()) {
+                info_.notes.push_back(note);
+            }
+        }
+        KnownFile kept{file.path, {}};
+        for (std::size_t i = 0; i < described.variables.size(); ++i) {
+            kept.variables[described.variables[i].name] = i;
+        }
+        files->push_back(std::move(kept));
     }
+    files_ = std::move(files);
     sortTimes();
-    if (!goOn(progress, 1.0)) throw Cancelled{};
+    info_.notes.insert(info_.notes.end(), series.notes.begin(), series.notes.end());
 }
 
-void SeriesDataset::take(const fs::path& path, const PluginHost& host) {
-    auto reader = host.pick(path);
-    auto opened = std::make_unique<ReaderFile>(reader, path);
-    const FileDescription& file = opened->description();
-    if (files_.empty()) {
-        reader_ = reader;
-        info_.reader = reader->id;
-        info_.model = file.model;
-        info_.scheme = file.scheme;
-        info_.microphysics = static_cast<Microphysics>(file.microphysics);
-        info_.cloudDropletsPerM3 = file.cloudDropletsPerM3;
-        info_.size = file.size;
-        info_.spacingM = file.spacingM;
-        info_.attributes = file.attributes;
-    } else if (reader != reader_) {
-        throw Error(
-            {.where = path.string(),
-             .what = fmt::format("is not of the same series as {}", files_[0].path.string()),
-             .found = reader->title,
-             .expected = reader_->title,
-             .hint = "open files of one model run together"});
-    }
-    requireSameGrid(path, file);
-    mergeVariables(file);
-    for (std::size_t i = 0; i < file.times.size(); ++i) {
-        info_.times.push_back(
-            {file.times[i].label, file.times[i].seconds, path, static_cast<int>(i)});
-    }
-    for (const std::string& note : file.notes) {
-        if (std::ranges::find(info_.notes, note) == info_.notes.end()) info_.notes.push_back(note);
-    }
-    SeriesFile kept{path, {}};
-    for (std::size_t i = 0; i < file.variables.size(); ++i) {
-        kept.variables[file.variables[i].name] = i;
-    }
-    files_.push_back(std::move(kept));
-    open_ = std::move(opened);
-    openPath_ = path;
-}
-
-void SeriesDataset::requireSameGrid(const fs::path& path, const FileDescription& file) const {
-    if (file.size == info_.size && file.spacingM == info_.spacingM) return;
-    const auto describe = [](glm::ivec3 size, glm::dvec2 spacing) {
-        return fmt::format("{} x {} x {} cells of {} x {} m", size.x, size.y, size.z, spacing.x,
-                           spacing.y);
-    };
-    throw Error({.where = path.string(),
-                 .what = fmt::format("its grid is not that of {}", files_[0].path.string()),
-                 .found = describe(file.size, file.spacingM),
-                 .expected = describe(info_.size, info_.spacingM),
-                 .hint = "open each domain of a nested run by itself"});
+void SeriesDataset::describe(const FileDescription& first) {
+    info_.reader = reader_->id;
+    info_.model = first.model;
+    info_.scheme = first.scheme;
+    info_.microphysics = static_cast<Microphysics>(first.microphysics);
+    info_.cloudDropletsPerM3 = first.cloudDropletsPerM3;
+    info_.size = first.size;
+    info_.spacingM = first.spacingM;
+    info_.attributes = first.attributes;
 }
 
 void SeriesDataset::mergeVariables(const FileDescription& file) {
@@ -163,7 +135,7 @@ void SeriesDataset::sortTimes() {
     info_.times = std::move(kept);
 }
 
-ReaderFile& SeriesDataset::opened(const SeriesFile& file) {
+ReaderFile& SeriesDataset::opened(const KnownFile& file) {
     if (!open_ || openPath_ != file.path) {
         open_.reset();
         open_ = std::make_unique<ReaderFile>(reader_, file.path);
@@ -186,15 +158,21 @@ void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo&
                  .hint = "open it again"});
 }
 
-Error SeriesDataset::missing(const SeriesFile& file, std::string_view variable) {
+Error SeriesDataset::missing(const TimeInfo& when, const KnownFile& file,
+                             std::string_view variable) const {
     std::vector<std::string_view> names;
     for (const auto& entry : file.variables) names.push_back(entry.first);
-    const std::string_view nearest = nearestName(variable, names);
-    return Error(
-        {.where = file.path.string(),
-         .what = fmt::format("variable {} is missing", variable),
-         .found = fmt::format("{}", fmt::join(names, ", ")),
-         .hint = nearest.empty() ? std::string() : fmt::format("did you mean {}?", nearest)});
+    ErrorParts parts{.where = file.path.string(),
+                     .what = fmt::format("variable {} is missing", variable),
+                     .found = fmt::format("{}", fmt::join(names, ", "))};
+    if (info_.find(variable) != nullptr) {
+        parts.what += fmt::format(" at {}", when.label);
+        parts.expected = "the variables that other files of the series have";
+        parts.hint = "leave this file out, or write the variable at all times";
+    } else if (const std::string_view nearest = nearestName(variable, names); !nearest.empty()) {
+        parts.hint = fmt::format("did you mean {}?", nearest);
+    }
+    return Error(parts);
 }
 
 Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<Box> box,
@@ -204,9 +182,9 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
                      .expected = fmt::format("0 to {}", info_.times.size() - 1)});
     }
     const TimeInfo& when = info_.times[static_cast<std::size_t>(time)];
-    const auto file = std::ranges::find(files_, when.file, &SeriesFile::path);
+    const auto file = std::ranges::find(*files_, when.file, &KnownFile::path);
     const auto index = file->variables.find(variable);
-    if (index == file->variables.end()) throw missing(*file, variable);
+    if (index == file->variables.end()) throw missing(when, *file, variable);
     ReaderFile& source = opened(*file);
     requireUnchanged(source.description(), when, variable, index->second);
     const glm::ivec3 size = source.description().variables[index->second].size;
@@ -241,7 +219,12 @@ const VariableInfo* DatasetInfo::find(VariableRole role, std::optional<Species> 
 
 std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
                                        const Progress& progress) {
-    return std::make_shared<SeriesDataset>(files, host, progress);
+    return open(files, host, HeaderCache::standardFolder(), progress);
+}
+
+std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
+                                       const fs::path& cacheFolder, const Progress& progress) {
+    return std::make_shared<SeriesDataset>(describeSeries(files, host, cacheFolder, progress));
 }
 
 }  // namespace neph

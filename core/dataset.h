@@ -80,13 +80,17 @@ struct Box {
 
 class Dataset {
   public:
-    /// Opens files that form one series. Throws Error when no reader takes them or a reader fails.
+    /// Opens files, or folders of files, that form one series, see core/series.h; headers of long
+    /// series are remembered in the user's cache. Throws Error when no reader takes them or a
+    /// reader fails, or Cancelled.
     static std::shared_ptr<Dataset> open(std::span<const std::filesystem::path> files,
                                          const PluginHost& host, const Progress& progress = {});
-    Dataset() = default;
+    /// The same with the header cache kept under `cacheFolder`; empty: none.
+    static std::shared_ptr<Dataset> open(std::span<const std::filesystem::path> files,
+                                         const PluginHost& host,
+                                         const std::filesystem::path& cacheFolder,
+                                         const Progress& progress);
     virtual ~Dataset() = default;
-    Dataset(const Dataset&) = delete;
-    Dataset& operator=(const Dataset&) = delete;
 
     const DatasetInfo& info() const { return info_; }
 
@@ -99,6 +103,10 @@ class Dataset {
     virtual std::unique_ptr<Dataset> anotherHandle() const { return nullptr; }
 
   protected:
+    Dataset() = default;
+    Dataset(const Dataset&) = default;
+    Dataset& operator=(const Dataset&) = default;
+
     DatasetInfo info_;
 };
 

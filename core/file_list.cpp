@@ -1,4 +1,4 @@
-// file_list.cpp: folders opened, the bundled storm found.
+// file_list.cpp: paths checked, the bundled samples found.
 #include "core/file_list.h"
 
 #include <algorithm>
@@ -7,39 +7,45 @@
 #include "core/resources.h"
 
 namespace neph {
-namespace {
 
-void addFolder(const std::filesystem::path& folder, std::vector<std::filesystem::path>& files) {
-    std::error_code error;
-    const std::size_t before = files.size();
-    for (const auto& item : std::filesystem::directory_iterator(folder, error)) {
-        const bool hidden = item.path().filename().string().starts_with('.');
-        std::error_code unseen;  // a link that leads nowhere is no file
-        if (!hidden && item.is_regular_file(unseen)) files.push_back(item.path());
+namespace fs = std::filesystem;
+
+std::vector<fs::path> listFiles(std::span<const std::string> named) {
+    std::vector<fs::path> files;
+    if (named.empty()) files.push_back(resourcePath("samples/supercell"));
+    for (const std::string& name : named) {
+        std::error_code error;
+        if (fs::exists(name, error)) {
+            files.emplace_back(name);
+            continue;
+        }
+        const bool bare = !name.empty() && name.find('/') == name.npos && !name.starts_with('.');
+        const auto sample = bare ? findResource("samples/" + name) : std::nullopt;
+        if (!sample) {
+            throw Error({name, "there is no such file or folder",
+                         error ? error.message() : std::string(), "",
+                         "a bundled sample is opened by its name: supercell, cumulus"});
+        }
+        files.push_back(*sample);
     }
-    if (error) throw Error({folder.string(), "cannot be listed", error.message(), "", ""});
-    if (files.size() == before) {
-        throw Error({folder.string(), "holds no files", "", "model output in this folder", ""});
-    }
-    std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
+    return files;
 }
 
-}  // namespace
-
-std::vector<std::filesystem::path> listFiles(std::span<const std::string> named) {
-    std::vector<std::filesystem::path> files;
-    if (named.empty()) addFolder(resourcePath("samples/supercell"), files);
-    for (const std::string& name : named) {
-        const std::filesystem::path path(name);
+std::vector<fs::path> filesIn(std::span<const fs::path> paths) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : paths) {
         std::error_code error;
-        if (std::filesystem::is_directory(path, error)) {
-            addFolder(path, files);
-        } else if (std::filesystem::exists(path, error)) {
+        if (!fs::is_directory(path, error)) {
             files.push_back(path);
-        } else {
-            throw Error({name, "there is no such file or folder",
-                         error ? error.message() : std::string(), "", ""});
+            continue;
         }
+        const std::size_t before = files.size();
+        for (const auto& item : fs::directory_iterator(path, error)) {
+            const bool hidden = item.path().filename().string().starts_with('.');
+            std::error_code unseen;  // a link that leads nowhere is no file
+            if (!hidden && item.is_regular_file(unseen)) files.push_back(item.path());
+        }
+        std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
     }
     return files;
 }

@@ -1,4 +1,4 @@
-// file_list.h: from what a user names (files, folders, nothing) to the files of one series.
+// file_list.h: from what a user names (files, folders, samples, nothing) to what is opened.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -7,9 +7,12 @@
 
 namespace neph {
 
-/// A folder stands for the regular files in it whose names do not open with '.', in order of name;
-/// nothing stands for the bundled storm. Throws Error for a path that does not exist and for an
-/// empty folder.
+/// The files and folders named. A name that is no path here may be that of a bundled sample
+/// ("supercell"); nothing stands for the bundled storm. Throws Error for what does not exist.
 std::vector<std::filesystem::path> listFiles(std::span<const std::string> named);
+
+/// Each folder of `paths` replaced by the regular files in it whose names do not open with '.', in
+/// order of name. A folder that cannot be listed gives none.
+std::vector<std::filesystem::path> filesIn(std::span<const std::filesystem::path> paths);
 
 }  // namespace neph

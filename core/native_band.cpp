@@ -4,21 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace neph {
 namespace {
 
 constexpr std::size_t kBandBytes = 1U << 20U;  // a field: a handful of them stay in a core's cache
-constexpr unsigned kMostThreads = 4;           // memory, not computing, bounds what more would give
+constexpr std::size_t kMostThreads = 4;        // memory, not computing, bounds what more would give
 
 std::string textOf(glm::ivec3 size) {
     return fmt::format("{} x {} x {}", size.x, size.y, size.z);
@@ -49,65 +44,6 @@ Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, co
                   .expected = bad.expected,
                   .hint = "the run blew up or the file is damaged: leave this time out"});
 }
-
-/// The threads that share out bands, and what they have come to.
-class BandCrew {
-  public:
-    BandCrew(std::size_t bandCount, const BandWork& work) : count_(bandCount), work_(work) {}
-
-    /// Takes bands until none is left.
-    void labour(Dataset& dataset, const Progress& progress) {
-        for (std::size_t band = next_++; band < count_ && !stopped_; band = next_++) {
-            try {
-                work_(dataset, band, progress);
-            } catch (...) {
-                fail(band);
-            }
-            ++done_;
-        }
-    }
-    void labourElsewhere(Dataset& dataset) {
-        labour(dataset, [this](double) { return !stopped_; });
-        const std::lock_guard lock(mutex_);
-        ++finished_;
-        ended_.notify_one();
-    }
-    /// Reports until `threads` have finished.
-    void await(std::size_t threads, const Progress& progress) {
-        std::unique_lock lock(mutex_);
-        const auto all = [&] { return finished_ == threads; };
-        while (!ended_.wait_for(lock, std::chrono::milliseconds(50), all)) report(progress);
-    }
-    bool report(const Progress& progress) {
-        if (goOn(progress, static_cast<double>(done_) / static_cast<double>(count_))) return true;
-        stopped_ = true;
-        cancelled_ = true;
-        return false;
-    }
-    void rethrow() const {
-        if (cancelled_) throw Cancelled{};
-        if (failure_) std::rethrow_exception(failure_);
-    }
-
-  private:
-    void fail(std::size_t band) {
-        const std::lock_guard lock(mutex_);
-        stopped_ = true;
-        if (failure_ && failedBand_ < band) return;
-        failure_ = std::current_exception();
-        failedBand_ = band;
-    }
-
-    const std::size_t count_;
-    const BandWork& work_;
-    std::atomic<std::size_t> next_{0}, done_{0};
-    std::atomic<bool> stopped_{false}, cancelled_{false};
-    std::mutex mutex_;
-    std::condition_variable ended_;
-    std::size_t finished_ = 0;
-    std::exception_ptr failure_;
-    std::size_t failedBand_ = 0;
-};
 
 }  // namespace
 
@@ -211,27 +147,19 @@ Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, cons
 
 void overBands(Dataset& dataset, std::size_t bandCount, const BandWork& work,
                const Progress& progress) {
-    BandCrew crew(bandCount, work);
-    const auto most = std::min<std::size_t>(
-        std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads), bandCount);
+    const std::size_t workers = std::min(workerCount(kMostThreads), bandCount);
     std::vector<std::unique_ptr<Dataset>> handles;
-    while (handles.size() + 1 < most) {
+    while (handles.size() + 1 < workers) {
         auto handle = dataset.anotherHandle();
         if (!handle) break;
         handles.push_back(std::move(handle));
     }
-    const Progress reporting = [&](double) { return crew.report(progress); };
-    if (!reporting(0.0)) crew.rethrow();
-    {
-        std::vector<std::jthread> threads;
-        for (const auto& handle : handles) {
-            threads.emplace_back([&crew, &handle] { crew.labourElsewhere(*handle); });
-        }
-        crew.labour(dataset, reporting);
-        crew.await(threads.size(), progress);
-    }
-    crew.rethrow();
-    if (!goOn(progress, 1.0)) throw Cancelled{};
+    shareOut(
+        bandCount, handles.size() + 1,
+        [&](std::size_t band, std::size_t worker, const Progress& report) {
+            work(worker == 0 ? dataset : *handles[worker - 1], band, report);
+        },
+        progress);
 }
 
 }  // namespace neph

@@ -20,6 +20,7 @@ namespace neph {
 struct MemoryBudget {
     std::uint64_t machine = std::numeric_limits<std::uint64_t>::max();  ///< fields of the process
     std::uint64_t gpu = std::numeric_limits<std::uint64_t>::max();      ///< fields and medium
+    bool operator==(const MemoryBudget&) const = default;
 };
 
 /// A share of the memory that this machine has free now. `gpuBytes` is what the renderer may take.

@@ -66,7 +66,7 @@ TEST_CASE("A file of another format is refused with its first bytes and what is 
     CHECK(contains(error.expected, "WRF output"));
     writeText(folder / "empty", "");
     CHECK(contains(openError(folder / "empty").found, "empty"));
-    CHECK(contains(openError(folder.path()).found, "folder"));
+    CHECK(contains(openError(folder.path()).found, "2 files"));
 }
 
 TEST_CASE("A path that cannot be read is an error that says why") {

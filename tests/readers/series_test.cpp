@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "tests/readers/reader_host.h"
 #include "tests/readers/wrf_maker.h"
@@ -83,6 +84,8 @@ TEST_CASE("A variable that only some files of a series hold is an error at the t
     const ErrorParts error = errorOf([&] { dataset->read("QSNOW", 1); });
     CHECK(contains(error.where, "without"));
     CHECK(contains(error.what, "QSNOW"));
+    CHECK(contains(error.expected, "other files"));
+    CHECK(!error.hint.empty());
 }
 
 TEST_CASE("Opening a series can be cancelled") {
@@ -101,4 +104,79 @@ TEST_CASE("A file that was replaced since it was opened is an error, not another
     writeWrf(folder / "a", at({"2024-05-06_23:00:00"}, 3.0f));
     CHECK(contains(errorOf([&] { dataset->read("QCLOUD", 0); }).what, "has changed"));
     CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == 2.0f);
+}
+
+namespace {
+
+bool noted(const Dataset& dataset, std::string_view text) {
+    return std::ranges::any_of(dataset.info().notes,
+                               [&](const std::string& note) { return contains(note, text); });
+}
+
+}  // namespace
+
+TEST_CASE("A folder is the series in it; what else lies there is left out with one note") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "wrfout_d01_a", at({"2024-05-06_21:00:00"}, 1.0f));
+    writeWrf(folder / "wrfout_d01_b", at({"2024-05-06_22:00:00"}, 2.0f));
+    WrfSpec nested = at({"2024-05-06_21:00:00"}, 3.0f);
+    nested.nx = 7;
+    writeWrf(folder / "wrfout_d02_a", nested);
+    writeOtherNetcdf(folder / "met_em.d01.nc");
+    for (const char* name : {"namelist.input", "rsl.error.0000", "rsl.out.0000", "README"}) {
+        std::ofstream(folder / name) << "text";
+    }
+    const auto dataset = openFiles({folder.path()});
+    CHECK(dataset->info().times.size() == 2);
+    CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == 2.0f);
+    CHECK(dataset->info().notes.size() == 2);
+    CHECK(noted(*dataset, "5 files"));
+    CHECK(noted(*dataset, "README, met_em.d01.nc, namelist.input, ..."));
+    CHECK(noted(*dataset, "another grid (7 x 3 x 5 cells of 1000 x 2000 m): wrfout_d02_a"));
+}
+
+TEST_CASE("A folder without a readable file is an error that says what was tried") {
+    const TemporaryFolder folder;
+    CHECK(contains(errorOf([&] { openFiles({folder.path()}); }).what, "holds no files"));
+    std::ofstream(folder / "namelist.input") << "&time_control";
+    const ErrorParts error = errorOf([&] { openFiles({folder.path()}); });
+    CHECK(contains(error.what, "holds no file that can be read"));
+    CHECK(contains(error.found, "namelist.input"));
+}
+
+TEST_CASE("A file named beside others must be readable, and is told from one of another model") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", {});
+    std::ofstream(folder / "b") << "text";
+    CHECK(contains(errorOf([&] { openFiles({folder / "a", folder / "b"}); }).where, "b"));
+}
+
+TEST_CASE("A long series is remembered: the second time its files are not read") {
+    const TemporaryFolder folder, cache;
+    std::vector<std::filesystem::path> files;
+    for (int hour = 10; hour < 20; ++hour) {
+        files.push_back(folder / std::to_string(hour));
+        writeWrf(files.back(),
+                 at({"2024-05-06_" + std::to_string(hour) + ":00:00"}, static_cast<float>(hour)));
+    }
+    const auto first = Dataset::open(files, readerHost(), cache.path(), {});
+    CHECK(!std::filesystem::is_empty(cache.path()));
+    // Same size, same time of change, other content: only one who does not look is deceived.
+    const auto changed = std::filesystem::last_write_time(files[7]);
+    const auto bytes = std::filesystem::file_size(files[7]);
+    std::ofstream(files[7]) << std::string(bytes, 'x');
+    std::filesystem::last_write_time(files[7], changed);
+    const auto second = Dataset::open(files, readerHost(), cache.path(), {});
+    REQUIRE(second->info().times.size() == 10);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(second->info().times[i].label == first->info().times[i].label);
+        CHECK(second->info().times[i].seconds == first->info().times[i].seconds);
+    }
+    CHECK(second->info().variables == first->info().variables);
+    CHECK(second->read("QCLOUD", 5).at(0, 0, 0) == 15.0f);
+    CHECK(!errorOf([&] { second->read("QCLOUD", 7); }).what.empty());
+    // A changed file is read again.
+    writeWrf(files[7], at({"2024-05-06_23:00:00"}, 23.0f));
+    const auto third = Dataset::open(files, readerHost(), cache.path(), {});
+    CHECK(third->info().times.back().label == "2024-05-06_23:00:00");
 }
