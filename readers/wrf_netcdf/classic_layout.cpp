@@ -10,6 +10,7 @@ namespace wrf {
 namespace {
 
 constexpr std::uint64_t kMaxListed = 1U << 20;  // dimensions, attributes or variables in one list
+constexpr std::uint64_t kFloat = 5;             // NC_FLOAT
 
 /// Bytes of one value of an external type; 0 when the type does not exist.
 std::uint64_t bytesOf(std::uint64_t type) {
@@ -121,7 +122,9 @@ class ClassicHeader {
             if (cells > std::uint64_t{1} << 48U) broken_ = true;
         }
         skipAttributes();
-        variable.bytes = cells * bytesOf(word());
+        const std::uint64_t type = word();
+        variable.floats = type == kFloat;
+        variable.bytes = cells * bytesOf(type);
         count();  // vsize: redundant, and wrong for variables above 4 GiB
         variable.begin = number(version_ == 1 ? 4 : 8);
         layout.variables_.push_back(variable);
@@ -137,10 +140,20 @@ std::optional<ClassicLayout> ClassicLayout::of(const std::string& path) {
     return ClassicHeader(path).read();
 }
 
+std::uint64_t ClassicLayout::beginOf(const Variable& variable, std::uint64_t record) const {
+    return variable.begin + (variable.record ? record * recordBytes_ : 0);
+}
+
 std::uint64_t ClassicLayout::bytesNeeded(std::size_t index, std::uint64_t record) const {
     const Variable& variable = variables_.at(index);
-    const std::uint64_t skipped = variable.record ? record * recordBytes_ : 0;
-    return variable.begin + skipped + variable.bytes;
+    return beginOf(variable, record) + variable.bytes;
+}
+
+std::optional<std::uint64_t> ClassicLayout::floatsAt(std::size_t index,
+                                                     std::uint64_t record) const {
+    const Variable& variable = variables_.at(index);
+    if (!variable.floats) return {};
+    return beginOf(variable, record);
 }
 
 std::uint64_t ClassicLayout::bytesOfAll() const {

@@ -1,4 +1,5 @@
-// classic_layout.h: where a NetCDF-3 file keeps its data, so that a truncated one is noticed.
+// classic_layout.h: where a NetCDF-3 file keeps its data, so that a truncated one is noticed and
+// floats can be read past the library, which serves one thread at a time.
 //
 // The NetCDF library fills with zeros what lies past the end of a classic file. A storm without
 // rain would look the same, so the header is read here once more for the offsets that the library
@@ -21,6 +22,10 @@ class ClassicLayout {
     /// without records).
     std::uint64_t bytesNeeded(std::size_t index, std::uint64_t record) const;
 
+    /// Where variable `index` begins at `record`, when it holds floats.
+    std::optional<std::uint64_t> floatsAt(std::size_t index, std::uint64_t record) const;
+    bool hasRecords(std::size_t index) const { return variables_.at(index).record; }
+
     /// Bytes that the whole file must have.
     std::uint64_t bytesOfAll() const;
 
@@ -29,7 +34,10 @@ class ClassicLayout {
         std::uint64_t begin = 0;
         std::uint64_t bytes = 0;  ///< of one record, or of everything without records
         bool record = false;
+        bool floats = false;
     };
+
+    std::uint64_t beginOf(const Variable& variable, std::uint64_t record) const;
 
     friend class ClassicHeader;
     std::vector<Variable> variables_;

@@ -74,12 +74,11 @@ void unpack(const NcVariable& variable, std::span<float> values) {
     const bool packed = variable.scale != 1.0f || variable.offset != 0.0f;
     const float fill = variable.fill.value_or(std::numeric_limits<float>::quiet_NaN());
     for (float& value : values) {
-        if (value == fill || std::abs(value) >= kNothingWritten) {
-            value = std::numeric_limits<float>::quiet_NaN();
-        } else if (packed) {
-            value = value * variable.scale + variable.offset;
-        }
+        const bool missing = value == fill || std::abs(value) >= kNothingWritten;
+        value = missing ? std::numeric_limits<float>::quiet_NaN() : value;
     }
+    if (!packed) return;
+    for (float& value : values) value = value * variable.scale + variable.offset;
 }
 
 }  // namespace
@@ -93,7 +92,7 @@ Container containerOf(const std::string& path) {
     return text.substr(0, 3) == "CDF" && known ? Container::classic : Container::unknown;
 }
 
-NcFile::NcFile(const std::string& path) : path_(path) {
+NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
     const LibraryLock lock;
     const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
     if (status != NC_NOERR) {
@@ -201,6 +200,31 @@ void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) co
 
 void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start,
                   std::span<const std::size_t> count, std::span<float> values) const {
+    if (!readClassic(variable, start, count, values)) {
+        readByLibrary(variable, start, count, values);
+    }
+    unpack(variable, values);
+}
+
+/// False where the library has to read: other containers, other types, several records at once, and
+/// what is not there, of which it knows to tell.
+bool NcFile::readClassic(const NcVariable& variable, std::span<const std::size_t> start,
+                         std::span<const std::size_t> count, std::span<float> values) const {
+    const auto index = static_cast<std::size_t>(variable.id);
+    if (!layout_ || !floats_.usable() || start.empty()) return false;
+    const std::size_t first = layout_->hasRecords(index) ? 1 : 0;
+    if (first == 1 && count[0] != 1) return false;
+    const auto begin = layout_->floatsAt(index, first == 1 ? start[0] : 0);
+    if (!begin) return false;
+    std::vector<std::size_t> shape;
+    for (std::size_t axis = first; axis < variable.axes.size(); ++axis) {
+        shape.push_back(variable.axes[axis].length);
+    }
+    return floats_.read(*begin, shape, start.subspan(first), count.subspan(first), values);
+}
+
+void NcFile::readByLibrary(const NcVariable& variable, std::span<const std::size_t> start,
+                           std::span<const std::size_t> count, std::span<float> values) const {
     const LibraryLock lock;
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
     const int status =
@@ -213,7 +237,6 @@ void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start
             {},
             "the file is damaged: copy it again or leave this time out"};
     }
-    unpack(variable, values);
 }
 
 std::string NcFile::readText(const NcVariable& variable, std::span<const std::size_t> start,

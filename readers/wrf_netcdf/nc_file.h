@@ -1,7 +1,8 @@
 // nc_file.h: one NetCDF file, opened for reading; every call of the library goes through here.
 //
-// NetCDF-C is not safe for threads: each method holds one lock for the whole process. Sizes and
-// starts are in the order of the file, slowest axis first.
+// NetCDF-C is not safe for threads: each method holds one lock for the whole process, but for
+// floats of classic files, which are read past the library. Sizes and starts are in the order of
+// the file, slowest axis first.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "readers/wrf_netcdf/classic_floats.h"
 #include "readers/wrf_netcdf/classic_layout.h"
 #include "readers/wrf_netcdf/failure.h"
 
@@ -67,10 +69,15 @@ class NcFile {
   private:
     void readVariables();
     void requireWhole(const NcVariable& variable, std::size_t lastRecord) const;
+    bool readClassic(const NcVariable& variable, std::span<const std::size_t> start,
+                     std::span<const std::size_t> count, std::span<float> values) const;
+    void readByLibrary(const NcVariable& variable, std::span<const std::size_t> start,
+                       std::span<const std::size_t> count, std::span<float> values) const;
 
     std::string path_;
     int id_ = -1;
     std::optional<ClassicLayout> layout_;
+    ClassicFloats floats_;
     std::vector<NcDimension> dimensions_;
     std::vector<NcVariable> variables_;
 };

@@ -1,0 +1,30 @@
+// classic_floats.h: boxes of big-endian floats straight from a file, from any number of threads.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace wrf {
+
+/// An open file descriptor.
+class ClassicFloats {
+  public:
+    /// `usable` is false when the file cannot be opened.
+    explicit ClassicFloats(const std::string& path);
+    ~ClassicFloats();
+    ClassicFloats(const ClassicFloats&) = delete;
+    ClassicFloats& operator=(const ClassicFloats&) = delete;
+    bool usable() const { return descriptor_ >= 0; }
+
+    /// Fills `values` with the box [start, start + count) of an array of `shape`, slowest axis
+    /// first, that begins at byte `begin`. False when the file ends before or cannot be read.
+    bool read(std::uint64_t begin, std::span<const std::size_t> shape,
+              std::span<const std::size_t> start, std::span<const std::size_t> count,
+              std::span<float> values) const;
+
+  private:
+    bool readRun(std::uint64_t at, std::span<float> run) const;
+    int descriptor_ = -1;
+};
+
+}  // namespace wrf
