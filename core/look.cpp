@@ -224,6 +224,9 @@ void applyAssignment(Look& look, std::string_view assignment) {
 }
 
 bool applies(const Parameter& row, const Look& look) {
+    if (row.ofConstantRadius) {
+        return look.of(*row.species).radiusSource == RadiusSource::constant;
+    }
     if (row.phaseMember == nullptr) return true;
     const auto kind = load<PhaseKind>(look, row.phaseOffset + offsetof(PhaseSpec, kind));
     return phaseReads(kind, row.phaseMember);

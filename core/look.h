@@ -22,17 +22,25 @@ namespace neph {
 enum class Transport : int { lowAlbedo, translucent };
 enum class PhaseMode : int { uniform, perField };
 enum class ExtinctionMode : int { physical, equal };
+/// How extinction follows from a radius that comes from the model: large spheres, or the fits of
+/// the radiation code that WRF runs with.
+enum class RadiationOptics : int { geometric, wrfRrtmg };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 enum class ToneMap : int { linear, filmic };
 
-/// What must be recomputed when a parameter changes; each stage implies those after it.
-enum class Stage : int { medium, light, eye, resolve };
+/// Where the size of a field's particles comes from. docs/physics.md §7
+enum class RadiusSource : int { constant, file, number, scheme };
+
+/// What must be recomputed when a parameter changes; each stage implies those after it. `data`: the
+/// volume is read again.
+enum class Stage : int { data, medium, light, eye, resolve };
 
 struct SpeciesLook {
     bool visible = true;
     float mixingScale = 1.0f;
+    RadiusSource radiusSource = RadiusSource::constant;
     float effectiveRadiusM = 10e-6f;
     float densityKgPerM3 = 1000.0f;
     float albedo = 1.0f;
@@ -53,6 +61,7 @@ struct Look {
     PhaseMode phaseMode = PhaseMode::perField;
     bool noise = true;
     ExtinctionMode extinction = ExtinctionMode::physical;
+    RadiationOptics radiationOptics = RadiationOptics::geometric;
     ColourMode colour = ColourMode::natural;
 
     LightForm lightForm = LightForm::printed;
@@ -113,6 +122,7 @@ struct Parameter {
     /// Of a parameter of a phase function: which one, and where in Look its PhaseSpec lies.
     float PhaseSpec::*phaseMember = nullptr;
     std::size_t phaseOffset = 0;
+    bool ofConstantRadius = false;  ///< acts only where the radius of `species` is a constant
 };
 
 /// All parameters in the order of the panels.
@@ -148,7 +158,8 @@ std::string unitSuffix(const Parameter& row);
 /// Text of a value as the screen shows it: 10 µm, on, Translucent.
 std::string screenText(const Parameter& row, const ParameterValue& value);
 
-/// Whether a row acts at present: a parameter of a phase function acts where its kind reads it.
+/// Whether a row acts at present: a parameter of a phase function acts where its kind reads it, and
+/// a constant radius where none comes from the model.
 bool applies(const Parameter& row, const Look& look);
 
 /// The earliest stage that differs between two looks; none when they are equal.

@@ -14,6 +14,11 @@ constexpr std::array<std::string_view, 2> kPhaseModeIds{"uniform", "per_field"};
 constexpr std::array<std::string_view, 2> kPhaseModeLabels{"Uniform", "Per field"};
 constexpr std::array<std::string_view, 2> kExtinctionIds{"physical", "equal"};
 constexpr std::array<std::string_view, 2> kExtinctionLabels{"Physical", "Equal"};
+constexpr std::array<std::string_view, 2> kOpticsIds{"geometric", "wrf_rrtmg"};
+constexpr std::array<std::string_view, 2> kOpticsLabels{"Geometric", "As WRF RRTMG"};
+constexpr std::array<std::string_view, 4> kSourceIds{"constant", "file", "number", "scheme"};
+constexpr std::array<std::string_view, 4> kSourceLabels{"Constant", "From the file", "From number",
+                                                        "By the scheme"};
 constexpr std::array<std::string_view, 2> kColourIds{"natural", "fields"};
 constexpr std::array<std::string_view, 2> kColourLabels{"Natural", "By field"};
 constexpr std::array<std::string_view, 2> kLightFormIds{"printed", "consistent"};
@@ -157,6 +162,11 @@ void addModes(Rows& rows) {
     rows.choice("extinction", "Extinction", offsetof(Look, extinction), Stage::medium,
                 kExtinctionIds, kExtinctionLabels,
                 "From each field's radius and density (Eq. 9), or the same per kilogram for all.");
+    rows.choice("radiation_optics", "Model radii", offsetof(Look, radiationOptics), Stage::data,
+                kOpticsIds, kOpticsLabels,
+                "How much light particles of the model's radius take away: large spheres, or as "
+                "WRF's RRTMG has ice and snow. Acts on fields whose radius is not a constant. "
+                "docs/physics.md §7");
     rows.choice("colour", "Colour", offsetof(Look, colour), Stage::medium, kColourIds,
                 kColourLabels, "White hydrometeors, or the field colours of [Riley03] table 2.");
 }
@@ -222,6 +232,29 @@ void addView(Rows& rows) {
                 kToneMapLabels, "Filmic shoulder and toe, or linear with clipping.");
 }
 
+/// Where the radius of a species comes from, and the constant one.
+void addRadius(Rows& rows) {
+    rows.choice("radius_source", "Radius from", offsetof(SpeciesLook, radiusSource), Stage::data,
+                kSourceIds, kSourceLabels,
+                "A constant, or cell by cell from the model: effective radii in the file, numbers "
+                "of particles, or the microphysics scheme's own size distribution; what is missing "
+                "is replaced by the next of these. The largest change a picture can have: a "
+                "model's ice of 20-50 um has 82-33 m2/kg, the paper's of 1 mm 1.64, so anvils "
+                "become 20 to 50 times more opaque. Reads the data again. docs/physics.md §7");
+    Parameter& radius =
+        rows.number("effective_radius", "Effective radius", "m",
+                    offsetof(SpeciesLook, effectiveRadiusM), {1e-6, 1e-2, true}, Stage::medium,
+                    "Constant radius in Eq. 3 and 9; extinction goes as 1/r. [Riley03] table 3");
+    radius.displayUnit = "µm";
+    radius.displayScale = 1e6;
+    radius.ofConstantRadius = true;
+    rows.number("density", "Particle density", "kg m-3", offsetof(SpeciesLook, densityKgPerM3),
+                {10.0, 1000.0, true}, Stage::medium,
+                "Density of one particle of the constant radius, Eq. 3; extinction goes as "
+                "1/density.")
+        .ofConstantRadius = true;
+}
+
 void addSpecies(Rows& rows, Species s) {
     const std::size_t at =
         offsetof(Look, species) + static_cast<std::size_t>(s) * sizeof(SpeciesLook);
@@ -232,15 +265,7 @@ void addSpecies(Rows& rows, Species s) {
     rows.number("mixing_scale", "Mixing scale", "1", offsetof(SpeciesLook, mixingScale),
                 {0.0, 100.0, true}, Stage::medium,
                 "Multiplies the field's mixing ratio, H in Eq. 1. [Riley03] §5");
-    Parameter& radius =
-        rows.number("effective_radius", "Effective radius", "m",
-                    offsetof(SpeciesLook, effectiveRadiusM), {1e-6, 1e-2, true}, Stage::medium,
-                    "Radius in Eq. 3 and 9; extinction goes as 1/r. [Riley03] table 3");
-    radius.displayUnit = "µm";
-    radius.displayScale = 1e6;
-    rows.number("density", "Particle density", "kg m-3", offsetof(SpeciesLook, densityKgPerM3),
-                {10.0, 1000.0, true}, Stage::medium,
-                "Density of one particle in Eq. 3; extinction goes as 1/density.");
+    addRadius(rows);
     rows.number("albedo", "Albedo", "1", offsetof(SpeciesLook, albedo), {0.0, 1.0}, Stage::medium,
                 "Single-scattering albedo: share of extinction that scatters, Eq. 10.");
     rows.colour("colour", "Field colour", offsetof(SpeciesLook, colour), Stage::medium,

@@ -22,7 +22,8 @@ MediumClass classFor(const Look& look, const SpeciesLook& field) {
     return made;
 }
 
-float extinctionPerContent(const Look& look, const SpeciesLook& field) {
+float extinctionPerHeld(const Look& look, const SpeciesLook& field, Holding holding) {
+    if (holding == Holding::extinction) return field.mixingScale;
     const float k = look.extinction == ExtinctionMode::equal
                         ? look.equalExtinctionM2PerKg
                         : glsl::massExtinctionM2PerKg(field.effectiveRadiusM, field.densityKgPerM3);
@@ -62,17 +63,18 @@ float displayed(float value, PhaseDisplay display, DisplayRange range) {
 
 }  // namespace
 
-MediumPlan planMedium(const Look& look, const std::array<bool, kSpeciesCount>& present) {
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings) {
     MediumPlan plan;
     plan.classOf.fill(-1);
-    for (std::size_t s = 0; s < present.size(); ++s) {
+    for (std::size_t s = 0; s < holdings.size(); ++s) {
         const SpeciesLook& field = look.species[s];
-        if (!present[s] || !field.visible || field.mixingScale <= 0.0f) continue;
+        const bool absent = holdings[s] == Holding::absent;
+        if (absent || !field.visible || field.mixingScale <= 0.0f) continue;
         const MediumClass wanted = classFor(look, field);
         auto found = std::find(plan.classes.begin(), plan.classes.end(), wanted);
         if (found == plan.classes.end()) found = plan.classes.insert(found, wanted);
         plan.classOf[s] = static_cast<int>(found - plan.classes.begin());
-        plan.extinctionPerContent[s] = extinctionPerContent(look, field);
+        plan.extinctionPerHeld[s] = extinctionPerHeld(look, field, holdings[s]);
     }
     return plan;
 }

@@ -27,15 +27,15 @@ struct MediumClass {
 
 struct MediumPlan {
     std::vector<MediumClass> classes;  ///< at most kSpeciesCount; empty when nothing is visible
-    /// Extinction per mass content, m²/kg, Eq. 9 with the mixing scale; 0 when absent or invisible.
-    std::array<float, kSpeciesCount> extinctionPerContent{};
+    /// What the held values are multiplied by to give extinction in 1/m: m²/kg, Eq. 9, for mass
+    /// content, 1 for extinction, times the mixing scale; 0 when absent or invisible.
+    std::array<float, kSpeciesCount> extinctionPerHeld{};
     /// Index into `classes`, -1 when absent or invisible.
     std::array<int, kSpeciesCount> classOf{};
     bool operator==(const MediumPlan&) const = default;
 };
 
-/// `present` says which species the data set has.
-MediumPlan planMedium(const Look& look, const std::array<bool, kSpeciesCount>& present);
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings);
 
 /// The phase functions of the classes as the picture shows them (`light.phase_display`): tables of
 /// kPhaseTableSize entries, dimensionless, 1 for full isotropic scatter in the physical display and

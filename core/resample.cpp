@@ -131,6 +131,9 @@ struct SpeciesWork {
     const VariableInfo* ratio;
     Array3f* out;
     Repairs repairs{};
+    RadiusGaps gaps{};
+
+    Species species() const { return *ratio->species; }
 };
 
 /// What every species of a band needs, read when the first of them holds anything.
@@ -142,8 +145,13 @@ struct BandAir {
 
 class BandResampler {
   public:
-    BandResampler(const ReadPlan& plan, int time, std::vector<SpeciesWork>& species)
-        : plan_(plan), time_(time), species_(species), bands_(bandsOf(plan.box, plan.coarsening)) {}
+    BandResampler(const ReadPlan& plan, const RadiusPlan& radii, int time,
+                  std::vector<SpeciesWork>& species)
+        : plan_(plan),
+          radii_(radii),
+          time_(time),
+          species_(species),
+          bands_(bandsOf(plan.box, plan.coarsening)) {}
 
     void run(Dataset& dataset, const Progress& progress) {
         overBands(
@@ -168,7 +176,10 @@ class BandResampler {
             }
             if (repairs.allZero) continue;
             if (air.empty()) air = readAir(dataset, band, blocks, progress);
-            toContent(quantity, air.density);
+            timesDensity(quantity, air.density);
+            if (!radii_.holdsMass(species.species())) {
+                toExtinction(dataset, band, air.density, species, quantity, progress);
+            }
             remap(air.interfaces, averaged(quantity, air.heights, air.interfaces, blocks),
                   blocks.count(), plan_.grid, firstRow, *species.out);
         }
@@ -183,25 +194,48 @@ class BandResampler {
         return air;
     }
 
-    /// Mixing ratio, kg per kg of dry air, in place to content, kg/m³.
-    static void toContent(Array3f& ratio, const ColumnField& density) {
-        const std::size_t layer = ratio.index(0, 0, 1);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(ratio.size.z); ++k) {
-            float* values = ratio.values.data() + k * layer;
+    /// In place from what is per kg of dry air to what is per m³.
+    static void timesDensity(Array3f& perKg, const ColumnField& density) {
+        const std::size_t layer = perKg.index(0, 0, 1);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(perKg.size.z); ++k) {
+            float* values = perKg.values.data() + k * layer;
             for (std::size_t i = 0; i < layer; ++i) values[i] *= density.at(i, k);
         }
     }
 
+    /// In place from content to extinction, on native cells: it does not follow from mean contents.
+    void toExtinction(Dataset& dataset, const Box& band, const ColumnField& density,
+                      SpeciesWork& work, Array3f& quantity, const Progress& progress) {
+        const RadiusRule& rule = radii_.of(work.species());
+        const auto readExtra = [&](const std::string& name) {
+            return name.empty() ? Array3f() : dataset.read(name, time_, band, progress);
+        };
+        const Array3f radius = readExtra(rule.radiusVariable);
+        Array3f number = readExtra(rule.numberVariable);
+        if (!number.empty()) timesDensity(number, density);
+        const Array3f temperature = readExtra(rule.temperatureVariable);
+        const RadiusGaps gaps = contentToExtinction(
+            radii_, work.species(), {radius.values, number.values, temperature.values},
+            quantity.values);
+        const std::lock_guard lock(mutex_);
+        work.gaps += gaps;
+    }
+
     const ReadPlan& plan_;
+    const RadiusPlan& radii_;
     const int time_;
     std::vector<SpeciesWork>& species_;
     const std::vector<Box> bands_;
-    std::mutex mutex_;  // of the repairs; rows of the result belong to one band alone
+    std::mutex mutex_;  // of repairs and gaps; rows of the result belong to one band alone
 };
 
-void addNotes(const std::vector<SpeciesWork>& species, SpeciesVolume& volume) {
+void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
+              SpeciesVolume& volume) {
     std::vector<std::string> empty;
+    std::ranges::copy(radii.notes, std::back_inserter(volume.notes));
     for (const SpeciesWork& work : species) {
+        std::string gaps = describe(work.gaps, radii.of(work.species()), work.species());
+        if (!gaps.empty()) volume.notes.push_back(std::move(gaps));
         std::ranges::move(describe(work.repairs, work.ratio->name),
                           std::back_inserter(volume.notes));
         if (work.repairs.allZero) empty.push_back(work.ratio->name);
@@ -276,12 +310,20 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
         const auto* ratio = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
         if (ratio == nullptr) continue;
         requireOnGrid(dataset, *ratio, false);
-        volume.contentKgPerM3[s] = Array3f(plan.grid.size);
-        species.push_back({ratio, &volume.contentKgPerM3[s]});
+        const RadiusRule& rule = options.radii.rules[s];
+        for (const std::string* name :
+             {&rule.radiusVariable, &rule.numberVariable, &rule.temperatureVariable}) {
+            const VariableInfo* variable = info.find(*name);
+            if (variable != nullptr) requireOnGrid(dataset, *variable, false);
+        }
+        const bool mass = rule.source == RadiusSource::constant;
+        Array3f& out = mass ? volume.contentKgPerM3[s] : volume.extinctionPerM[s];
+        out = Array3f(plan.grid.size);
+        species.push_back({ratio, &out});
     }
     requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
-    BandResampler(plan, time, species).run(dataset, progress);
-    addNotes(species, volume);
+    BandResampler(plan, options.radii, time, species).run(dataset, progress);
+    addNotes(species, options.radii, volume);
     return volume;
 }
 

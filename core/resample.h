@@ -10,13 +10,15 @@
 
 #include "core/dataset.h"
 #include "core/progress.h"
+#include "core/radius_plan.h"
 #include "core/read_plan.h"
 #include "core/species.h"
 
 namespace neph {
 
 struct ResampleOptions {
-    std::optional<ReadPlan> plan;  ///< none: everything at full resolution
+    std::optional<ReadPlan> plan{};  ///< none: everything at full resolution
+    RadiusPlan radii{};              ///< which species become extinction, and how
 };
 
 /// Heights of interfaces, metres, nz + 1 levels. Throws Error when they do not increase in every
@@ -26,9 +28,10 @@ Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progres
 /// Median depth of all layers, metres.
 double medianLayerDepth(const Array3f& interfaceHeights);
 
-/// Mass content of every hydrometeor of `dataset` at `time`. Negative and missing values are
-/// clipped, counted and noted. Column mass is conserved to 1e-4 for every species, that of the
-/// domain where columns are averaged. Reads on several threads. Throws Error or Cancelled.
+/// Mass content, or extinction where `radii` asks for it, of every hydrometeor of `dataset` at
+/// `time`. Negative and missing values are clipped, counted and noted. The integral of every column
+/// is conserved to 1e-4 for every species, that of the domain where columns are averaged. Reads on
+/// several threads. Throws Error or Cancelled.
 SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options = {},
                        const Progress& progress = {});
 

@@ -39,6 +39,9 @@ constexpr const SpeciesInfo& info(Species s) {
     return kSpecies[static_cast<std::size_t>(s)];
 }
 
+/// How a volume holds a species.
+enum class Holding : int { absent, content, extinction };
+
 /// Every hydrometeor on one regular grid at one time: what the renderer is given. Owns its data.
 ///
 /// A species is held in one of two ways: as mass content where its particles have one size for the
@@ -55,7 +58,12 @@ struct SpeciesVolume {
     std::vector<std::string> notes;  ///< what was clipped, masked or assumed, one sentence each
 
     /// False where the model has no such species.
-    bool has(Species s) const { return !content(s).empty() || holdsExtinction(s); }
+    bool has(Species s) const { return holding(s) != Holding::absent; }
+    Holding holding(Species s) const {
+        if (holdsExtinction(s)) return Holding::extinction;
+        return content(s).empty() ? Holding::absent : Holding::content;
+    }
+    std::array<Holding, kSpeciesCount> holdings() const;
     bool holdsExtinction(Species s) const { return !extinction(s).empty(); }
     const Array3f& content(Species s) const { return contentKgPerM3[static_cast<std::size_t>(s)]; }
     const Array3f& extinction(Species s) const {

@@ -25,8 +25,8 @@ void bakeExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, Me
     const gl::Program& program = programs.get("pass/bake_medium.comp", defines(out));
     for (int s = 0; s < kSpeciesCount; ++s) {
         const auto i = static_cast<std::size_t>(s);
-        volume.content[i].bind(static_cast<GLuint>(s));
-        program.setFloat(s, out.plan.extinctionPerContent[i]);
+        volume.held[i].bind(static_cast<GLuint>(s));
+        program.setFloat(s, out.plan.extinctionPerHeld[i]);
         program.setInt(kSpeciesCount + s, out.plan.classOf[i]);
     }
     out.first.bindImage(0, GL_WRITE_ONLY);
@@ -128,22 +128,22 @@ gl::Texture makeMediumTexture(glm::ivec3 size) {
 
 std::size_t VolumeTextures::bytes() const {
     std::size_t sum = 0;
-    for (const gl::Texture& texture : content) sum += texture.bytes();
+    for (const gl::Texture& texture : held) sum += texture.bytes();
     return sum;
 }
 
 VolumeTextures uploadVolume(const SpeciesVolume& volume) {
     VolumeTextures textures;
     textures.grid = volume.grid;
-    for (std::size_t s = 0; s < textures.content.size(); ++s) {
-        const Array3f& content = volume.contentKgPerM3[s];
-        textures.present[s] = !content.empty();
-        // A sampler must have something bound: absent species get one empty voxel.
-        textures.content[s] =
-            gl::Texture::make3D(GL_R32F, content.empty() ? glm::ivec3(1) : content.size);
+    textures.holdings = volume.holdings();
+    for (std::size_t s = 0; s < textures.held.size(); ++s) {
+        const auto species = static_cast<Species>(s);
+        const Array3f& held =
+            volume.holdsExtinction(species) ? volume.extinction(species) : volume.content(species);
+        // A sampler must have something bound.
+        textures.held[s] = gl::Texture::make3D(GL_R32F, held.empty() ? glm::ivec3(1) : held.size);
         const float zero = 0.0f;
-        textures.content[s].upload(GL_RED, GL_FLOAT,
-                                   content.empty() ? &zero : content.values.data());
+        textures.held[s].upload(GL_RED, GL_FLOAT, held.empty() ? &zero : held.values.data());
     }
     return textures;
 }

@@ -11,11 +11,11 @@
 
 namespace neph::render {
 
-/// Mass contents as uploaded; absent species have no texture.
+/// Mass contents or extinctions as uploaded; absent species have one empty voxel.
 struct VolumeTextures {
     RegularGrid grid;
-    std::array<gl::Texture, kSpeciesCount> content;
-    std::array<bool, kSpeciesCount> present{};
+    std::array<gl::Texture, kSpeciesCount> held;
+    std::array<Holding, kSpeciesCount> holdings{};
 
     std::size_t bytes() const;
 };

@@ -69,7 +69,7 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
 }
 
 void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
-    const MediumPlan plan = planMedium(inputs.look, volume->present);
+    const MediumPlan plan = planMedium(inputs.look, volume->holdings);
     for (const MediumClass& c : plan.classes) {
         if (c.noiseAmount > 0.0f && !noise) noise = bakeNoiseTexture(programs);
     }
@@ -116,7 +116,7 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
     impl_->last.reset();  // until this frame is whole
-    if (stage == Stage::medium) impl_->bake(inputs, stats);
+    if (stage <= Stage::medium) impl_->bake(inputs, stats);
     if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {
         impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
     }

@@ -223,3 +223,22 @@ TEST_CASE("What is no parameter of a phase function always acts") {
         if (!ofPhase) CHECK(applies(row, look));
     }
 }
+
+TEST_CASE("A change of where radii come from has the data read again, before anything else") {
+    const Look a;
+    Look b;
+    b.of(Species::hail).mixingScale = 2.0f;
+    b.of(Species::ice).radiusSource = RadiusSource::scheme;
+    CHECK(firstDifference(a, b) == Stage::data);
+    CHECK(Stage::data < Stage::medium);
+}
+
+TEST_CASE("A constant radius and its density act where the radius is a constant") {
+    Look look;
+    CHECK(applies(parameter("ice.effective_radius"), look));
+    CHECK(applies(parameter("ice.density"), look));
+    applyAssignment(look, "ice.radius_source=number");
+    CHECK_FALSE(applies(parameter("ice.effective_radius"), look));
+    CHECK_FALSE(applies(parameter("ice.density"), look));
+    CHECK(applies(parameter("snow.effective_radius"), look));
+}

@@ -78,15 +78,11 @@ void addSkylight(Medium& m) {
 Medium makeMedium(const SpeciesVolume& volume, const Look& look) {
     Medium m;
     m.grid = volume.grid;
-    std::array<bool, kSpeciesCount> present{};
-    for (std::size_t s = 0; s < present.size(); ++s) {
-        present[s] = !volume.contentKgPerM3[s].empty();
-    }
-    m.plan = planMedium(look, present);
+    m.plan = planMedium(look, volume.holdings());
     for (std::size_t c = 0; c < m.plan.classes.size(); ++c) {
         m.extinctionPerM[c].assign(m.grid.cellCount(), 0.0);
     }
-    for (std::size_t s = 0; s < present.size(); ++s) {
+    for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         if (m.plan.classOf[s] < 0) continue;
         const SpeciesLook& field = look.species[s];
         // Eq. 1-4, 9: η σ with σ = 2 π r² and η = ρ H / (4/3 π r³ ρ_p).
@@ -97,10 +93,12 @@ Medium makeMedium(const SpeciesVolume& volume, const Look& look) {
         const double perKg = look.extinction == ExtinctionMode::equal
                                  ? static_cast<double>(look.equalExtinctionM2PerKg)
                                  : sigma / particleKg;
+        const bool sized = !volume.extinctionPerM[s].empty();  // by the model, cell by cell
+        const auto& held = sized ? volume.extinctionPerM[s] : volume.contentKgPerM3[s];
         auto& out = m.extinctionPerM[static_cast<std::size_t>(m.plan.classOf[s])];
         for (std::size_t i = 0; i < out.size(); ++i) {
-            out[i] += perKg * static_cast<double>(field.mixingScale) *
-                      static_cast<double>(volume.contentKgPerM3[s].values[i]);
+            out[i] += (sized ? 1.0 : perKg) * static_cast<double>(field.mixingScale) *
+                      static_cast<double>(held.values[i]);
         }
     }
     addSkylight(m);

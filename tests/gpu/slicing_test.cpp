@@ -115,6 +115,23 @@ TEST_CASE("The GPU agrees with a double-precision march to 1e-3 from every side"
     }
 }
 
+TEST_CASE("A species held as extinction is seen as one held as the mass that has it") {
+    const SpeciesVolume mass = blobs();
+    SpeciesVolume sized = mass;
+    const auto ice = static_cast<std::size_t>(Species::ice);
+    sized.extinctionPerM[ice] = Array3f();
+    std::swap(sized.extinctionPerM[ice], sized.contentKgPerM3[ice]);
+    for (float& value : sized.extinctionPerM[ice].values) value *= 1.5f / (917.0f * 1e-3f);
+    auto inputs = frame(mass, lookOf(kModes[2]), views()[0].pose, {40, 30}, 48);
+    inputs.look.of(Species::ice).mixingScale = 3.0f;
+    const ImageF seen = renderOn(sized, inputs);
+    CHECK(worstDifference(seen, referenceMarch(sized, inputs)) < 1e-3f);
+    CHECK(worstDifference(seen, renderOn(mass, inputs)) < 1e-4f);
+    inputs.look.of(Species::ice).effectiveRadiusM = 20e-6f;  // of the mass alone
+    CHECK(worstDifference(seen, renderOn(sized, inputs)) < 1e-6f);
+    CHECK(worstDifference(seen, renderOn(mass, inputs)) > 0.05f);
+}
+
 TEST_CASE("A homogeneous box dims what is behind it by Beer-Lambert, for any number of planes") {
     // 20 km of 1e-6 kg/m³ of 10 µm droplets: k = 150 m²/kg, τ = 3.0 straight through.
     const SpeciesVolume volume = uniformVolume({20, 20, 20}, 1000.0, 1e-6f);
