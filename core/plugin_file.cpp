@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -186,9 +187,25 @@ Error errorFrom(const NephError& raw, const std::filesystem::path& path,
     return Error(std::move(parts));
 }
 
+struct ProgressBridge {
+    const Progress& progress;
+    bool stopped = false;
+    std::exception_ptr thrown{};  ///< kept here, because nothing may be thrown through the plugin
+};
+
 std::int32_t reportProgress(void* context, double fraction) {
-    return goOn(*static_cast<const Progress*>(context), fraction) ? 1 : 0;
+    auto& bridge = *static_cast<ProgressBridge*>(context);
+    try {
+        fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+        bridge.stopped = bridge.stopped || !goOn(bridge.progress, fraction);
+    } catch (...) {
+        bridge.thrown = std::current_exception();
+        bridge.stopped = true;
+    }
+    return bridge.stopped ? 0 : 1;
 }
+
+constexpr float kUntouched = -6.02e23f;  // what no field holds
 
 }  // namespace
 
@@ -238,7 +255,11 @@ PluginFile::PluginFile(const NephReader& calls, std::string reader, std::filesys
 }
 
 void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
-                      std::span<float> values, const Progress& progress) {
+                      std::span<float> room, const Progress& progress) {
+    const std::span<float> values = room.first(room.size() - kGuardValues);
+    const std::span<float> guard = room.last(kGuardValues);
+    std::ranges::fill(values, std::numeric_limits<float>::quiet_NaN());
+    std::ranges::fill(guard, kUntouched);
     NephReadRequest request{};
     request.header = {NEPH_READER_ABI_VERSION, sizeof(NephReadRequest)};
     request.variable = static_cast<std::uint32_t>(variable);
@@ -249,22 +270,27 @@ void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, 
     }
     request.values = values.data();
     request.value_count = values.size();
-    Progress ticks = progress;
+    ProgressBridge bridge{progress};
     request.progress = &reportProgress;
-    request.progress_context = &ticks;
-    NephStatus status = NEPH_FAILED;
+    request.progress_context = &bridge;
+    const std::string& name = description_.variables.at(variable).name;
     guarded([&] {
         NephError error = emptyError();
-        status = calls_->read(file_.get(), &request, &error);
-        if (status == NEPH_CANCELLED) return;
+        const NephStatus status = calls_->read(file_.get(), &request, &error);
+        if (bridge.stopped) return;
+        if (status == NEPH_CANCELLED) throw Fault{"read was cancelled, and nobody had asked to"};
         if (status != NEPH_OK) throw errorFrom(error, path_, reader_);
+        if (std::ranges::any_of(guard, [](float value) { return value != kUntouched; })) {
+            throw Fault{
+                fmt::format("read wrote beyond the {} values asked of {}", values.size(), name)};
+        }
         if (request.values_written != values.size()) {
             throw Fault{fmt::format("read gave {} values of {}, {} were asked for",
-                                    request.values_written, description_.variables[variable].name,
-                                    values.size())};
+                                    request.values_written, name, values.size())};
         }
     });
-    if (status == NEPH_CANCELLED) throw Cancelled{};
+    if (bridge.thrown) std::rethrow_exception(bridge.thrown);
+    if (bridge.stopped) throw Cancelled{};
 }
 
 }  // namespace neph

@@ -12,9 +12,9 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/file_description.h"
 #include "core/progress.h"
 #include "core/reader_abi.h"
-#include "core/reader_file.h"
 
 namespace neph {
 
@@ -25,10 +25,14 @@ class PluginFile {
 
     const FileDescription& description() const { return description_; }
 
-    /// Fills `values`, which must hold exactly the cells of [lower, upper). `progress` must not
-    /// throw. Throws Error or Cancelled.
+    /// Values that `read` needs beyond those asked for: a reader that writes too much is found out
+    /// there.
+    static constexpr std::size_t kGuardValues = 1024;
+
+    /// Fills `room` with the cells of [lower, upper), x fastest, NaN where the reader left them
+    /// unwritten; behind them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
     void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
-              std::span<float> values, const Progress& progress);
+              std::span<float> room, const Progress& progress);
 
   private:
     struct Closer {

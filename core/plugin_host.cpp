@@ -1,7 +1,6 @@
 // plugin_host.cpp: loading, checking and scoring of reader plugins.
 #include "core/plugin_host.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,53 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxTextLength = 4096;  // longer names than any real reader has
-
-/// A plugin's string, or nothing where it is null, has no end within reason or is empty.
-std::optional<std::string> checkedText(const char* text) {
-    if (text == nullptr) return {};
-    const std::size_t length = strnlen(text, kMaxTextLength);
-    if (length == 0 || length == kMaxTextLength) return {};
-    return std::string(text, length);
-}
-
-/// Why a plugin's table cannot be used; empty when it can.
-std::string faultOf(const NephReader* reader) {
-    if (reader == nullptr) return fmt::format("does not serve ABI {}", NEPH_READER_ABI_VERSION);
-    if (reader->header.abi_version != NEPH_READER_ABI_VERSION) {
-        return fmt::format("ABI {}, this program has ABI {}", reader->header.abi_version,
-                           NEPH_READER_ABI_VERSION);
-    }
-    if (reader->header.struct_size < sizeof(NephReader)) {
-        return fmt::format("NephReader has {} bytes, at least {} are needed",
-                           reader->header.struct_size, sizeof(NephReader));
-    }
-    if (!checkedText(reader->id)) return "the reader has no id";
-    if (reader->score == nullptr || reader->open == nullptr || reader->describe == nullptr ||
-        reader->read == nullptr || reader->close == nullptr) {
-        return "one of the calls score, open, describe, read, close is missing";
-    }
-    return {};
-}
-
-/// The reader's table, or null with `reason` set.
-const NephReader* enter(const fs::path& library, std::string& reason) {
-    void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (handle == nullptr) {
-        const char* text = dlerror();
-        reason = text != nullptr ? text : "cannot be loaded";
-        return nullptr;
-    }
-    void* symbol = dlsym(handle, NEPH_READER_ENTRY_NAME);
-    if (symbol == nullptr) {
-        reason = fmt::format("exports no {}: not a reader", NEPH_READER_ENTRY_NAME);
-        return nullptr;
-    }
-    const auto entry = reinterpret_cast<NephReaderEntry>(symbol);
-    const NephReader* reader = entry(NEPH_READER_ABI_VERSION);
-    reason = faultOf(reader);
-    return reason.empty() ? reader : nullptr;
-}
+constexpr std::size_t kMostIdle = 4;  // processes kept for later, a reader
 
 std::vector<fs::path> librariesIn(const fs::path& place) {
     std::error_code none;
@@ -120,16 +73,30 @@ void requireReadable(const fs::path& file) {
     }
 }
 
-/// A score that no plugin can spoil by throwing or by leaving the range.
-std::int32_t scoreOf(const ReaderPlugin& reader, const fs::path& file) {
-    try {
-        return std::clamp(reader.calls->score(file.c_str()), 0, 100);
-    } catch (...) {
-        return 0;
-    }
+}  // namespace
+
+ReaderPlugin::ReaderPlugin(fs::path file) : library(std::move(file)) {
+    auto process = std::make_unique<ReaderProcess>(library);
+    static_cast<wire::Identity&>(*this) = process->identity();
+    giveBack(std::move(process));
 }
 
-}  // namespace
+std::unique_ptr<ReaderProcess> ReaderPlugin::borrow() const {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!idle_.empty()) {
+            auto process = std::move(idle_.back());
+            idle_.pop_back();
+            return process;
+        }
+    }
+    return std::make_unique<ReaderProcess>(library);
+}
+
+void ReaderPlugin::giveBack(std::unique_ptr<ReaderProcess> process) const {
+    const std::scoped_lock lock(mutex_);
+    if (process->alive() && idle_.size() < kMostIdle) idle_.push_back(std::move(process));
+}
 
 PluginHost::PluginHost(std::span<const fs::path> places) {
     for (const fs::path& place : places) {
@@ -176,49 +143,44 @@ std::vector<fs::path> PluginHost::standardPlaces() {
 }
 
 void PluginHost::load(const fs::path& library) {
-    std::string reason;
-    const NephReader* calls = nullptr;
+    std::shared_ptr<const ReaderPlugin> reader;
     try {
-        calls = enter(library, reason);
-    } catch (const std::exception& problem) {
-        reason = fmt::format("threw an exception: {}", problem.what());
-    } catch (...) {
-        reason = "threw an exception";
-    }
-    if (calls == nullptr) {
-        rejected_.push_back({library, reason});
+        reader = std::make_shared<const ReaderPlugin>(library);
+    } catch (const Error& error) {
+        const std::string& detail = error.parts().found;
+        rejected_.push_back({library, error.parts().what + (detail.empty() ? "" : ": " + detail)});
         return;
     }
-    ReaderPlugin reader{.id = *checkedText(calls->id),
-                        .version = checkedText(calls->version).value_or(""),
-                        .title = checkedText(calls->title).value_or(""),
-                        .extensions = checkedText(calls->extensions).value_or(""),
-                        .library = library,
-                        .abiVersion = calls->header.abi_version,
-                        .calls = calls};
-    const auto same = std::ranges::find(readers_, reader.id, [](const auto& r) { return r->id; });
+    const auto same = std::ranges::find(readers_, reader->id, [](const auto& r) { return r->id; });
     if (same != readers_.end()) {
-        rejected_.push_back({library, fmt::format("{} was already found in {}", reader.id,
+        rejected_.push_back({library, fmt::format("{} was already found in {}", reader->id,
                                                   (*same)->library.string())});
         return;
     }
-    readers_.push_back(std::make_shared<const ReaderPlugin>(std::move(reader)));
+    readers_.push_back(std::move(reader));
 }
 
 std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file) const {
     requireReadable(file);
     std::shared_ptr<const ReaderPlugin> best;
-    std::int32_t bestScore = 0;
+    int bestScore = 0;
     std::string known;
+    std::optional<Error> failure;
     for (const auto& reader : readers_) {
-        const std::int32_t score = scoreOf(*reader, file);
-        if (score > bestScore) {
+        known += (known.empty() ? "" : "; ") + reader->title;
+        try {
+            auto process = reader->borrow();
+            const int score = process->score(file);
+            reader->giveBack(std::move(process));
+            if (score <= bestScore) continue;
             best = reader;
             bestScore = score;
+        } catch (const Error& error) {
+            failure = error;  // its process did not survive; another reader may take the file
         }
-        known += (known.empty() ? "" : "; ") + reader->title;
     }
     if (best) return best;
+    if (failure) throw *failure;
     if (readers_.empty()) {
         throw Error({.where = file.string(),
                      .what = "cannot be opened: no reader plugin was found",

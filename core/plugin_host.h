@@ -1,30 +1,34 @@
 // plugin_host.h: finds reader plugins, checks them at the door and picks the one for a file.
 //
 // Registration is explicit: a host knows the places it was given and no others. A library is
-// accepted when it exports the entry of core/reader_abi.h and its table is complete; otherwise it
-// is kept in a list with the reason.
+// accepted when a process of its own can load it, it exports the entry of core/reader_abi.h and its
+// table is complete; otherwise it is kept in a list with the reason.
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/reader_abi.h"
+#include "core/reader_process.h"
 
 namespace neph {
 
-/// One accepted reader. Its library stays loaded until the program ends, because libraries such as
-/// HDF5 do not bear unloading.
-struct ReaderPlugin {
-    std::string id;
-    std::string version;
-    std::string title;
-    std::string extensions;  ///< separated by spaces; may be empty
+/// One accepted reader, and the processes that run it.
+struct ReaderPlugin : wire::Identity {
+    /// Starts a first process. Throws Error, with the reason in `what`, when it is no reader.
+    explicit ReaderPlugin(std::filesystem::path file);
+
     std::filesystem::path library;
-    std::uint32_t abiVersion = 0;
-    const NephReader* calls = nullptr;
+
+    /// An idle process of this reader, or a new one. Any thread. Throws Error.
+    std::unique_ptr<ReaderProcess> borrow() const;
+    void giveBack(std::unique_ptr<ReaderProcess> process) const;
+
+  private:
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<ReaderProcess>> idle_;
 };
 
 struct RejectedPlugin {

@@ -22,6 +22,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/plugin_file.h"
 #include "core/resources.h"
 
 extern char** environ;
@@ -222,6 +223,7 @@ void ReaderProcess::await(const Task& task, const Progress& progress) {
 std::string ReaderProcess::ask(std::string_view message, const Task& task,
                                const Progress& progress) {
     if (!alive()) endAndThrow(task, "its process has ended");
+    if (!goOn(progress, 0.0)) throw Cancelled{};
     auto& control = *reinterpret_cast<ReaderControl*>(mapped_);
     std::atomic_ref(control.cancel).store(0);
     std::atomic_ref(control.fraction).store(0.0);
@@ -243,8 +245,8 @@ std::string ReaderProcess::ask(std::string_view message, const Task& task,
     }
     const auto kind = static_cast<wire::Answer>(answer.front());
     answer.erase(0, 1);
+    if (kind == wire::Answer::cancelled || !goOn(progress, 1.0)) throw Cancelled{};
     if (kind == wire::Answer::ok) return answer;
-    if (kind == wire::Answer::cancelled) throw Cancelled{};
     wire::Unpacker from(answer);
     throw Error(wire::unpackError(from));
 }
@@ -280,7 +282,7 @@ std::vector<float> ReaderProcess::read(const wire::ReadRequest& request,
     const Task task{file, fmt::format("reading {}", variable)};
     const auto size = glm::u64vec3(request.upper - request.lower);
     const std::size_t count = size.x * size.y * size.z;
-    if (alive()) growMemory(kReaderValuesAt + count * sizeof(float) + kReaderGuardBytes);
+    if (alive()) growMemory(kReaderValuesAt + (count + PluginFile::kGuardValues) * sizeof(float));
     ask(question(wire::Ask::read).number(request).number(static_cast<std::uint64_t>(count)).take(),
         task, progress);
     std::vector<float> values(count);

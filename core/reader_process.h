@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/file_description.h"
 #include "core/progress.h"
-#include "core/reader_file.h"
 #include "core/reader_wire.h"
 
 namespace neph {
@@ -29,8 +29,6 @@ struct ReaderControl {
     double fraction = 0.0;     ///< the last of them
 };
 inline constexpr std::size_t kReaderValuesAt = 4096;
-/// Behind the values, where a reader that writes too much is found out.
-inline constexpr std::size_t kReaderGuardBytes = 4096;
 
 /// Address space that a reader process may take. Far above what reading a band or a chunk of any
 /// model output needs; a damaged header that asks for more gets "not enough memory".

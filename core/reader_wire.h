@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "core/error.h"
-#include "core/reader_file.h"
+#include "core/file_description.h"
 
 namespace neph::wire {
 

@@ -10,9 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -28,27 +26,16 @@ namespace {
 
 using namespace neph;
 
-constexpr std::size_t kGuardValues = 1024;  // behind those asked for; kReaderGuardBytes
-constexpr float kUntouched = -6.02e23f;     // what no field holds
-static_assert(kGuardValues * sizeof(float) == kReaderGuardBytes);
-
 /// The memory shared with the host, mapped anew when the host has made it larger.
 class Shared {
   public:
     Shared() { grow(kReaderValuesAt); }
     ReaderControl& control() { return *reinterpret_cast<ReaderControl*>(at_); }
 
-    /// Room for values, all missing, with a guard behind them.
-    std::span<float> values(std::size_t count) {
-        grow(kReaderValuesAt + count * sizeof(float) + kReaderGuardBytes);
-        const std::span all(reinterpret_cast<float*>(at_ + kReaderValuesAt), count + kGuardValues);
-        std::ranges::fill(all.first(count), std::numeric_limits<float>::quiet_NaN());
-        std::ranges::fill(all.last(kGuardValues), kUntouched);
-        return all.first(count);
-    }
-    static bool guardTouched(std::span<float> values) {
-        const std::span guard(values.data() + values.size(), kGuardValues);
-        return std::ranges::any_of(guard, [](float value) { return value != kUntouched; });
+    std::span<float> room(std::size_t values) {
+        const std::size_t count = values + PluginFile::kGuardValues;
+        grow(kReaderValuesAt + count * sizeof(float));
+        return {reinterpret_cast<float*>(at_ + kReaderValuesAt), count};
     }
 
   private:
@@ -125,7 +112,7 @@ class Server {
 
     void read(wire::Unpacker& from) {
         const auto request = from.number<wire::ReadRequest>();
-        const std::span<float> values = shared_.values(from.number<std::uint64_t>());
+        const std::span<float> room = shared_.room(from.number<std::uint64_t>());
         ReaderControl& control = shared_.control();
         const auto tick = [&control](double fraction) {
             std::atomic_ref(control.fraction).store(fraction);
@@ -133,13 +120,7 @@ class Server {
             return std::atomic_ref(control.cancel).load() == 0;
         };
         files_.at(request.handle)
-            .read(request.variable, request.time, request.lower, request.upper, values, tick);
-        if (Shared::guardTouched(values)) {
-            throw Error({.what = fmt::format("reader {} is faulty: it wrote more values than were "
-                                             "asked for",
-                                             library_.identity.id),
-                         .hint = "report this to the author of the reader"});
-        }
+            .read(request.variable, request.time, request.lower, request.upper, room, tick);
     }
 
     PluginLibrary library_;

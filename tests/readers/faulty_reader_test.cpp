@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/reader_file.h"
+#include "core/plugin_file.h"
 #include "tests/environment.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"
@@ -69,12 +69,8 @@ const NephReader faultyReader{{NEPH_READER_ABI_VERSION, sizeof(NephReader)},
                               &readFaulty,
                               [](NephFile*) {}};
 
-std::shared_ptr<const ReaderPlugin> plugin() {
-    ReaderPlugin reader;
-    reader.id = "faulty";
-    reader.library = "faulty.so";
-    reader.calls = &faultyReader;
-    return std::make_shared<const ReaderPlugin>(reader);
+PluginFile open() {
+    return {faultyReader, "faulty", "some.file"};
 }
 
 /// A description that is right in every way.
@@ -96,21 +92,19 @@ void behaveWell() {
 }
 
 std::string openFault() {
-    return errorOf([] { ReaderFile(plugin(), "some.file"); }).what;
+    return errorOf([] { open(); }).what;
 }
 
 std::string readFault() {
-    return errorOf([&] {
-               ReaderFile(plugin(), "some.file").read(0, 0, {0, 0, 0}, {2, 2, 2}, {});
-           })
-        .what;
+    std::vector<float> room(8 + PluginFile::kGuardValues);
+    return errorOf([&] { open().read(0, 0, {0, 0, 0}, {2, 2, 2}, room, {}); }).what;
 }
 
 }  // namespace
 
 TEST_CASE("A reader that keeps its promises is believed") {
     behaveWell();
-    const ReaderFile file(plugin(), "some.file");
+    const PluginFile file = open();
     CHECK(file.description().size == glm::ivec3(2));
     CHECK(file.description().variables.at(0).name == "q");
     CHECK(readFault().empty());

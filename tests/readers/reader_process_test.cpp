@@ -15,8 +15,8 @@ using namespace neph;
 namespace fs = std::filesystem;
 
 const fs::path kLibrary = fs::path(NEPH_TEST_READER_DIR) / "wrf_netcdf.so";
-const fs::path kFile = fs::path(NEPH_TEST_SOURCE_DIR) /
-                       "samples/supercell/wrfout_d01_0001-01-01_01:00:00";
+const fs::path kFile =
+    fs::path(NEPH_TEST_SOURCE_DIR) / "samples/supercell/wrfout_d01_0001-01-01_01:00:00";
 
 }  // namespace
 
@@ -45,8 +45,10 @@ TEST_CASE("Values through shared memory are those of the library") {
         const auto index = static_cast<std::size_t>(found - there.variables.begin());
         const glm::ivec3 lower(3, 5, 7), upper(60, 71, found->size.z);
         const glm::ivec3 size = upper - lower;
-        std::vector<float> expected(static_cast<std::size_t>(size.x * size.y * size.z));
+        const auto count = static_cast<std::size_t>(size.x * size.y * size.z);
+        std::vector<float> expected(count + PluginFile::kGuardValues);
         within.read(index, 0, lower, upper, expected, {});
+        expected.resize(count);
         wire::ReadRequest request{opened.handle, index, 0, lower, upper};
         CHECK(process.read(request, kFile, name, {}) == expected);
     }
