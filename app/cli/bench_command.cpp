@@ -5,11 +5,12 @@
 #include "app/cli/bench_command.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/gl/context.h"
@@ -18,6 +19,7 @@
 #include "core/atomic_file.h"
 #include "core/file_list.h"
 #include "core/plugin_host.h"
+#include "core/read_plan.h"
 #include "core/resample.h"
 #include "core/resources.h"
 
@@ -50,10 +52,18 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-long peakResidentBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024L;
+/// A figure of /proc/self/status, bytes; 0 where there is none.
+std::uint64_t processBytes(std::string_view key) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with(key)) return std::stoull(line.substr(key.size() + 1)) * 1024;
+    }
+    return 0;
+}
+
+/// Makes the peak start again from what is resident now, proc(5).
+void resetPeak() {
+    std::ofstream("/proc/self/clear_refs") << 5;
 }
 
 render::FrameInputs inputsOf(const Mode& mode, const Scene& scene, const RegularGrid& grid,
@@ -97,20 +107,66 @@ nlohmann::ordered_json measure(const Mode& mode, const Scene& scene, const Regul
 
 struct Opened {
     std::shared_ptr<Dataset> dataset;
+    ReadPlan plan;
     SpeciesVolume volume;
-    double openMs = 0.0, resampleMs = 0.0;
+    double openMs = 0.0, planMs = 0.0, resampleMs = 0.0;
+    std::uint64_t peakBytes = 0;  ///< resident while reading, above what there was before
 };
 
-Opened openData(const BenchOptions& options) {
+Opened openData(const BenchOptions& options, std::uint64_t gpuBytes) {
     Opened opened;
+    resetPeak();
+    const std::uint64_t before = processBytes("VmRSS");
     const auto start = Clock::now();
     opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
     opened.openMs = millisecondsSince(start);
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
+    const int time = std::min(kBenchTime, last);
+    const auto planning = Clock::now();
+    opened.plan = planRead(*opened.dataset, time, {}, defaultBudget(gpuBytes));
+    opened.planMs = millisecondsSince(planning);
     const auto begun = Clock::now();
-    opened.volume = resample(*opened.dataset, std::min(kBenchTime, last));
+    opened.volume = resample(*opened.dataset, time, {opened.plan});
     opened.resampleMs = millisecondsSince(begun);
+    opened.peakBytes = processBytes("VmHWM") - std::min(before, processBytes("VmHWM"));
     return opened;
+}
+
+/// Whether the renderer computes on the CPU.
+bool isSoftware(const std::string& deviceName) {
+    return deviceName.find("llvmpipe") != deviceName.npos ||
+           deviceName.find("softpipe") != deviceName.npos;
+}
+
+/// What one of the renderer's kind may take: on a GPU all that there is, until the workbench asks.
+std::uint64_t gpuShare(const render::Renderer& renderer) {
+    return isSoftware(renderer.deviceName()) ? kSoftwareGpuBytes : MemoryBudget{}.gpu;
+}
+
+nlohmann::ordered_json summaryOf(const Opened& opened, double firstPictureMs) {
+    const ReadPlan& plan = opened.plan;
+    return {{"open_ms", opened.openMs},
+            {"plan_ms", opened.planMs},
+            {"resample_ms", opened.resampleMs},
+            {"first_picture_ms", firstPictureMs},
+            {"times", opened.dataset->info().times.size()},
+            {"coarsening", plan.coarsening},
+            {"plan", describe(plan, opened.dataset->info())},
+            {"fields_bytes", plan.machineBytes},
+            {"peak_resident_bytes", opened.peakBytes}};
+}
+
+void measureModes(const Scene& scene, const RegularGrid& grid, render::Renderer& renderer,
+                  nlohmann::ordered_json& result) {
+    fmt::print(stderr, "{:<28} {:>8} {:>8} {:>8} {:>7} {:>7}\n", "mode", "median", "min", "max",
+               "fps", "paper");
+    for (const Mode& mode : kModes) {
+        result["rows"].push_back(measure(mode, scene, grid, renderer));
+    }
+}
+
+double mebibytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / 1048576.0;
 }
 
 void write(const BenchOptions& options, const nlohmann::ordered_json& result) {
@@ -128,11 +184,10 @@ int runBench(const BenchOptions& options) {
     if (!options.json.empty()) checkReplaceable(options.json);
     const auto start = Clock::now();
     const Scene scene = makeScene({});
-    Opened opened = openData(options);
     const gl::HeadlessContext context;
     render::Renderer renderer(resourcePath("shaders"));
+    Opened opened = openData(options, gpuShare(renderer));
     renderer.setVolume(opened.volume);
-    const std::size_t held = opened.volume.bytes();
     const RegularGrid grid = opened.volume.grid;
     const std::string time = opened.volume.timeLabel;
     opened.volume = {};
@@ -145,24 +200,15 @@ int runBench(const BenchOptions& options) {
                                   {"planes", kPlanes},
                                   {"time", time},
                                   {"grid", {grid.size.x, grid.size.y, grid.size.z}},
-                                  {"opening",
-                                   {{"open_ms", opened.openMs},
-                                    {"resample_ms", opened.resampleMs},
-                                    {"first_picture_ms", firstPictureMs}}}};
+                                  {"opening", summaryOf(opened, firstPictureMs)}};
     fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first picture after {:.0f} ms\n",
                renderer.deviceName(), opened.openMs, opened.resampleMs, firstPictureMs);
-    fmt::print(stderr, "{:<28} {:>8} {:>8} {:>8} {:>7} {:>7}\n", "mode", "median", "min", "max",
-               "fps", "paper");
-    for (const Mode& mode : kModes) {
-        result["rows"].push_back(measure(mode, scene, grid, renderer));
-    }
-    result["memory"] = {{"fields_bytes", held},
-                        {"gpu_bytes", renderer.gpuBytes()},
-                        {"peak_resident_bytes", peakResidentBytes()}};
+    if (!options.openOnly) measureModes(scene, grid, renderer, result);
+    result["memory"] = {{"gpu_bytes", renderer.gpuBytes()},
+                        {"peak_resident_bytes", processBytes("VmHWM")}};
     fmt::print(stderr, "fields {:.1f} MiB, on the GPU {:.1f} MiB, peak resident {:.1f} MiB\n",
-               static_cast<double>(held) / 1048576.0,
-               static_cast<double>(renderer.gpuBytes()) / 1048576.0,
-               static_cast<double>(peakResidentBytes()) / 1048576.0);
+               mebibytes(opened.plan.machineBytes), mebibytes(renderer.gpuBytes()),
+               mebibytes(processBytes("VmHWM")));
     write(options, result);
     return 0;
 }

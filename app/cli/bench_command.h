@@ -10,6 +10,7 @@ struct BenchOptions {
     std::vector<std::string> files;    ///< none: the bundled storm
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
     std::string json;                  ///< file for the result; empty: stdout
+    bool openOnly = false;             ///< opening and the first picture alone
 };
 
 /// A table on stderr, JSON to the file or stdout. Returns 0; throws Error.

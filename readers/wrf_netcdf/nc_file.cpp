@@ -153,8 +153,6 @@ void NcFile::readVariables() {
         if (rank > 0 && nc_inq_var_chunking(id_, id, &storage, chunk.data()) == NC_NOERR &&
             storage == NC_CHUNKED) {
             variable.chunk = chunk;
-            // Slabs end where chunks end, so that a kept chunk would only cost memory.
-            nc_set_var_chunk_cache(id_, id, 0, 0, 0.0f);
         }
         variables_.push_back(std::move(variable));
     }
@@ -227,6 +225,7 @@ void NcFile::readByLibrary(const NcVariable& variable, std::span<const std::size
                            std::span<const std::size_t> count, std::span<float> values) const {
     const LibraryLock lock;
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
+    if (!variable.chunk.empty() && keepsChunks_.insert(variable.id).second) keepChunks(variable);
     const int status =
         nc_get_vara_float(id_, variable.id, start.data(), count.data(), values.data());
     // NC_ERANGE: doubles beyond float; they come as infinities, which unpack() takes as missing.
@@ -237,6 +236,22 @@ void NcFile::readByLibrary(const NcVariable& variable, std::span<const std::size
             {},
             "the file is damaged: copy it again or leave this time out"};
     }
+}
+
+/// Makes the library keep one row of chunks, all that a band of rows over the whole width touches,
+/// so that the next band does not inflate them again. Whole fields need no more either.
+void NcFile::keepChunks(const NcVariable& variable) const {
+    constexpr std::size_t kMostKept = 128U << 20U;  // bytes of a variable
+    constexpr std::size_t kSlots = 1009;            // prime, well above the chunks of a row
+    constexpr float kPreferRead = 0.75f;            // the library's default
+    const std::size_t rank = variable.axes.size();
+    std::size_t bytes = sizeof(float);
+    for (std::size_t axis = 0; axis < rank; ++axis) {
+        const std::size_t chunk = variable.chunk[axis];
+        const bool crossed = axis + 1 == rank || (rank >= 3 && axis == rank - 3);  // x and z
+        bytes *= crossed ? (variable.axes[axis].length + chunk - 1) / chunk * chunk : chunk;
+    }
+    nc_set_var_chunk_cache(id_, variable.id, std::min(bytes, kMostKept), kSlots, kPreferRead);
 }
 
 std::string NcFile::readText(const NcVariable& variable, std::span<const std::size_t> start,

@@ -6,6 +6,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -71,6 +72,7 @@ class NcFile {
     void requireWhole(const NcVariable& variable, std::size_t lastRecord) const;
     bool readClassic(const NcVariable& variable, std::span<const std::size_t> start,
                      std::span<const std::size_t> count, std::span<float> values) const;
+    void keepChunks(const NcVariable& variable) const;
     void readByLibrary(const NcVariable& variable, std::span<const std::size_t> start,
                        std::span<const std::size_t> count, std::span<float> values) const;
 
@@ -78,6 +80,8 @@ class NcFile {
     int id_ = -1;
     std::optional<ClassicLayout> layout_;
     ClassicFloats floats_;
+    mutable std::set<int>
+        keepsChunks_;  ///< variables whose chunks the library has been told to keep
     std::vector<NcDimension> dimensions_;
     std::vector<NcVariable> variables_;
 };

@@ -9,69 +9,16 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <numeric>
 #include <random>
 
 #include "core/error.h"
+#include "tests/core/memory_dataset.h"
 
 using namespace neph;
 
 namespace {
-
-/// A dataset in memory: heights, unit or given density, and species by function.
-class MemoryDataset : public Dataset {
-  public:
-    MemoryDataset(glm::ivec3 size, const std::function<float(int x, int y, int z)>& height) {
-        info_.size = size;
-        info_.spacingM = {500.0, 250.0};
-        info_.times = {{"2024-05-06_21:00:00", 0.0, "memory", 0}};
-        add("z", VariableRole::interfaceHeight, {}, size + glm::ivec3(0, 0, 1), height);
-        add("rho", VariableRole::dryAirDensity, {}, size,
-            [](int, int, int z) { return 1.2f * std::exp(-0.05f * static_cast<float>(z)); });
-    }
-
-    void addRatio(Species species, const std::function<float(int, int, int)>& value) {
-        add("Q_" + std::string(info(species).id), VariableRole::mixingRatio, species, info_.size,
-            value);
-    }
-
-    Array3f read(std::string_view variable, int, std::optional<Box> box, const Progress&) override {
-        const Array3f& field = fields_.at(std::string(variable));
-        if (!box) return field;
-        Array3f part(box->size());
-        for (int z = 0; z < part.size.z; ++z) {
-            for (int y = 0; y < part.size.y; ++y) {
-                for (int x = 0; x < part.size.x; ++x) {
-                    const glm::ivec3 cell = box->lower + glm::ivec3(x, y, z);
-                    part.at(x, y, z) = field.at(cell.x, cell.y, cell.z);
-                }
-            }
-        }
-        return part;
-    }
-    using Dataset::info;
-    static const SpeciesInfo& info(Species species) { return neph::info(species); }
-
-    void add(const std::string& name, VariableRole role, std::optional<Species> species,
-             glm::ivec3 size, const std::function<float(int, int, int)>& value) {
-        VariableInfo variable;
-        variable.name = name;
-        variable.role = role;
-        variable.species = species;
-        variable.size = size;
-        info_.variables.push_back(variable);
-        Array3f field(size);
-        for (int z = 0; z < size.z; ++z) {
-            for (int y = 0; y < size.y; ++y) {
-                for (int x = 0; x < size.x; ++x) field.at(x, y, z) = value(x, y, z);
-            }
-        }
-        fields_[name] = std::move(field);
-    }
-
-  private:
-    std::map<std::string, Array3f> fields_;
-};
 
 /// Stretched layers over terrain: 60 m at the ground to several hundred aloft, squeezed over a
 /// hill.
@@ -287,4 +234,40 @@ TEST_CASE("Resampling can be cancelled") {
         return true;
     });
     CHECK(last > 0.5);
+}
+
+TEST_CASE(
+    "A species sized by the model is held as extinction, made on native cells and then averaged") {
+    // Two columns in a block, one empty: extinction follows from the content of each, not of both.
+    MemoryDataset dataset({2, 1, 4},
+                          [](int, int, int z) { return 100.0f * static_cast<float>(z); });
+    dataset.addRatio(Species::rain, [](int x, int, int) { return x == 0 ? 1e-3f : 0.0f; });
+    dataset.addRatio(Species::cloud, [](int, int, int) { return 1e-3f; });
+    Look look;
+    look.of(Species::rain).radiusSource = RadiusSource::scheme;
+    const RadiusPlan radii = planRadii(look, dataset.Dataset::info());
+    ReadPlan plan = planRead(dataset, 0);
+    plan.coarsening = 2;
+    plan.grid.size.x = 1;
+    plan.grid.spacingM.x *= 2.0;
+    plan.grid.spacingM.y *= 2.0;
+    const SpeciesVolume volume = resample(dataset, 0, {plan, radii});
+    CHECK(volume.holding(Species::rain) == Holding::extinction);
+    CHECK(volume.content(Species::rain).empty());
+    CHECK(volume.holding(Species::cloud) == Holding::content);
+    // π N0 / λ³ with λ = (π ρ N0 / content)^(1/4), N0 = 8e6, ρ = 1000; one of four columns of the
+    // block, of which two lie beyond the border.
+    double native = 0.0;
+    for (int z = 0; z < 4; ++z) {
+        const double content = 1e-3 * 1.2 * std::exp(-0.05 * z);
+        native += std::numbers::pi * 8e6 / std::pow(std::numbers::pi * 8e9 / content, 0.75) * 100.0;
+    }
+    double held = 0.0;
+    for (const float value : volume.extinction(Species::rain).values) {
+        held += static_cast<double>(value) * volume.grid.spacingM.z;
+    }
+    CHECK(held == doctest::Approx(native / 4.0).epsilon(1e-4));
+    CHECK(std::ranges::any_of(volume.notes, [](const std::string& note) {
+        return note.starts_with("Rain: the file has no known microphysics scheme");
+    }));
 }
