@@ -1,5 +1,4 @@
-// fog_reader.cpp: reads .fog files: one line "FOG nx ny nz dx dy dz" (cells, then metres), then
-// cloud water in g/kg as floats of 4 bytes, x fastest, then y, then z.
+// fog_reader.cpp: .fog files, one line "FOG nx ny nz dx dy dz" and cloud water in g/kg as floats.
 #include <nephoscope/reader_plugin.h>
 
 #include <cmath>
