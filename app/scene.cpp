@@ -5,13 +5,21 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <optional>
 
+#include "core/memory_setting.h"
 #include "core/preset.h"
 #include "core/session.h"
+#include "core/settings.h"
 
 namespace neph {
 namespace {
+
+constexpr double kMPerKm = 1000.0;
+// Of the GPU memory that is free; pictures, tables and other programs need some too. Tuned by eye.
+constexpr double kDeviceShare = 0.75;
 
 std::optional<int> parseNumber(std::string_view text) {
     int number = 0;
@@ -25,6 +33,18 @@ std::optional<int> parseIndex(std::string_view text, int count) {
     std::optional<int> index = parseNumber(text);
     if (index && *index < 0) *index += count;
     return index && *index >= 0 && *index < count ? index : std::nullopt;
+}
+
+/// "a:b" as two numbers, the first less than the second.
+std::optional<glm::dvec2> parsePair(std::string_view text) {
+    glm::dvec2 pair{0.0};
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, pair.x);
+    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != ':') return {};
+    const auto second = std::from_chars(first.ptr + 1, end, pair.y);
+    const bool whole = second.ec == std::errc{} && second.ptr == end;
+    if (!whole || !std::isfinite(pair.x) || !std::isfinite(pair.y) || pair.x >= pair.y) return {};
+    return pair;
 }
 
 void applyPreset(const SceneOptions& options, Scene& scene) {
@@ -68,6 +88,53 @@ std::optional<int> parseFirstTime(const std::string& text) {
         return first;
     }
     throw UsageError({"--time", "cannot be read", text, "INDEX, a:b or all", ""});
+}
+
+std::optional<Region> parseRegion(const std::string& text) {
+    if (text.empty()) return {};
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Region region{{0.0, 0.0, -kFar}, {0.0, 0.0, kFar}};
+    std::string_view rest = text;
+    int axis = 0;
+    for (; axis < 3 && !rest.empty(); ++axis) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        const auto pair = parsePair(rest.substr(0, comma));
+        if (!pair) break;
+        region.lowerM[axis] = pair->x * kMPerKm;
+        region.upperM[axis] = pair->y * kMPerKm;
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    if (axis >= 2 && rest.empty() && text.back() != ',') return region;
+    throw UsageError({"--region", "cannot be read", text,
+                      "x0:x1,y0:y1 or x0:x1,y0:y1,z0:z1 in km, lower before upper",
+                      "nephoscope info FILE... tells the domain"});
+}
+
+MemoryBudget chooseBudget(const std::string& memory, const gl::DeviceMemory& device,
+                          std::vector<std::string>& warnings) {
+    std::uint64_t gpu = kSoftwareGpuBytes;
+    if (!device.software) {
+        // A GPU that does not say shares the memory of the machine, as those of processors do.
+        gpu =
+            device.freeBytes == 0
+                ? memoryBudget("", 0).machine
+                : static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(device.freeBytes));
+    }
+    if (!memory.empty()) {
+        try {
+            return memoryBudget(memory, gpu);
+        } catch (const Error& error) {
+            ErrorParts parts = error.parts();
+            parts.where = "--memory";
+            throw UsageError(parts);
+        }
+    }
+    try {
+        return memoryBudget(loadSettings(warnings).memory, gpu);
+    } catch (const Error& error) {
+        warnings.push_back(error.message());
+        return memoryBudget("", gpu);
+    }
 }
 
 std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info) {

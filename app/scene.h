@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "app/gl/context.h"
 #include "core/dataset.h"
 #include "core/error.h"
 #include "core/history.h"
+#include "core/read_plan.h"
 
 namespace neph {
 
@@ -25,6 +27,8 @@ struct SceneOptions {
     std::vector<std::string> assignments;  ///< id=value
     std::string camera;                    ///< preset name or file; empty for the preset's
     std::string time;                      ///< INDEX, a:b or all; empty for the default time
+    std::string region;                    ///< as parseRegion; empty for the whole domain
+    std::string memory;                    ///< as parseMemory; empty for what is remembered
 };
 
 struct Scene {
@@ -43,5 +47,15 @@ std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info);
 /// The first of the times in `text`, before the data are open; none when it is empty. Negative
 /// counts from the end. Throws UsageError.
 std::optional<int> parseFirstTime(const std::string& text);
+
+/// Part of the domain from "x0:x1,y0:y1[,z0:z1]" in km; all levels without the last pair. None when
+/// `text` is empty. Throws UsageError.
+std::optional<Region> parseRegion(const std::string& text);
+
+/// Bounds of volumes: as `memory` says, else as remembered, else a share of what is free; and what
+/// a renderer may take on `device`. Adds to `warnings` what is wrong with the remembered one.
+/// Throws UsageError.
+MemoryBudget chooseBudget(const std::string& memory, const gl::DeviceMemory& device,
+                          std::vector<std::string>& warnings);
 
 }  // namespace neph

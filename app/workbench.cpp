@@ -14,8 +14,10 @@
 #include "app/ui/quality.h"
 #include "app/ui/ui.h"
 #include "app/workbench_host.h"
+#include "core/memory_setting.h"
 #include "core/plugin_host.h"
 #include "core/resources.h"
+#include "core/settings.h"
 
 namespace neph {
 namespace {
@@ -42,6 +44,7 @@ class Workbench {
     void takeData();
     void drawPicture();
     void carryOut();
+    void setMemory(const std::string& memory);
     void noteChanges();
     double waitS() const;
     double restS() const { return std::chrono::duration<double>(Clock::now() - changed_).count(); }
@@ -70,15 +73,16 @@ Workbench::Workbench(const SceneOptions& options)
     session_.homeCamera = scene.document.camera;
     session_.presetName = scene.presetName;
     session_.history.restart(scene.document);
-    for (const std::string& warning : scene.warnings) {
-        session_.say(Message::Kind::warning, warning);
-    }
+    std::vector<std::string> warnings = scene.warnings;
+    session_.setBudget(chooseBudget(options.memory, gl::deviceMemory(), warnings));
+    for (const std::string& warning : warnings) session_.say(Message::Kind::warning, warning);
     ui_.report.device = renderer_.deviceName();
-    session_.openNamed(options.files, parseFirstTime(options.time));
+    session_.open(options.files, parseFirstTime(options.time), parseRegion(options.region));
 }
 
 void Workbench::takeInput() {
     for (const ui::Chord chord : host_.takeChords()) ui::runChord(ui_, chord);
+    if (host_.takeFocus()) session_.lookForGrowth();
     std::vector<std::filesystem::path> files = host_.takeDropped();
     if (files.empty()) return;
     if (files.size() == 1 && isPresetFile(files.front())) {
@@ -88,7 +92,7 @@ void Workbench::takeInput() {
     std::vector<std::string> names;
     names.reserve(files.size());
     for (const auto& file : files) names.push_back(file.string());
-    session_.openNamed(names);
+    session_.open(names);
 }
 
 void Workbench::takeData() {
@@ -159,7 +163,21 @@ void Workbench::carryOut() {
         renderer_.reloadChangedShaders();
         drawn_.reset();
     }
+    if (requests.memory) setMemory(*requests.memory);
     if (requests.quit) host_.close();
+}
+
+/// Uses a setting from now on and remembers it.
+void Workbench::setMemory(const std::string& memory) {
+    try {
+        MemoryBudget budget = session_.budget();
+        budget.machine = memoryBudget(memory, budget.gpu).machine;
+        session_.setBudget(budget);
+        saveSettings({memory});
+        session_.say(Message::Kind::note, "Memory: " + memoryText(budget.machine));
+    } catch (const Error& error) {
+        session_.say(Message::Kind::error, error.message());
+    }
 }
 
 double Workbench::waitS() const {

@@ -16,14 +16,17 @@ namespace neph {
 namespace {
 
 /// Letters go by what is printed on the key, so that Ctrl+Z is where the layout has it.
-constexpr std::array<std::pair<char, ui::Key>, 8> kLetters{{{'h', ui::Key::h},
-                                                            {'m', ui::Key::m},
-                                                            {'o', ui::Key::o},
-                                                            {'q', ui::Key::q},
-                                                            {'r', ui::Key::r},
-                                                            {'s', ui::Key::s},
-                                                            {'y', ui::Key::y},
-                                                            {'z', ui::Key::z}}};
+constexpr std::array<std::pair<char, ui::Key>, 11> kLetters{{{'c', ui::Key::c},
+                                                             {'d', ui::Key::d},
+                                                             {'f', ui::Key::f},
+                                                             {'h', ui::Key::h},
+                                                             {'m', ui::Key::m},
+                                                             {'o', ui::Key::o},
+                                                             {'q', ui::Key::q},
+                                                             {'r', ui::Key::r},
+                                                             {'s', ui::Key::s},
+                                                             {'y', ui::Key::y},
+                                                             {'z', ui::Key::z}}};
 constexpr std::array<std::pair<int, ui::Key>, 8> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
                                                           {GLFW_KEY_RIGHT, ui::Key::right},
                                                           {GLFW_KEY_HOME, ui::Key::home},
@@ -66,6 +69,9 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { hostOf(w).onOther(); });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { hostOf(w).onOther(); });
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { hostOf(w).onOther(); });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int focused) {
+        if (focused != 0) hostOf(w).onFocus();
+    });
     glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
         hostOf(w).onDrop(count, paths);
     });
@@ -135,6 +141,10 @@ std::vector<ui::Chord> WorkbenchHost::takeChords() {
 
 std::vector<std::filesystem::path> WorkbenchHost::takeDropped() {
     return std::exchange(dropped_, {});
+}
+
+bool WorkbenchHost::takeFocus() {
+    return std::exchange(focused_, false);
 }
 
 void WorkbenchHost::wait(double seconds) {
@@ -210,6 +220,11 @@ void WorkbenchHost::onMouseButton(int button, bool down) {
         press.released = true;
         if (press.shown) press.at = {x, y};
     }
+}
+
+void WorkbenchHost::onFocus() {
+    inputSeen_ = true;
+    focused_ = true;
 }
 
 void WorkbenchHost::onDrop(int count, const char** paths) {

@@ -24,6 +24,9 @@ class WorkbenchHost {
     std::vector<ui::Chord> takeChords();
     std::vector<std::filesystem::path> takeDropped();
 
+    /// Whether the window came to the fore since the last call.
+    bool takeFocus();
+
     /// Waits for input, a wake-up or the time to pass; 0 only looks.
     void wait(double seconds);
     /// Ends a wait; from any thread.
@@ -42,6 +45,7 @@ class WorkbenchHost {
     void onKey(int key, int scancode, int mods);
     void onMouseButton(int button, bool down);
     void onOther() { inputSeen_ = true; }
+    void onFocus();
     void onDrop(int count, const char** paths);
 
   private:
@@ -62,6 +66,7 @@ class WorkbenchHost {
     std::vector<std::filesystem::path> dropped_;
     glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
     bool fullScreen_ = false;
+    bool focused_ = false;
     bool inputSeen_ = false;  ///< since the last wait
 };
 

@@ -37,6 +37,19 @@ Camera placeCamera(const CameraPose& pose, const RegularGrid& grid, double aspec
     return camera;
 }
 
+std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& from,
+                                   const RegularGrid& to) {
+    const glm::dvec3 targetM = from.originM + from.extentM() * glm::dvec3(pose.target);
+    CameraPose same = pose;
+    same.target = glm::vec3((targetM - to.originM) / to.extentM());
+    same.distance =
+        static_cast<float>(static_cast<double>(pose.distance) * unitM(from) / unitM(to));
+    const bool near = same.distance >= kMinDistance && same.distance <= kMaxDistance;
+    const bool inside = same.target == glm::clamp(same.target, kMinTarget, kMaxTarget);
+    if (!near || !inside) return {};
+    return same;
+}
+
 void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg) {
     pose.azimuthDeg = std::fmod(pose.azimuthDeg + azimuthStepDeg + 720.0f, 360.0f);
     pose.elevationDeg = std::clamp(pose.elevationDeg + elevationStepDeg, -kPoleDeg, kPoleDeg);

@@ -5,6 +5,7 @@
 // storm. A Camera is a pose put into a world in metres.
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "core/grid.h"
 
@@ -37,6 +38,10 @@ struct Camera {
 
 /// The pose in the world of `grid`.
 Camera placeCamera(const CameraPose& pose, const RegularGrid& grid, double aspect);
+
+/// The pose in `to` that gives the view of `pose` in `from`; none where it is beyond the bounds.
+std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& from,
+                                   const RegularGrid& to);
 
 /// Turns around the target; keeps clear of the poles.
 void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg);

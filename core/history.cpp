@@ -38,6 +38,16 @@ void History::restart(const Document& document) {
     last_ = document;
 }
 
+void History::adapt(const std::function<void(Document&)>& change) {
+    for (auto* steps : {&past_, &future_}) {
+        for (Step& step : *steps) {
+            change(step.before);
+            change(step.after);
+        }
+    }
+    change(last_);
+}
+
 void History::commit(const Document& document, std::string label) {
     if (document == last_) return;
     if (label.empty()) label = describeChange(last_, document);

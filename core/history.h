@@ -3,6 +3,7 @@
 // The document is plain values, so a step is a copy of them. Panels change the document freely;
 // `commit` at the end of a gesture makes one step of whatever changed since the last.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ class History {
 
     /// Forgets all steps and starts at `document`, as after opening other data.
     void restart(const Document& document);
+
+    /// Changes every state that steps lead to, as when the times or the grid that they count in are
+    /// others.
+    void adapt(const std::function<void(Document&)>& change);
 
     /// Makes a step of what changed since the last commit; nothing when nothing did. `label`
     /// overrides the words of describeChange.

@@ -9,6 +9,7 @@ namespace neph {
 
 struct Jobs::Job {
     std::string label;
+    Kind kind;
     Work work;
     Failed failed;
     Finish finish;
@@ -43,9 +44,10 @@ Jobs::~Jobs() {
     changed_.notify_all();
 }
 
-void Jobs::start(std::string label, Work work, Failed failed) {
+void Jobs::start(std::string label, Work work, Failed failed, Kind kind) {
     auto job = std::make_shared<Job>();
     job->label = std::move(label);
+    job->kind = kind;
     job->work = std::move(work);
     job->failed = std::move(failed);
     cancel();
@@ -74,9 +76,24 @@ bool Jobs::poll() {
     return true;
 }
 
+void Jobs::want() {
+    const std::lock_guard lock(mutex_);
+    for (const auto& job : {waiting_, running_, finished_}) {
+        if (job) job->kind = Kind::wanted;
+    }
+}
+
 bool Jobs::busy() const {
     const std::lock_guard lock(mutex_);
-    return waiting_ || finished_ || (running_ && !running_->cancelled);
+    const auto wanted = [](const std::shared_ptr<Job>& job) {
+        return job && !job->cancelled && job->kind == Kind::wanted;
+    };
+    return wanted(waiting_) || wanted(finished_) || wanted(running_);
+}
+
+bool Jobs::idle() const {
+    const std::lock_guard lock(mutex_);
+    return !waiting_ && !finished_ && !running_;
 }
 
 double Jobs::fraction() const {

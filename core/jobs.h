@@ -2,6 +2,7 @@
 //
 // The newest job wins: starting one cancels what runs or waits. A job runs on the worker and hands
 // back a closure, which `poll` runs on the calling thread; nothing else crosses between threads.
+// Work that nobody waits for yet, such as reading ahead, is not counted as busy.
 #pragma once
 #include <condition_variable>
 #include <functional>
@@ -21,6 +22,8 @@ class Jobs {
     using Work = std::function<Finish(const Progress&)>;
     using Failed = std::function<void(const Error&)>;
 
+    enum class Kind { wanted, ahead };
+
     /// `wake`, where given, is called on the worker when a result waits to be polled.
     explicit Jobs(std::function<void()> wake = {});
     ~Jobs();
@@ -29,13 +32,16 @@ class Jobs {
 
     /// `work` runs on the worker; the closure it returns, or `failed` with what it threw, runs in a
     /// later poll(). A cancelled job runs neither.
-    void start(std::string label, Work work, Failed failed);
+    void start(std::string label, Work work, Failed failed, Kind kind = Kind::wanted);
     void cancel();
+    /// What is under way is wanted from now on.
+    void want();
 
     /// Runs what has come in; true when anything did.
     bool poll();
 
-    bool busy() const;        ///< a job runs, waits or has a result to be polled
+    bool busy() const;        ///< a wanted job runs, waits or has a result to be polled
+    bool idle() const;        ///< nothing is under way, wanted or not
     double fraction() const;  ///< of the running job, in [0, 1]
     std::string label() const;
 

@@ -74,6 +74,10 @@ std::optional<std::filesystem::path> userCacheDir() {
     return userDir("XDG_CACHE_HOME", ".cache");
 }
 
+std::optional<std::filesystem::path> userConfigDir() {
+    return userDir("XDG_CONFIG_HOME", ".config");
+}
+
 std::string_view versionText() {
     return NEPHOSCOPE_VERSION;
 }

@@ -28,6 +28,9 @@ std::optional<std::filesystem::path> userDataDir();
 /// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; none without a home.
 std::optional<std::filesystem::path> userCacheDir();
 
+/// $XDG_CONFIG_HOME/nephoscope or ~/.config/nephoscope; none without a home.
+std::optional<std::filesystem::path> userConfigDir();
+
 /// For example "0.1.0".
 std::string_view versionText();
 

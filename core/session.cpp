@@ -1,125 +1,232 @@
-// session.cpp: opening, time steps and presets for the workbench.
+// session.cpp: what is asked for, what is shown, and opening; presets and messages.
 #include "core/session.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/file_list.h"
-#include "core/resample.h"
+#include "core/memory_setting.h"
 
 namespace neph {
 namespace {
 
 constexpr std::size_t kMaxMessages = 200;
+constexpr double kOpenShare = 0.3;  // of the work of opening and reading one time
 
-std::string nameOf(const std::vector<std::filesystem::path>& files) {
-    if (files.empty()) return "nothing";
-    const std::string first = files.front().filename().string();
-    return files.size() == 1 ? first : fmt::format("{} and {} more", first, files.size() - 1);
+std::string nameOf(const std::vector<std::filesystem::path>& paths) {
+    if (paths.empty()) return "nothing";
+    const std::string first = paths.front().filename().string();
+    return paths.size() == 1 ? first : fmt::format("{} and {} more", first, paths.size() - 1);
 }
 
-bool hasValue(const Array3f& field) {
-    return std::any_of(field.values.begin(), field.values.end(),
-                       [](float value) { return value > 0.0f; });
+VolumeKey keyFor(const DatasetInfo& info, int time, const VolumeRequest& request) {
+    const TimeInfo& when = info.times[static_cast<std::size_t>(time)];
+    return {when.indexInFile, when.file.string(), request};
 }
 
 }  // namespace
-
-bool ShownVolume::empty() const {
-    return std::none_of(anything.begin(), anything.end(), [](bool some) { return some; });
-}
-
-ShownVolume summarise(const SpeciesVolume& volume) {
-    ShownVolume shown;
-    shown.grid = volume.grid;
-    shown.timeLabel = volume.timeLabel;
-    for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-        shown.present[s] = volume.has(static_cast<Species>(s));
-        shown.anything[s] =
-            hasValue(volume.contentKgPerM3[s]) || hasValue(volume.extinctionPerM[s]);
-    }
-    return shown;
-}
 
 int defaultTime(const DatasetInfo& info) {
     return std::max(0, static_cast<int>(info.times.size()) - 1) / 2;
 }
 
 Session::Session(PluginHost host, std::function<void()> wake)
-    : host_(std::make_shared<const PluginHost>(std::move(host))), jobs_(std::move(wake)) {}
+    : Session([host = std::make_shared<const PluginHost>(std::move(host))](
+                  std::span<const std::filesystem::path> paths,
+                  const Progress& progress) { return Dataset::open(paths, *host, progress); },
+              std::move(wake)) {}
 
-void Session::open(std::vector<std::filesystem::path> files, std::optional<int> time) {
-    std::string label = "Opening " + nameOf(files);
-    auto work = [this, host = host_, files = std::move(files), time](const Progress& progress) {
-        auto dataset = Dataset::open(
-            files, *host, [&progress](double fraction) { return goOn(progress, 0.3 * fraction); });
+Session::Session(OpenSeries open, std::function<void()> wake,
+                 std::chrono::milliseconds watchInterval)
+    : open_(std::move(open)), watch_(wake, watchInterval), jobs_(std::move(wake)) {}
+
+void Session::open(std::span<const std::string> named, std::optional<int> time,
+                   std::optional<Region> region) {
+    std::vector<std::filesystem::path> paths;
+    try {
+        paths = listFiles(named);
+    } catch (const Error& error) {
+        say(Message::Kind::error, error.message());
+        return;
+    }
+    auto work = [this, open = open_, paths, time, region, budget = budget_,
+                 look = document.look](const Progress& progress) {
+        std::vector<FileStamp> stamps = stampsOf(paths);  // before: later growth is noticed
+        auto dataset =
+            open(paths, [&progress](double share) { return goOn(progress, kOpenShare * share); });
         const int count = static_cast<int>(dataset->info().times.size());
         const int wanted = time.value_or(defaultTime(dataset->info()));
         const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
-        auto volume = std::make_shared<SpeciesVolume>(resample(
-            *dataset, index, {},
-            [&progress](double fraction) { return goOn(progress, 0.3 + 0.7 * fraction); }));
-        return Jobs::Finish([this, dataset, index, volume] {
-            for (const std::string& note : dataset->info().notes) say(Message::Kind::note, note);
-            settledSerial = lastSerial_;
-            adopt(dataset, index, std::move(*volume));
-            document.time = index;
-            history.restart(document);
-        });
-    };
-    wantedTime_ = shownTime_;
-    jobs_.start(std::move(label), std::move(work),
-                [this](const Error& error) { say(Message::Kind::error, error.message()); });
-}
-
-void Session::openNamed(std::span<const std::string> named, std::optional<int> time) {
-    try {
-        open(listFiles(named), time);
-    } catch (const Error& error) {
-        say(Message::Kind::error, error.message());
-    }
-}
-
-void Session::requestTime(int time) {
-    wantedTime_ = time;
-    const std::string label =
-        "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
-    auto work = [this, dataset = dataset_, time](const Progress& progress) {
-        auto volume = std::make_shared<SpeciesVolume>(resample(*dataset, time, {}, progress));
+        const VolumeRequest request{region, budget, planRadii(look, dataset->info())};
+        const Held held = std::make_shared<const HeldVolume>(
+            readVolume(*dataset, index, request, [&progress](double share) {
+                return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
+            }));
         return Jobs::Finish(
-            [this, dataset, time, volume] { adopt(dataset, time, std::move(*volume)); });
+            [this, paths, stamps = std::move(stamps), dataset, index, request, held] {
+                opening_ = false;
+                dataset_ = dataset;
+                paths_ = paths;
+                stamps_ = stamps;
+                region_ = request.region;
+                cache_.clear();
+                shown_.reset();
+                failedKey_.reset();
+                grown_.reset();
+                unreadable_.clear();
+                toldNotes_.clear();
+                missedLast_ = false;
+                settledSerial = lastSerial_;
+                sayNew(dataset->info().notes);
+                const VolumeKey key = keyFor(dataset->info(), index, request);
+                cache_.put(key, held);
+                show(key, held);
+                document.time = seenTime_ = index;
+                history.restart(document);
+                watch_.watch(paths, stamps);
+            });
     };
-    jobs_.start(label, std::move(work), [this](const Error& error) {
+    opening_ = true;
+    readingKey_.reset();
+    jobs_.start("Opening " + nameOf(paths), std::move(work), [this](const Error& error) {
+        opening_ = false;
         say(Message::Kind::error, error.message());
-        document.time = wantedTime_ = shownTime_;
     });
 }
 
-void Session::adopt(std::shared_ptr<Dataset> dataset, int time, SpeciesVolume volume) {
-    dataset_ = std::move(dataset);
-    shownTime_ = wantedTime_ = time;
-    shown_ = summarise(volume);
-    for (const std::string& note : volume.notes) say(Message::Kind::note, note);
-    if (shown_->empty()) {
-        say(Message::Kind::warning,
-            fmt::format("{}: there is no hydrometeor at this time", volume.timeLabel));
-    }
-    fresh_ = std::move(volume);
+void Session::setRegion(const std::optional<Region>& region) {
+    region_ = region;
+    failedKey_.reset();
+}
+
+void Session::setBudget(const MemoryBudget& budget) {
+    budget_ = budget;
+    cache_.setLimit(budget.machine);
+}
+
+VolumeKey Session::keyOf(int time) const {
+    const DatasetInfo& info = dataset_->info();
+    return keyFor(info, time, {region_, budget_, planRadii(document.look, info)});
 }
 
 void Session::poll() {
     jobs_.poll();
     if (!dataset_) return;
+    if (auto change = watch_.takeChange()) grown_ = std::move(change);
     const int last = static_cast<int>(dataset_->info().times.size()) - 1;
     document.time = std::clamp(document.time, 0, last);
-    if (document.time != wantedTime_) requestTime(document.time);
+    const bool stepped = document.time != seenTime_;
+    if (stepped) {
+        direction_ = document.time > seenTime_ ? 1 : -1;
+        seenTime_ = document.time;
+        missedLast_ = false;
+        aheadDone_ = false;
+        failedKey_.reset();
+    }
+    if (opening_ && !stepped) return;
+    want(keyOf(document.time));
+    if (!jobs_.idle()) return;
+    if (grown_) {
+        readAgain();
+    } else {
+        readAhead();
+    }
 }
 
-std::optional<SpeciesVolume> Session::takeVolume() {
-    std::optional<SpeciesVolume> volume;
-    volume.swap(fresh_);
-    return volume;
+/// Brings what `key` says onto the screen, now where it is held.
+void Session::want(const VolumeKey& key) {
+    if ((key == shownKey_ && !shownStale_) || key == failedKey_) {
+        if (jobs_.busy() && !opening_) jobs_.cancel();  // the wish before was taken back
+        return;
+    }
+    if (const Held held = cache_.find(key)) {
+        if (!opening_) jobs_.cancel();
+        show(key, held);
+    } else if (!jobs_.idle() && readingKey_ == key) {
+        jobs_.want();
+    } else {
+        read(document.time, key, Jobs::Kind::wanted);
+    }
+}
+
+void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
+    opening_ = false;
+    readingKey_ = key;
+    const std::string label =
+        "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
+    auto work = [this, dataset = dataset_, time, key](const Progress& progress) {
+        const Held held =
+            std::make_shared<const HeldVolume>(readVolume(*dataset, time, key.request, progress));
+        return Jobs::Finish([this, key, held] {
+            readingKey_.reset();
+            aheadDone_ = false;
+            cache_.put(key, held);
+            if (key == keyOf(document.time)) show(key, held);
+        });
+    };
+    jobs_.start(
+        label, std::move(work),
+        [this, time, key](const Error& error) { readFailed(time, key, error); }, kind);
+}
+
+void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
+    readingKey_.reset();
+    unreadable_.push_back(key);
+    if (key != keyOf(document.time)) return;  // read ahead: told when somebody asks for it
+    const std::size_t count = dataset_->info().times.size();
+    const bool growing = count > 1 && static_cast<std::size_t>(time) + 1 == count;
+    missedLast_ = growing && follow;
+    if (growing) {  // perhaps still being written
+        say(Message::Kind::warning,
+            error.message() + "\n       hint: the last time is tried again when its file grows");
+    } else {
+        say(Message::Kind::error, error.message());
+    }
+    failedKey_ = key;
+    if (!shown_ || !shownKey_) return;
+    region_ = shownKey_->request.region;
+    const auto& times = dataset_->info().times;
+    const auto back = std::ranges::find_if(times, [this](const TimeInfo& when) {
+        return when.file.string() == shownKey_->file && when.indexInFile == shownKey_->indexInFile;
+    });
+    if (back != times.end()) {
+        document.time = seenTime_ = static_cast<int>(back - times.begin());
+    }
+}
+
+void Session::show(const VolumeKey& key, const Held& held) {
+    if (shown_) keepView(shown_->summary.grid, held->summary.grid);
+    shown_ = fresh_ = held;
+    shownKey_ = key;
+    shownStale_ = false;
+    failedKey_.reset();
+    aheadDone_ = false;
+    const DatasetInfo& info = dataset_->info();
+    sayNew(key.request.radii.notes);
+    sayNew(held->volume.notes);
+    if (held->summary.plan.coarsening > 1) sayNew({describe(held->summary.plan, info)});
+    if (held->summary.empty()) {
+        sayNew({fmt::format("{}: there is no hydrometeor at this time", held->volume.timeLabel)},
+               Message::Kind::warning);
+    }
+}
+
+/// Poses are shares of the grid that is shown: another part of the same domain is to be seen from
+/// the same place, now and in every step of the history.
+void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
+    if (before.originM == now.originM && before.extentM() == now.extentM()) return;
+    const auto change = [&](Document& state) {
+        state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+    };
+    change(document);
+    history.adapt(change);
+}
+
+std::shared_ptr<const SpeciesVolume> Session::takeVolume() {
+    const Held held = std::exchange(fresh_, nullptr);
+    return held ? std::shared_ptr<const SpeciesVolume>(held, &held->volume) : nullptr;
 }
 
 void Session::loadPreset(const std::string& nameOrFile) {
@@ -155,6 +262,13 @@ void Session::say(Message::Kind kind, std::string text) {
     if (!messages.empty() && messages.back().kind == kind && messages.back().text == text) return;
     messages.push_back({kind, std::move(text), ++lastSerial_});
     if (messages.size() > kMaxMessages) messages.erase(messages.begin());
+}
+
+/// Says what has not been said of these data before.
+void Session::sayNew(const std::vector<std::string>& notes, Message::Kind kind) {
+    for (const std::string& note : notes) {
+        if (toldNotes_.insert(note).second) say(kind, note);
+    }
 }
 
 bool Session::undo() {

@@ -1,14 +1,17 @@
 // session.h: the document of the workbench and the data that it shows.
 //
-// Look, camera and time are in `document`, which panels change freely. Data come in through a
-// background job; until they are there, and when they fail, the last good data stay.
+// Look, camera and time are in `document`, which panels change freely. Which part of the domain is
+// shown and how much memory it may take are the session's own: undo and presets leave them alone.
+// Data come in through a background job; until they are there, and when they fail, the last good
+// data stay. When nothing is asked for, the next times are read ahead, and grown files again.
 #pragma once
-#include <array>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +21,8 @@
 #include "core/jobs.h"
 #include "core/plugin_host.h"
 #include "core/preset.h"
-#include "core/species.h"
+#include "core/series_watch.h"
+#include "core/volume_cache.h"
 
 namespace neph {
 
@@ -29,26 +33,21 @@ struct Message {
     std::uint64_t serial = 0;  ///< counts up from 1
 };
 
-/// What is kept of the volume that the renderer has been given.
-struct ShownVolume {
-    RegularGrid grid;
-    std::array<bool, kSpeciesCount> present{};   ///< the model has the species
-    std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
-    std::string timeLabel;
-    bool empty() const;  ///< no hydrometeor anywhere
-};
-
-/// The summary of a volume.
-ShownVolume summarise(const SpeciesVolume& volume);
-
 /// The time that is shown first: the middle one, since models start without cloud and storms leave
 /// the domain.
 int defaultTime(const DatasetInfo& info);
 
+/// Opens files and folders as one series, as Dataset::open; called on the worker.
+using OpenSeries = std::function<std::shared_ptr<Dataset>(
+    std::span<const std::filesystem::path> paths, const Progress& progress)>;
+
 class Session {
   public:
-    /// `wake` is called on the worker thread when data wait for poll().
+    /// `wake` is called on other threads when there is something for poll(). Files are looked at
+    /// for growth every `watchInterval`.
     explicit Session(PluginHost host, std::function<void()> wake = {});
+    explicit Session(OpenSeries open, std::function<void()> wake = {},
+                     std::chrono::milliseconds watchInterval = std::chrono::seconds(2));
 
     Document document;
     History history;
@@ -56,23 +55,32 @@ class Session {
     std::vector<Message> messages;    ///< newest last
     std::uint64_t settledSerial = 0;  ///< errors up to here are overcome: other data were opened
     std::string presetName;           ///< last loaded or saved; empty before
+    bool follow = false;              ///< from the last time to a new last one
 
-    /// Opens files as one series in the background and shows `time` (negative counts
-    /// from the end), or the default time.
-    void open(std::vector<std::filesystem::path> files, std::optional<int> time = {});
-    /// Opens what the user named: files, folders, or nothing for the bundled storm. Faults become
-    /// messages.
-    void openNamed(std::span<const std::string> named, std::optional<int> time = {});
+    /// Opens what the user named: files, folders, or nothing for the bundled storm, as one series
+    /// in the background, and shows `time` (negative counts from the end) or the default time, of
+    /// `region` or the whole domain. Faults become messages.
+    void open(std::span<const std::string> named, std::optional<int> time = {},
+              std::optional<Region> region = {});
     /// Takes over look and camera of a preset as one step of the history. Faults become messages.
     void loadPreset(const std::string& nameOrFile);
     /// Saves look and camera under a name of the user's. Faults become messages.
     void savePreset(const std::string& name);
 
-    /// To be called once a frame: takes over what the worker has done, and asks it for
-    /// `document.time` where that is not what is shown.
+    /// Part of the domain to be shown; none: the whole.
+    void setRegion(const std::optional<Region>& region);
+    const std::optional<Region>& region() const { return region_; }
+    /// Bounds of one volume; `machine` bounds all that are held together as well.
+    void setBudget(const MemoryBudget& budget);
+    const MemoryBudget& budget() const { return budget_; }
+
+    /// To be called once a frame: takes over what was done in the background, and asks for what
+    /// document, region and budget want where that is not what is shown.
     void poll();
-    /// A volume that came in since the last call, for the renderer.
-    std::optional<SpeciesVolume> takeVolume();
+    /// Looks for grown files now.
+    void lookForGrowth() { watch_.lookNow(); }
+    /// A volume to be shown that came in since the last call, for the renderer; else nullptr.
+    std::shared_ptr<const SpeciesVolume> takeVolume();
 
     bool loading() const { return jobs_.busy(); }
     double loadingFraction() const { return jobs_.fraction(); }
@@ -80,23 +88,55 @@ class Session {
 
     /// Metadata of the open data; nullptr before any.
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
-    const std::optional<ShownVolume>& shown() const { return shown_; }
+    /// What is shown; nullptr before any.
+    const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
+    const VolumeCache& cache() const { return cache_; }
+    /// How many times could be shown at once.
+    int timesHeld() const;
 
     void say(Message::Kind kind, std::string text);
     bool undo();
     bool redo();
 
   private:
-    void adopt(std::shared_ptr<Dataset> dataset, int time, SpeciesVolume volume);
-    void requestTime(int time);
+    using Held = std::shared_ptr<const HeldVolume>;
 
-    std::shared_ptr<const PluginHost> host_;
+    VolumeKey keyOf(int time) const;
+    void read(int time, const VolumeKey& key, Jobs::Kind kind);
+    void readFailed(int time, const VolumeKey& key, const Error& error);
+    void want(const VolumeKey& key);
+    void show(const VolumeKey& key, const Held& held);
+    void keepView(const RegularGrid& before, const RegularGrid& now);
+    std::vector<int> timesAhead() const;
+    void readAhead();
+    void readAgain();
+    void adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps);
+    void adoptTimes(const DatasetInfo& before, const DatasetInfo& now);
+    void dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps);
+    void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
+
+    OpenSeries open_;
+    std::vector<std::filesystem::path> paths_;  // of the open data
+    std::vector<FileStamp> stamps_;             // as they were when last read
     std::shared_ptr<Dataset> dataset_;
-    std::optional<ShownVolume> shown_;
-    std::optional<SpeciesVolume> fresh_;
+    std::optional<Region> region_;
+    MemoryBudget budget_;
+    VolumeCache cache_;
+
+    Held shown_, fresh_;
+    std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
+    bool shownStale_ = false;  // its file has changed since it was read
+    bool opening_ = false;     // other data are on their way: what is shown now is left alone
+    int seenTime_ = 0;         // document.time at the last poll
+    int direction_ = 1;        // in which times were stepped through
+    bool aheadDone_ = false;
+    bool missedLast_ = false;  // the last time could not be read yet, and is to be followed
+    std::set<std::string> toldNotes_;
+    std::vector<VolumeKey> unreadable_;  // ahead of time; not tried again
+    std::optional<std::vector<FileStamp>> grown_;
+
     std::uint64_t lastSerial_ = 0;
-    int shownTime_ = -1;
-    int wantedTime_ = -1;
+    SeriesWatch watch_;
     Jobs jobs_;  // last, so that the worker ends before what it uses
 };
 

@@ -26,6 +26,7 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope render --out storm.png                 a picture without a display
   nephoscope render wrfout_d01 --time all --out storm.png --preset fig06-physical
   nephoscope render --out storm.exr --set cloud.mixing_scale=0.5 --set sun.elevation=10
+  nephoscope render wrfout_d01 --region 20:60,30:70 --memory 2GiB --out core.png
   nephoscope presets show default > mine.json       a preset to edit
   nephoscope info wrfout_d01 --json                 what is in a file
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
@@ -59,6 +60,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->type_name("NAME|FILE");
     command.add_option("--time", options.time, "Time index, a:b or all; else the middle one")
         ->type_name("INDEX|a:b|all");
+    command.add_option("--region", options.region, "Part of the domain in km; else all of it")
+        ->type_name("x0:x1,y0:y1[,z0:z1]");
+    command.add_option("--memory", options.memory, "For fields: 2GiB, 512MiB or 50% of the free")
+        ->type_name("SIZE|SHARE");
     addReaderOption(command, options.readers);
 }
 
@@ -105,6 +110,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App& bench = *app.add_subcommand("bench", "Measure frame times");
     bench.add_option("FILE", arguments.bench.files, "Data; none: the bundled storm");
     bench.add_option("--json", arguments.bench.json, "File for the result; none: stdout");
+    bench.add_flag("--open", arguments.bench.openOnly, "Opening and the first picture alone");
     addReaderOption(bench, arguments.bench.readers);
 }
 

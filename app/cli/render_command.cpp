@@ -12,9 +12,9 @@
 #include "app/render/renderer.h"
 #include "core/atomic_file.h"
 #include "core/file_list.h"
+#include "core/held_volume.h"
 #include "core/plugin_host.h"
 #include "core/preset.h"
-#include "core/resample.h"
 #include "core/resources.h"
 
 namespace neph {
@@ -94,9 +94,13 @@ void printAll(std::string_view kind, const std::vector<std::string>& lines) {
 
 /// One time: read, render, write, and say so.
 void renderTime(const RenderOptions& options, const Scene& scene, Dataset& dataset, int time,
-                bool several, render::Renderer& renderer) {
-    const SpeciesVolume volume = resample(dataset, time);
+                bool several, const VolumeRequest& request, render::Renderer& renderer) {
+    const HeldVolume held = readVolume(dataset, time, request);
+    const SpeciesVolume& volume = held.volume;
     printAll("note", volume.notes);
+    if (const std::string plan = neph::describe(held.summary.plan, dataset.info()); !plan.empty()) {
+        printAll("note", {plan});
+    }
     renderer.setVolume(volume);
     render::FrameInputs inputs;
     inputs.look = scene.document.look;
@@ -140,6 +144,7 @@ std::filesystem::path outputName(const std::filesystem::path& out, int time, boo
 
 int runRender(const RenderOptions& options) {
     checkOptions(options);
+    const std::optional<Region> region = parseRegion(options.scene.region);
     Scene scene = makeScene(options.scene);
     applyPlanes(options, scene.document.look);
     printAll("warning", scene.warnings);
@@ -149,8 +154,13 @@ int runRender(const RenderOptions& options) {
     const std::vector<int> times = parseTimes(options.scene.time, dataset->info());
     const gl::HeadlessContext context;
     render::Renderer renderer(resourcePath("shaders"));
+    std::vector<std::string> warnings;
+    const VolumeRequest request{region,
+                                chooseBudget(options.scene.memory, gl::deviceMemory(), warnings),
+                                planRadii(scene.document.look, dataset->info())};
+    printAll("warning", warnings);
     for (const int time : times) {
-        renderTime(options, scene, *dataset, time, times.size() > 1, renderer);
+        renderTime(options, scene, *dataset, time, times.size() > 1, request, renderer);
     }
     return 0;
 }

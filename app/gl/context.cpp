@@ -9,6 +9,10 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "core/error.h"
 
 namespace neph::gl {
@@ -122,6 +126,23 @@ void Window::clear(float r, float g, float b) {
     glViewport(0, 0, framebufferWidth(), framebufferHeight());
     glClearColor(r, g, b, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
+}
+
+DeviceMemory deviceMemory() {
+    DeviceMemory memory;
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view renderer = name == nullptr ? "" : name;
+    memory.software = renderer.find("llvmpipe") != renderer.npos ||
+                      renderer.find("softpipe") != renderer.npos ||
+                      renderer.find("SwiftShader") != renderer.npos;
+    std::array<GLint, 4> kibibytes{};  // the ATI extension answers with four numbers
+    if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) {
+        glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes.data());
+    } else if (epoxy_has_gl_extension("GL_ATI_meminfo")) {
+        glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kibibytes.data());
+    }
+    memory.freeBytes = static_cast<std::uint64_t>(std::max(0, kibibytes[0])) * 1024;
+    return memory;
 }
 
 }  // namespace neph::gl

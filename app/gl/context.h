@@ -1,6 +1,7 @@
 // context.h: a current OpenGL 4.5 core context, without a display (EGL surfaceless) or in a GLFW
 // window.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -44,5 +45,12 @@ class Window {
   private:
     GLFWwindow* window_ = nullptr;
 };
+
+/// What the current context's device has for textures and buffers.
+struct DeviceMemory {
+    bool software = false;        ///< computes on the CPU, in the machine's memory
+    std::uint64_t freeBytes = 0;  ///< 0 where the driver does not say
+};
+DeviceMemory deviceMemory();
 
 }  // namespace neph::gl

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/ui/panels.h"
+
 namespace neph::ui {
 namespace {
 
@@ -66,6 +68,23 @@ const std::array kActions{
            [](Ui& ui) { goTo(ui, ui.session.document.time + 1); }},
     Action{"First time", {Key::home}, "Home", hasTimes, [](Ui& ui) { goTo(ui, 0); }},
     Action{"Last time", {Key::end}, "End", hasTimes, [](Ui& ui) { goTo(ui, lastTime(ui)); }},
+    Action{"Follow new times",
+           {Key::f},
+           "F",
+           always,
+           [](Ui& ui) { ui.session.follow = !ui.session.follow; }},
+    Action{"Around the clouds",
+           {Key::c},
+           "C",
+           [](const Ui& ui) {
+               return ui.session.shown() != nullptr && ui.session.shown()->clouds.has_value();
+           },
+           showAroundClouds},
+    Action{"Whole domain",
+           {Key::d},
+           "D",
+           [](const Ui& ui) { return ui.session.region().has_value(); },
+           [](Ui& ui) { ui.session.setRegion({}); }},
     Action{"Show or hide the panels",
            {Key::tab},
            "Tab",

@@ -9,7 +9,28 @@
 namespace neph::ui {
 
 /// Keys by what is printed on them; the workbench maps the window system's.
-enum class Key : int { none, h, m, o, q, r, s, y, z, left, right, home, end, escape, tab, f5, f11 };
+enum class Key : int {
+    none,
+    c,
+    d,
+    f,
+    h,
+    m,
+    o,
+    q,
+    r,
+    s,
+    y,
+    z,
+    left,
+    right,
+    home,
+    end,
+    escape,
+    tab,
+    f5,
+    f11
+};
 
 struct Chord {
     Key key = Key::none;

@@ -27,13 +27,20 @@ std::string dataText(const Session& session) {
     return session.info() == nullptr ? "No data" : session.info()->model;
 }
 
+/// Said as long as it is so: the picture is not all that the data have.
+std::string coarsenedText(const VolumeSummary* shown) {
+    if (shown == nullptr || shown->plan.coarsening == 1) return {};
+    return fmt::format("coarsened {0} x {0}   ", shown->plan.coarsening);
+}
+
 }  // namespace
 
 void drawStatus(Ui& ui) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     if (beginFixed("##status", {0.0f, display.y - statusHeight()}, {display.x, statusHeight()})) {
         const std::string frame = frameText(ui.report);
-        const float frameWidth = ImGui::CalcTextSize(frame.c_str()).x;
+        const std::string coarsened = coarsenedText(ui.session.shown());
+        const float frameWidth = ImGui::CalcTextSize((coarsened + frame).c_str()).x;
         const float at = display.x - frameWidth - ImGui::GetStyle().WindowPadding.x;
         // The message gives way to the frame, not the other way round.
         ImGui::PushClipRect({0.0f, display.y - statusHeight()},
@@ -42,6 +49,11 @@ void drawStatus(Ui& ui) {
         if (ImGui::IsItemClicked()) ui.showMessages = !ui.showMessages;
         ImGui::PopClipRect();
         ImGui::SameLine(at);
+        ImGui::TextColored({0.95f, 0.80f, 0.45f, 1.0f}, "%s", coarsened.c_str());
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", describe(ui.session.shown()->plan, *ui.session.info()).c_str());
+        }
+        ImGui::SameLine(0.0f, 0.0f);
         ImGui::TextDisabled("%s", frame.c_str());
     }
     ImGui::End();

@@ -14,7 +14,10 @@ constexpr float kStatusLines = 1.9f;
 void drawColumns(Ui& ui) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float height = display.y - statusHeight();
-    if (beginFixed("##left", {0.0f, 0.0f}, {columnWidth(), height})) drawFields(ui);
+    if (beginFixed("##left", {0.0f, 0.0f}, {columnWidth(), height})) {
+        drawFields(ui);
+        drawData(ui);
+    }
     ImGui::End();
     if (beginFixed("##right", {display.x - columnWidth(), 0.0f}, {columnWidth(), height})) {
         drawPresets(ui);

@@ -4,8 +4,10 @@
 // Panels see core and ImGui; a picture is an opaque texture id. Requests are plain flags that the
 // workbench carries out after the frame.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,7 @@ struct Requests {
     bool quit = false;
     bool toggleFullScreen = false;
     bool reloadShaders = false;
+    std::optional<std::string> memory;  ///< a setting to use and to remember
 };
 
 struct Ui {
@@ -45,8 +48,11 @@ struct Ui {
     std::vector<PresetEntry> presets;   ///< as last listed
     std::vector<std::string> titles;    ///< of `presets`
     bool presetsListed = false;
-    std::string presetName;  ///< as typed
-    std::string path;        ///< as typed
+    std::string presetName;               ///< as typed
+    std::string path;                     ///< as typed
+    std::string memory;                   ///< as typed
+    std::array<glm::vec3, 2> regionKm{};  ///< lower and upper corner, as dragged
+    bool editsRegion = false;             ///< the hand is on a slider
 };
 
 /// Camera under the mouse, columns, time bar, status line, popups. Call between NewFrame and

@@ -58,6 +58,12 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
                           Case{"render --engine warp", "slicing"},
                           Case{"render --format double", "half or float"},
                           Case{"render --out a.jpg", ".png or .exr"},
+                          Case{"render --region 1:2", "x0:x1,y0:y1"},
+                          Case{"render --region 1:2,4:3", "lower before upper"},
+                          Case{"render --region 1:2,3:4,", "x0:x1,y0:y1"},
+                          Case{"render --region 1:2,3:nan", "in km"},
+                          Case{"render --memory much", "--memory"},
+                          Case{"render --memory 120%", "50%"},
                           Case{"render --time 4", "from 0 to 3"},
                           Case{"render --time 2:1", "from 0 to 3"},
                           Case{"presets show", "PRESET"},
@@ -138,6 +144,22 @@ TEST_CASE("A setting changes the picture") {
         runProgram("render " + kStormFile + kQuick + "--set view.exposure=2 --out " + b.string())
             .status == 0);
     CHECK(readPng(a).rgba != readPng(b).rgba);
+}
+
+TEST_CASE("A part of the domain is rendered, and what memory does not hold is averaged") {
+    const TemporaryFolder folder;
+    const std::string out = "--out " + (folder / "a.png").string();
+    const Outcome part =
+        runProgram("render " + kStormFile + kQuick + "--region 20:60,30:70 " + out);
+    CHECK(part.status == 0);
+    CHECK(contains(part.err, "x 20 to 60 km, y 30 to 70 km"));
+    const Outcome coarse = runProgram("render " + kStormFile + kQuick + "--memory 4MiB " + out);
+    CHECK(coarse.status == 0);
+    CHECK(contains(coarse.err, "Every 2 x 2 columns are averaged"));
+    const Outcome nowhere =
+        runProgram("render " + kStormFile + kQuick + "--region 900:910,1:2 " + out);
+    CHECK(nowhere.status == 1);
+    CHECK(contains(nowhere.err, "holds no cell"));
 }
 
 TEST_CASE("Several times are numbered by their index, in EXR as asked for") {

@@ -26,10 +26,11 @@ inline std::string readText(const std::filesystem::path& file) {
 /// the tester's presets nor screen play a part.
 inline Outcome runProgram(const std::string& arguments) {
     const TemporaryFolder folder;
-    const std::string command = "cd '" + folder.path().string() +
-                                "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR "
-                                "XDG_DATA_HOME=\"$PWD\" '" NEPH_TEST_PROGRAM "' " +
-                                arguments + " >out 2>err";
+    const std::string command =
+        "cd '" + folder.path().string() +
+        "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR "
+        "XDG_DATA_HOME=\"$PWD\" XDG_CONFIG_HOME=\"$PWD\" '" NEPH_TEST_PROGRAM "' " +
+        arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
             readText(folder / "err")};

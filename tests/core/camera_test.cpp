@@ -114,3 +114,17 @@ TEST_CASE("The distance stays within its bounds") {
     dolly(pose, 1e9f);
     CHECK(pose.distance == kMaxDistance);
 }
+
+TEST_CASE("The same view in another grid has its eye in the same place, or there is none") {
+    const RegularGrid whole{{100, 80, 40}, {0.0, 0.0, 0.0}, {1000.0, 1000.0, 500.0}};
+    const RegularGrid part{{30, 40, 20}, {20e3, 30e3, 0.0}, {1000.0, 1000.0, 500.0}};
+    CameraPose pose;
+    pose.target = {0.4f, 0.5f, 0.2f};
+    const auto same = sameView(pose, whole, part);
+    REQUIRE(same.has_value());
+    const Camera a = placeCamera(pose, whole, 1.5), b = placeCamera(*same, part, 1.5);
+    CHECK(glm::length(a.eyeWorld - b.eyeWorld) < 0.1);
+    CHECK(glm::length(a.forward - b.forward) < 1e-9);
+    const RegularGrid far{{1, 1, 20}, {99e3, 79e3, 0.0}, {1000.0, 1000.0, 500.0}};
+    CHECK_FALSE(sameView(pose, whole, far).has_value());
+}

@@ -94,3 +94,21 @@ TEST_CASE("Starting anew forgets all steps") {
     CHECK_FALSE(history.undo(document));
     CHECK(document.time == 1);
 }
+
+TEST_CASE("Adapting changes every state that steps lead to and makes no step") {
+    Document document;
+    History history(document);
+    document.time = 1;
+    history.commit(document);
+    document.time = 2;
+    history.commit(document);
+    const auto later = [](Document& state) { state.time += 10; };
+    later(document);
+    history.adapt(later);
+    history.commit(document);
+    CHECK(history.undo(document));
+    CHECK(document.time == 11);
+    CHECK(history.undo(document));
+    CHECK(document.time == 10);
+    CHECK_FALSE(history.undo(document));
+}

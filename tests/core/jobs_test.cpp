@@ -130,6 +130,19 @@ TEST_CASE("A result wakes whoever waits for it") {
     CHECK(jobs.poll());
 }
 
+TEST_CASE("Work ahead of time is not busy until it is wanted, and gives way to what is") {
+    Jobs jobs;
+    jobs.start("ahead", workForever, {}, Jobs::Kind::ahead);
+    CHECK_FALSE(jobs.busy());
+    CHECK_FALSE(jobs.idle());
+    jobs.want();
+    CHECK(jobs.busy());
+    bool done = false;
+    jobs.start("asked for", [&](const Progress&) { return [&] { done = true; }; }, {});
+    REQUIRE(pollUntil(jobs, [&] { return done; }));
+    REQUIRE(pollUntil(jobs, [&] { return jobs.idle(); }));
+}
+
 TEST_CASE("Jobs end with a job running, waiting or unread") {
     for (int round = 0; round < 20; ++round) {
         Jobs jobs;

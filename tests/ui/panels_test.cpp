@@ -3,13 +3,17 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <thread>
 
 #include "app/ui/actions.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
 #include "app/ui/theme.h"
 #include "app/ui/ui.h"
+#include "core/memory_setting.h"
+#include "tests/core/fake_series.h"
 
 using namespace neph;
 
@@ -118,6 +122,36 @@ TEST_CASE("All panels are laid out without data, with help, messages and every f
     for (int i = 0; i < 5; ++i) gui.frame([&] { ui::draw(state); });
     CHECK(session.document == before);
     CHECK(ImGui::GetDrawData()->TotalVtxCount > 0);
+}
+
+TEST_CASE("The data panel is laid out, and its buttons choose the part of the domain") {
+    Headless gui;
+    auto series = std::make_shared<FakeSeries>();
+    Session session(openFake(series));
+    session.setBudget({2000, kSoftwareGpuBytes});  // of 16 KiB: coarsened
+    session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
+    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
+        session.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    REQUIRE(session.shown() != nullptr);
+    ui::Ui state(session);
+    const Document before = session.document;
+    for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
+    CHECK(session.document == before);
+    CHECK_FALSE(session.region().has_value());
+    CHECK_FALSE(state.requests.memory.has_value());
+    CHECK(ui::runChord(state, {ui::Key::c}));
+    REQUIRE(session.region().has_value());
+    CHECK(session.region()->lowerM.x > 0.0);
+    CHECK(session.region()->lowerM.y == 0.0);  // the margin ends at the domain's border
+    CHECK(session.region()->upperM.y == 8000.0);
+    gui.frame([&] { ui::draw(state); });
+    CHECK(ui::runChord(state, {ui::Key::d}));
+    CHECK_FALSE(session.region().has_value());
+    CHECK_FALSE(ui::runChord(state, {ui::Key::d}));
+    CHECK(ui::runChord(state, {ui::Key::f}));
+    CHECK(session.follow);
 }
 
 TEST_CASE("A drag on the picture orbits, with shift it pans, and the wheel comes nearer") {

@@ -1,0 +1,50 @@
+// held_volume.h: one time's volume as a picture needs it, with how it was read and what is in it.
+//
+// Made by one function for the workbench and the command line, so that both show the same.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+
+#include "core/dataset.h"
+#include "core/radius_plan.h"
+#include "core/read_plan.h"
+#include "core/species.h"
+
+namespace neph {
+
+/// What is asked of a time besides the time itself.
+struct VolumeRequest {
+    std::optional<Region> region;  ///< none: the whole domain
+    MemoryBudget budget;
+    RadiusPlan radii;  ///< as the look asks for it
+    bool operator==(const VolumeRequest&) const = default;
+};
+
+/// What is known of a volume without looking into it again.
+struct VolumeSummary {
+    RegularGrid grid;
+    ReadPlan plan;
+    glm::dvec2 domainHeightsM{0.0};              ///< lowest and highest level of the whole domain
+    std::array<bool, kSpeciesCount> present{};   ///< the model has the species
+    std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
+    std::optional<Region> clouds;                ///< where it is dense enough to be seen
+    std::string timeLabel;
+    bool empty() const;  ///< no hydrometeor anywhere
+};
+
+struct HeldVolume {
+    SpeciesVolume volume;
+    VolumeSummary summary;
+};
+
+VolumeSummary summarise(const SpeciesVolume& volume);
+
+/// Plans, reads and summarises. Throws Error or Cancelled.
+HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
+                      const Progress& progress = {});
+
+/// `region` with a margin of a tenth of its extent on every side.
+Region withMargin(const Region& region);
+
+}  // namespace neph

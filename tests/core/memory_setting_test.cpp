@@ -1,0 +1,97 @@
+// memory_setting_test.cpp: sizes as people write them, control groups, and what is remembered.
+#include "core/memory_setting.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/settings.h"
+#include "tests/environment.h"
+#include "tests/temporary_folder.h"
+#include "tests/text.h"
+
+using namespace neph;
+
+TEST_CASE("A size is read with its unit, a share of what is free, and nothing as no wish") {
+    CHECK(parseMemory("2GiB", 0) == 2147483648U);
+    CHECK(parseMemory("512 mib", 0) == 536870912U);
+    CHECK(parseMemory("1.5G", 0) == 1610612736U);
+    CHECK(parseMemory("2000000", 0) == 2000000U);
+    CHECK(parseMemory("800MB", 0) == 800000000U);
+    CHECK(parseMemory("50%", 4294967296U) == 2147483648U);
+    CHECK_FALSE(parseMemory(" ", 0).has_value());
+}
+
+TEST_CASE("What is no size is refused with an example") {
+    for (const char* text : {"much", "2 bytes", "-1GiB", "150%", "12", "0%", "nan", "1e999GiB"}) {
+        CAPTURE(text);
+        try {
+            parseMemory(text, 4294967296U);
+            FAIL_CHECK("was taken");
+        } catch (const Error& error) {
+            CHECK(contains(error.message(), "512MiB"));
+        }
+    }
+}
+
+TEST_CASE("A control group leaves its limit less what cannot be reclaimed") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "memory.max") << "max\n";
+    CHECK(controlGroupFreeBytes(folder.path()) == MemoryBudget{}.machine);
+    std::ofstream(folder / "memory.max") << "1000\n";
+    std::ofstream(folder / "memory.current") << "700\n";
+    std::ofstream(folder / "memory.stat") << "anon 500\ninactive_file 200\n";
+    CHECK(controlGroupFreeBytes(folder.path()) == 500U);
+    std::ofstream(folder / "memory.current") << "2000\n";
+    CHECK(controlGroupFreeBytes(folder.path()) == 0U);
+}
+
+TEST_CASE("This machine has some memory free, and a quarter of it is taken unless told") {
+    const std::uint64_t free = freeMachineBytes();
+    CHECK(free > (16U << 20U));
+    const MemoryBudget budget = memoryBudget("", 7);
+    CHECK(static_cast<double>(budget.machine) ==
+          doctest::Approx(static_cast<double>(free) / 4.0).epsilon(0.2));
+    CHECK(budget.gpu == 7);
+    CHECK(memoryBudget("3MiB", 7).machine == 3145728U);
+    CHECK(memoryText(3145728U) == "3 MiB");
+    CHECK(memoryText(3328599654U) == "3.1 GiB");
+}
+
+TEST_CASE("Settings are remembered, and keys of other versions stay") {
+    const TemporaryFolder folder;
+    const Environment home("XDG_CONFIG_HOME", folder.path().string());
+    std::vector<std::string> warnings;
+    CHECK(loadSettings(warnings) == Settings{});
+    saveSettings({"2GiB"});
+    CHECK(loadSettings(warnings).memory == "2GiB");
+    const auto file = folder / "nephoscope" / "settings.json";
+    std::ofstream(folder / "nephoscope/settings.json")
+        << R"({"type": "nephoscope-settings", "version": 1, "colour": "blue", "memory": "1GiB"})";
+    saveSettings({"50%"});
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    CHECK(contains(text.str(), "blue"));
+    CHECK(contains(text.str(), "50%"));
+    CHECK(warnings.empty());
+}
+
+TEST_CASE("A file of settings that is wrong is told, not used and not overwritten") {
+    const TemporaryFolder folder;
+    const Environment home("XDG_CONFIG_HOME", folder.path().string());
+    std::filesystem::create_directories(folder / "nephoscope");
+    for (const char* text :
+         {"{", "[]", R"({"type": "other"})", R"({"type": "nephoscope-settings", "version": 2})",
+          R"({"type": "nephoscope-settings", "version": 1, "memory": 3})"}) {
+        CAPTURE(text);
+        std::ofstream(folder / "nephoscope/settings.json") << text;
+        std::vector<std::string> warnings;
+        CHECK(loadSettings(warnings) == Settings{});
+        REQUIRE(warnings.size() == 1);
+        CHECK(contains(warnings[0], "settings.json"));
+    }
+    std::ofstream(folder / "nephoscope/settings.json") << "{";
+    CHECK_THROWS_AS(saveSettings({"1GiB"}), Error);
+}
