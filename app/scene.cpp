@@ -110,19 +110,18 @@ std::optional<Region> parseRegion(const std::string& text) {
                       "nephoscope info FILE... tells the domain"});
 }
 
-MemoryBudget chooseBudget(const std::string& memory, const gl::DeviceMemory& device,
+std::uint64_t rendererBytes(const gl::DeviceMemory& device) {
+    if (device.software) return kSoftwareGpuBytes;
+    // A GPU that does not say shares the memory of the machine, as those of processors do.
+    if (device.freeBytes == 0) return memoryBudget("", 0).machine;
+    return static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(device.freeBytes));
+}
+
+MemoryBudget chooseBudget(const std::string& memory, std::uint64_t gpuBytes,
                           std::vector<std::string>& warnings) {
-    std::uint64_t gpu = kSoftwareGpuBytes;
-    if (!device.software) {
-        // A GPU that does not say shares the memory of the machine, as those of processors do.
-        gpu =
-            device.freeBytes == 0
-                ? memoryBudget("", 0).machine
-                : static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(device.freeBytes));
-    }
     if (!memory.empty()) {
         try {
-            return memoryBudget(memory, gpu);
+            return memoryBudget(memory, gpuBytes);
         } catch (const Error& error) {
             ErrorParts parts = error.parts();
             parts.where = "--memory";
@@ -130,10 +129,10 @@ MemoryBudget chooseBudget(const std::string& memory, const gl::DeviceMemory& dev
         }
     }
     try {
-        return memoryBudget(loadSettings(warnings).memory, gpu);
+        return memoryBudget(loadSettings(warnings).memory, gpuBytes);
     } catch (const Error& error) {
         warnings.push_back(error.message());
-        return memoryBudget("", gpu);
+        return memoryBudget("", gpuBytes);
     }
 }
 

@@ -52,10 +52,12 @@ std::optional<int> parseFirstTime(const std::string& text);
 /// `text` is empty. Throws UsageError.
 std::optional<Region> parseRegion(const std::string& text);
 
-/// Bounds of volumes: as `memory` says, else as remembered, else a share of what is free; and what
-/// a renderer may take on `device`. Adds to `warnings` what is wrong with the remembered one.
-/// Throws UsageError.
-MemoryBudget chooseBudget(const std::string& memory, const gl::DeviceMemory& device,
+/// What a renderer may take for volumes on this device.
+std::uint64_t rendererBytes(const gl::DeviceMemory& device);
+
+/// Bounds of volumes: as `memory` says, else as remembered, else a share of what is free. Adds to
+/// `warnings` what is wrong with the remembered one. Throws UsageError.
+MemoryBudget chooseBudget(const std::string& memory, std::uint64_t gpuBytes,
                           std::vector<std::string>& warnings);
 
 }  // namespace neph

@@ -74,7 +74,7 @@ Workbench::Workbench(const SceneOptions& options)
     session_.presetName = scene.presetName;
     session_.history.restart(scene.document);
     std::vector<std::string> warnings = scene.warnings;
-    session_.setBudget(chooseBudget(options.memory, gl::deviceMemory(), warnings));
+    session_.setBudget(chooseBudget(options.memory, rendererBytes(gl::deviceMemory()), warnings));
     for (const std::string& warning : warnings) session_.say(Message::Kind::warning, warning);
     ui_.report.device = renderer_.deviceName();
     session_.open(options.files, parseFirstTime(options.time), parseRegion(options.region));

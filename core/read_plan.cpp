@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <vector>
 
 #include "core/error.h"
@@ -21,7 +20,6 @@ constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here an
 // One RGBA32F texture holds three optical classes and the skylight, app/render/medium_bake.cpp.
 constexpr std::uint64_t kMediumBytes = 16;
 constexpr int kClassesPerTexture = 3;
-constexpr std::uint64_t kMachineShare = 4;  // of the memory that is free: four times are held well
 
 /// What the levels of the grid are chosen from, metres.
 struct NativeLevels {
@@ -160,16 +158,6 @@ std::string lengthText(double metres) {
 }
 
 }  // namespace
-
-MemoryBudget defaultBudget(std::uint64_t gpuBytes) {
-    MemoryBudget budget{.gpu = gpuBytes};
-    std::ifstream table("/proc/meminfo");
-    std::string key, unit;
-    for (std::uint64_t kibibytes = 0; table >> key >> kibibytes; std::getline(table, unit)) {
-        if (key == "MemAvailable:") budget.machine = kibibytes * 1024 / kMachineShare;
-    }
-    return budget;
-}
 
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region,
                   const MemoryBudget& budget, const Progress& progress) {

@@ -23,9 +23,6 @@ struct MemoryBudget {
     bool operator==(const MemoryBudget&) const = default;
 };
 
-/// A share of the memory that this machine has free now. `gpuBytes` is what the renderer may take.
-MemoryBudget defaultBudget(std::uint64_t gpuBytes);
-
 /// What a renderer that computes on the CPU may take: its bound is time, not memory.
 /// docs/measurements.md
 inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;

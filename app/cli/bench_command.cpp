@@ -18,6 +18,7 @@
 #include "app/scene.h"
 #include "core/atomic_file.h"
 #include "core/file_list.h"
+#include "core/memory_setting.h"
 #include "core/plugin_host.h"
 #include "core/read_plan.h"
 #include "core/resample.h"
@@ -123,24 +124,13 @@ Opened openData(const BenchOptions& options, std::uint64_t gpuBytes) {
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     const int time = std::min(kBenchTime, last);
     const auto planning = Clock::now();
-    opened.plan = planRead(*opened.dataset, time, {}, defaultBudget(gpuBytes));
+    opened.plan = planRead(*opened.dataset, time, {}, memoryBudget("", gpuBytes));
     opened.planMs = millisecondsSince(planning);
     const auto begun = Clock::now();
     opened.volume = resample(*opened.dataset, time, {opened.plan});
     opened.resampleMs = millisecondsSince(begun);
     opened.peakBytes = processBytes("VmHWM") - std::min(before, processBytes("VmHWM"));
     return opened;
-}
-
-/// Whether the renderer computes on the CPU.
-bool isSoftware(const std::string& deviceName) {
-    return deviceName.find("llvmpipe") != deviceName.npos ||
-           deviceName.find("softpipe") != deviceName.npos;
-}
-
-/// What one of the renderer's kind may take: on a GPU all that there is, until the workbench asks.
-std::uint64_t gpuShare(const render::Renderer& renderer) {
-    return isSoftware(renderer.deviceName()) ? kSoftwareGpuBytes : MemoryBudget{}.gpu;
 }
 
 nlohmann::ordered_json summaryOf(const Opened& opened, double firstPictureMs) {
@@ -186,7 +176,7 @@ int runBench(const BenchOptions& options) {
     const Scene scene = makeScene({});
     const gl::HeadlessContext context;
     render::Renderer renderer(resourcePath("shaders"));
-    Opened opened = openData(options, gpuShare(renderer));
+    Opened opened = openData(options, rendererBytes(gl::deviceMemory()));
     renderer.setVolume(opened.volume);
     const RegularGrid grid = opened.volume.grid;
     const std::string time = opened.volume.timeLabel;

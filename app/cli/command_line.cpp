@@ -48,6 +48,11 @@ void addReaderOption(CLI::App& command, std::vector<std::string>& readers) {
         ->allow_extra_args(false);  // what follows is a file
 }
 
+void addMemoryOption(CLI::App& command, std::string& memory) {
+    command.add_option("--memory", memory, "For fields: 2GiB, 512MiB or 50% of the free")
+        ->type_name("SIZE|SHARE");
+}
+
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
     command.add_option("FILE", options.files,
                        "Files of one series, or a folder; none: the bundled storm");
@@ -62,8 +67,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->type_name("INDEX|a:b|all");
     command.add_option("--region", options.region, "Part of the domain in km; else all of it")
         ->type_name("x0:x1,y0:y1[,z0:z1]");
-    command.add_option("--memory", options.memory, "For fields: 2GiB, 512MiB or 50% of the free")
-        ->type_name("SIZE|SHARE");
+    addMemoryOption(command, options.memory);
     addReaderOption(command, options.readers);
 }
 
@@ -103,6 +107,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     info.add_option("--time", arguments.info.time,
                     "Times to read; else all, or of much data the first and the last")
         ->type_name("INDEX|a:b|all");
+    addMemoryOption(info, arguments.info.memory);
     info.add_flag("--json", arguments.info.json, "As JSON");
     addReaderOption(info, arguments.info.readers);
     CLI::App& readers = *app.add_subcommand("readers", "List reader plugins");

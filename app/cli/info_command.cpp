@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -213,9 +212,8 @@ std::string seriesLines(const DatasetInfo& info, const std::vector<TimeSummary>&
 }
 
 /// How much of the last time that was read a picture shows.
-std::string shownOf(Dataset& dataset, int time) {
-    const ReadPlan plan =
-        planRead(dataset, time, {}, defaultBudget(std::numeric_limits<std::uint64_t>::max()));
+std::string shownOf(Dataset& dataset, int time, const MemoryBudget& budget) {
+    const ReadPlan plan = planRead(dataset, time, {}, budget);
     const std::string text = describe(plan, dataset.info());
     return text.empty() ? "at full resolution" : text;
 }
@@ -324,14 +322,14 @@ Json variablesJson(const DatasetInfo& info) {
 }
 
 /// The summary for people.
-std::string infoText(Dataset& dataset, const std::string& times) {
+std::string infoText(Dataset& dataset, const std::string& times, const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
     text += timeLine(info);
-    text += fmt::format("Shown    {}\n", shownOf(dataset, summaries.back().time));
+    text += fmt::format("Shown    {}\n", shownOf(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += seriesLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, summaries);
@@ -365,7 +363,7 @@ Json condensateJson(const DatasetInfo& info, const std::vector<TimeSummary>& sum
 }
 
 /// The same and more for programs.
-std::string infoJson(Dataset& dataset, const std::string& times) {
+std::string infoJson(Dataset& dataset, const std::string& times, const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
     Json json{{"type", "nephoscope-info"},
@@ -374,7 +372,7 @@ std::string infoJson(Dataset& dataset, const std::string& times) {
               {"model", info.model},
               {"scheme", info.scheme},
               {"grid", gridJson(info, summaries.back().layers)},
-              {"shown", shownOf(dataset, summaries.back().time)},
+              {"shown", shownOf(dataset, summaries.back().time, budget)},
               {"cloud_threshold_g_per_kg", static_cast<double>(kCloudRatioKgPerKg) * kGramPerKg},
               {"cloud", rangeJson(rangeOf(summaries, &TimeSummary::cloud))},
               {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
@@ -390,10 +388,13 @@ std::string infoJson(Dataset& dataset, const std::string& times) {
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
+    std::vector<std::string> warnings;
+    const MemoryBudget budget = chooseBudget(options.memory, MemoryBudget{}.gpu, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
     const auto dataset =
         Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
-    fmt::print("{}",
-               options.json ? infoJson(*dataset, options.time) : infoText(*dataset, options.time));
+    fmt::print("{}", options.json ? infoJson(*dataset, options.time, budget)
+                                  : infoText(*dataset, options.time, budget));
     return 0;
 }
 

@@ -9,6 +9,7 @@ struct InfoOptions {
     std::vector<std::string> files;  ///< files of one series, or a folder; none: the bundled storm
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
     std::string time;                  ///< INDEX, a:b or all; empty: what can be read in seconds
+    std::string memory;                ///< as parseMemory; empty for what is remembered
     bool json = false;
 };
 

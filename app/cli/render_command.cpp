@@ -155,9 +155,9 @@ int runRender(const RenderOptions& options) {
     const gl::HeadlessContext context;
     render::Renderer renderer(resourcePath("shaders"));
     std::vector<std::string> warnings;
-    const VolumeRequest request{region,
-                                chooseBudget(options.scene.memory, gl::deviceMemory(), warnings),
-                                planRadii(scene.document.look, dataset->info())};
+    const VolumeRequest request{
+        region, chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings),
+        planRadii(scene.document.look, dataset->info())};
     printAll("warning", warnings);
     for (const int time : times) {
         renderTime(options, scene, *dataset, time, times.size() > 1, request, renderer);

@@ -156,6 +156,7 @@ TEST_CASE("A part of the domain is rendered, and what memory does not hold is av
     const Outcome coarse = runProgram("render " + kStormFile + kQuick + "--memory 4MiB " + out);
     CHECK(coarse.status == 0);
     CHECK(contains(coarse.err, "Every 2 x 2 columns are averaged"));
+    CHECK(contains(runProgram("info " + kStormFile + " --memory 4MiB").out, "2 x 2 columns"));
     const Outcome nowhere =
         runProgram("render " + kStormFile + kQuick + "--region 900:910,1:2 " + out);
     CHECK(nowhere.status == 1);

@@ -181,10 +181,3 @@ TEST_CASE("Profiles of height and density do for every column") {
               resample(full, 0, {plan}).content(Species::cloud).values);
     }
 }
-
-TEST_CASE("The default budget is a share of what this machine has free") {
-    const MemoryBudget budget = defaultBudget(123);
-    CHECK(budget.gpu == 123);
-    CHECK(budget.machine > std::uint64_t{16} << 20U);
-    CHECK(budget.machine < std::uint64_t{1} << 44U);
-}
