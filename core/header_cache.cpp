@@ -1,4 +1,5 @@
-// header_cache.cpp: descriptions as JSON. What the files of a series say alike is written once.
+// header_cache.cpp: descriptions as the reader processes send them. What the files of a series say
+// alike is written once.
 #include "core/header_cache.h"
 
 #include <fmt/format.h>
@@ -6,21 +7,21 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/reader_wire.h"
 #include "core/resources.h"
 
 namespace neph {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
-constexpr int kVersion = 1;                        // raised with every change of what is written
+constexpr std::uint32_t kVersion = 2;  // raised with every change of what is written
+constexpr std::string_view kExtension = ".headers";
 constexpr std::size_t kMostFolders = 64;           // cache files that are kept
 constexpr std::uintmax_t kMostBytes = 32U << 20U;  // of one cache file
 
@@ -31,70 +32,25 @@ std::uint64_t hashOf(std::string_view text) {
     return hash;
 }
 
-/// The first line of a cache file.
+/// What a cache file opens with.
 std::string checksumOf(std::string_view body) {
     return fmt::format("{:016x}\n", hashOf(body));
 }
 constexpr std::size_t kChecksumLength = 17;
 
-Json toJson(const FileVariable& variable) {
-    return {variable.name,        variable.standardName, variable.units,
-            variable.description, variable.role,         variable.species,
-            variable.size.x,      variable.size.y,       variable.size.z};
-}
-
-FileVariable variableOf(const Json& json) {
-    return {json.at(0),
-            json.at(1),
-            json.at(2),
-            json.at(3),
-            json.at(4),
-            json.at(5),
-            {json.at(6), json.at(7), json.at(8)}};
-}
-
 /// Everything but the times.
-Json commonOf(const FileDescription& description) {
-    Json variables = Json::array();
-    for (const FileVariable& variable : description.variables) {
-        variables.push_back(toJson(variable));
-    }
-    return {{"model", description.model},
-            {"scheme", description.scheme},
-            {"microphysics", description.microphysics},
-            {"droplets", description.cloudDropletsPerM3},
-            {"size", {description.size.x, description.size.y, description.size.z}},
-            {"spacing", {description.spacingM.x, description.spacingM.y}},
-            {"variables", std::move(variables)},
-            {"notes", description.notes},
-            {"attributes", description.attributes}};
-}
-
-FileDescription descriptionOf(const Json& json) {
-    FileDescription description;
-    json.at("model").get_to(description.model);
-    json.at("scheme").get_to(description.scheme);
-    json.at("microphysics").get_to(description.microphysics);
-    json.at("droplets").get_to(description.cloudDropletsPerM3);
-    for (int axis = 0; axis < 3; ++axis) {
-        description.size[axis] = json.at("size").at(static_cast<std::size_t>(axis));
-    }
-    for (int axis = 0; axis < 2; ++axis) {
-        description.spacingM[axis] = json.at("spacing").at(static_cast<std::size_t>(axis));
-    }
-    for (const Json& variable : json.at("variables")) {
-        description.variables.push_back(variableOf(variable));
-    }
-    json.at("notes").get_to(description.notes);
-    json.at("attributes").get_to(description.attributes);
-    return description;
+std::string packCommon(FileDescription description) {
+    description.times.clear();
+    wire::Packer to;
+    wire::pack(to, description);
+    return to.take();
 }
 
 /// Makes room for one more cache file.
 void prune(const fs::path& cacheFolder) {
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     for (const auto& entry : fs::directory_iterator(cacheFolder)) {
-        if (entry.path().extension() == ".json") {
+        if (entry.path().extension() == kExtension) {
             files.emplace_back(entry.last_write_time(), entry.path());
         }
     }
@@ -120,7 +76,7 @@ fs::path HeaderCache::standardFolder() {
 }
 
 HeaderCache::HeaderCache(fs::path cacheFolder, const fs::path& dataFolder,
-                         const ReaderPlugin& reader) {
+                         const ReaderName& reader) {
     std::error_code code;
     folder_ = fs::absolute(dataFolder.empty() ? fs::path(".") : dataFolder, code)
                   .lexically_normal()
@@ -129,7 +85,7 @@ HeaderCache::HeaderCache(fs::path cacheFolder, const fs::path& dataFolder,
     reader_ =
         fmt::format("{} {} {} {}", reader.id, reader.version, library.bytes, library.changedNs);
     if (cacheFolder.empty()) return;
-    cacheFile_ = cacheFolder / fmt::format("{:016x}.json", hashOf(folder_ + reader.id));
+    cacheFile_ = cacheFolder / fmt::format("{:016x}{}", hashOf(folder_ + reader.id), kExtension);
     try {
         load();
     } catch (const std::exception&) {
@@ -144,20 +100,26 @@ void HeaderCache::load() {
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     const std::size_t body = std::min(kChecksumLength, text.size());
     if (text.substr(0, body) != checksumOf(std::string_view(text).substr(body))) return;
-    const Json json = Json::parse(text.substr(body));
-    if (json.at("version") != kVersion || json.at("folder") != folder_ ||
-        json.at("reader") != reader_) {
+    wire::Unpacker from(std::string_view(text).substr(body));
+    if (from.number<std::uint32_t>() != kVersion || from.text() != folder_ ||
+        from.text() != reader_) {
         return;
     }
-    std::vector<FileDescription> common;
-    for (const Json& entry : json.at("common")) common.push_back(descriptionOf(entry));
-    for (const auto& [name, file] : json.at("files").items()) {
-        Entry entry{{file.at("bytes"), file.at("changed")},
-                    common.at(file.at("common").get<std::size_t>())};
-        for (const Json& time : file.at("times")) {
-            entry.description.times.push_back({time.at(0), time.at(1)});
+    std::vector<FileDescription> common(from.count(sizeof(std::uint64_t)));
+    for (FileDescription& description : common) {
+        const std::string packed = from.text();
+        wire::Unpacker inner(packed);
+        description = wire::unpackDescription(inner);
+    }
+    for (std::size_t left = from.count(sizeof(std::uint64_t)); left > 0; --left) {
+        const std::string name = from.text();
+        Entry entry{from.number<HeaderStamp>(), common.at(from.number<std::uint64_t>())};
+        entry.description.times.resize(from.count(sizeof(std::uint64_t)));
+        for (FileTime& time : entry.description.times) {
+            time.label = from.text();
+            time.seconds = from.number<double>();
         }
-        if (!entry.description.times.empty()) entries_[name] = std::move(entry);
+        entries_[name] = std::move(entry);
     }
 }
 
@@ -176,33 +138,31 @@ void HeaderCache::put(const fs::path& file, const HeaderStamp& stamp, FileDescri
 void HeaderCache::save() const {
     if (!changed_ || cacheFile_.empty()) return;
     try {
-        Json common = Json::array();
-        Json files = Json::object();
+        std::vector<std::string> common;
+        wire::Packer files;
+        std::uint64_t count = 0;
         for (const auto& [name, entry] : entries_) {
             if (headerStampOf(fs::path(folder_) / name) != entry.stamp) continue;
-            Json shared = commonOf(entry.description);
-            auto place = std::ranges::find(common, shared);
-            const auto index = static_cast<std::size_t>(place - common.begin());
-            if (index == common.size()) common.push_back(std::move(shared));
-            Json times = Json::array();
+            std::string shared = packCommon(entry.description);
+            const auto place = std::ranges::find(common, shared);
+            const auto index = static_cast<std::uint64_t>(place - common.begin());
+            if (place == common.end()) common.push_back(std::move(shared));
+            files.text(name).number(entry.stamp).number(index);
+            files.number(static_cast<std::uint64_t>(entry.description.times.size()));
             for (const FileTime& time : entry.description.times) {
-                times.push_back({time.label, time.seconds});
+                files.text(time.label).number(time.seconds);
             }
-            files[name] = {{"bytes", entry.stamp.bytes},
-                           {"changed", entry.stamp.changedNs},
-                           {"common", index},
-                           {"times", std::move(times)}};
+            ++count;
         }
-        const Json json{{"version", kVersion},
-                        {"folder", folder_},
-                        {"reader", reader_},
-                        {"common", common},
-                        {"files", files}};
+        wire::Packer to;
+        to.number(kVersion).text(folder_).text(reader_);
+        to.number(static_cast<std::uint64_t>(common.size()));
+        for (const std::string& description : common) to.text(description);
+        to.number(count);
+        const std::string body = to.take() + files.take();
         fs::create_directories(cacheFile_.parent_path());
         if (!fs::exists(cacheFile_)) prune(cacheFile_.parent_path());
-        const std::string body = json.dump();
         replaceFile(cacheFile_, checksumOf(body) + body);
-    } catch (const Json::exception&) {  // names that are not UTF-8
     } catch (const Error&) {
     } catch (const fs::filesystem_error&) {
     }

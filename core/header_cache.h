@@ -30,7 +30,7 @@ class HeaderCache {
   public:
     /// Entries of the files in `dataFolder`, kept in a file of `cacheFolder`; empty: nowhere.
     HeaderCache(std::filesystem::path cacheFolder, const std::filesystem::path& dataFolder,
-                const ReaderPlugin& reader);
+                const ReaderName& reader);
 
     /// The user's own cache.
     static std::filesystem::path standardFolder();

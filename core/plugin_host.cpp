@@ -75,7 +75,8 @@ void requireReadable(const fs::path& file) {
 
 }  // namespace
 
-ReaderPlugin::ReaderPlugin(fs::path file) : library(std::move(file)) {
+ReaderPlugin::ReaderPlugin(const fs::path& file) {
+    library = file;
     auto process = std::make_unique<ReaderProcess>(library);
     static_cast<wire::Identity&>(*this) = process->identity();
     giveBack(std::move(process));

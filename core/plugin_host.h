@@ -15,12 +15,15 @@
 
 namespace neph {
 
-/// One accepted reader, and the processes that run it.
-struct ReaderPlugin : wire::Identity {
-    /// Starts a first process. Throws Error, with the reason in `what`, when it is no reader.
-    explicit ReaderPlugin(std::filesystem::path file);
-
+/// What a reader says of itself, and where it lies.
+struct ReaderName : wire::Identity {
     std::filesystem::path library;
+};
+
+/// One accepted reader, and the processes that run it.
+struct ReaderPlugin : ReaderName {
+    /// Starts a first process. Throws Error, with the reason in `what`, when it is no reader.
+    explicit ReaderPlugin(const std::filesystem::path& file);
 
     /// An idle process of this reader, or a new one. Any thread. Throws Error.
     std::unique_ptr<ReaderProcess> borrow() const;

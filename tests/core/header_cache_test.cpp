@@ -59,7 +59,7 @@ void checkSame(const FileDescription& a, const FileDescription& b) {
 /// A folder of data, one of cache files, and a reader.
 struct Place {
     TemporaryFolder data, cache;
-    ReaderPlugin reader{};
+    ReaderName reader;
 
     Place() {
         reader.id = "some";

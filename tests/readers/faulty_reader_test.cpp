@@ -166,9 +166,10 @@ TEST_CASE("Libraries that are no readers are rejected with the reason, and the o
                                folder / "z_copy.so");
     const PluginHost host(std::vector<std::filesystem::path>{NEPH_TEST_READER_DIR, folder.path(),
                                                              folder / "nowhere", "libm.so.6"});
-    REQUIRE(host.readers().size() == 1);
-    CHECK(host.readers()[0]->id == "wrf_netcdf");
-    CHECK(host.readers()[0]->abiVersion == NEPH_READER_ABI_VERSION);
+    REQUIRE(host.readers().size() == 2);
+    CHECK(host.readers()[0]->id == "raw_les");
+    CHECK(host.readers()[1]->id == "wrf_netcdf");
+    CHECK(host.readers()[1]->abiVersion == NEPH_READER_ABI_VERSION);
     REQUIRE(host.rejected().size() == 2);
     CHECK(host.rejected()[0].library == folder / "broken.so");
     CHECK(!host.rejected()[0].reason.empty());
