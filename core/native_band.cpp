@@ -13,7 +13,6 @@ namespace neph {
 namespace {
 
 constexpr std::size_t kBandBytes = 1U << 20U;  // a field: a handful of them stay in a core's cache
-constexpr std::size_t kRunsPerThread = 8;      // so that none waits long for the last
 constexpr std::size_t kMostThreads = 4;        // memory, not computing, bounds what more would give
 
 std::string textOf(glm::ivec3 size) {
@@ -155,9 +154,9 @@ void overBands(Dataset& dataset, std::size_t bandCount, const BandWork& work,
         if (!handle) break;
         handles.push_back(std::move(handle));
     }
-    // Each takes a run of neighbouring bands, so that what a reader keeps (a row of chunks) serves
-    // the next band as well.
-    const std::size_t runs = std::min(bandCount, kRunsPerThread * (handles.size() + 1));
+    // Each takes one run of neighbouring bands, so that what a reader keeps (a row of chunks)
+    // serves the next band as well, and few rows are needed by two readers.
+    const std::size_t runs = handles.size() + 1;
     shareOut(
         runs, handles.size() + 1,
         [&](std::size_t run, std::size_t worker, const Progress& report) {

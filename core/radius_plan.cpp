@@ -83,9 +83,13 @@ RadiusRule planRule(const DatasetInfo& info, Species s, RadiusSource wanted,
     if (rule.source == RadiusSource::scheme) {
         if (const auto lack = schemeLacks(info, rule, s)) {
             if (lacks.empty() || lacks.back() != *lack) lacks.push_back(*lack);
-            instead = assumption(s);
+            const bool counted = !rule.numberVariable.empty() || rule.fixedNumberPerM3 > 0.0;
+            if (counted) rule.source = RadiusSource::number;
+            instead = counted ? nameOf(rule.source) : assumption(s);
         }
-        if (!schemeReadsNumber(rule.scheme, s)) rule.numberVariable.clear();
+    }
+    if (rule.source == RadiusSource::scheme && !schemeReadsNumber(rule.scheme, s)) {
+        rule.numberVariable.clear();
     }
     if (rule.source != RadiusSource::file) rule.radiusVariable.clear();
     if (!lacks.empty()) {

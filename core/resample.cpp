@@ -203,12 +203,25 @@ class BandResampler {
         }
     }
 
+    /// Values for every cell: a profile is repeated in each column.
+    static Array3f spread(ColumnField field, glm::ivec3 size) {
+        if (!field.profile) return std::move(field.values);
+        Array3f values(size);
+        const std::size_t layer = values.index(0, 0, 1);
+        for (std::size_t i = 0; i < values.values.size(); ++i) {
+            values.values[i] = field.at(0, i / layer);
+        }
+        return values;
+    }
+
     /// In place from content to extinction, on native cells: it does not follow from mean contents.
     void toExtinction(Dataset& dataset, const Box& band, const ColumnField& density,
                       SpeciesWork& work, Array3f& quantity, const Progress& progress) {
         const RadiusRule& rule = radii_.of(work.species());
         const auto readExtra = [&](const std::string& name) {
-            return name.empty() ? Array3f() : dataset.read(name, time_, band, progress);
+            const VariableInfo* variable = dataset.info().find(name);
+            if (variable == nullptr) return Array3f();
+            return spread(readColumns(dataset, *variable, time_, band, progress), band.size());
         };
         const Array3f radius = readExtra(rule.radiusVariable);
         Array3f number = readExtra(rule.numberVariable);
@@ -314,7 +327,8 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
         for (const std::string* name :
              {&rule.radiusVariable, &rule.numberVariable, &rule.temperatureVariable}) {
             const VariableInfo* variable = info.find(*name);
-            if (variable != nullptr) requireOnGrid(dataset, *variable, false);
+            const bool profile = name == &rule.temperatureVariable;
+            if (variable != nullptr) requireOnGrid(dataset, *variable, profile);
         }
         const bool mass = rule.source == RadiusSource::constant;
         Array3f& out = mass ? volume.contentKgPerM3[s] : volume.extinctionPerM[s];

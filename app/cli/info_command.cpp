@@ -118,8 +118,8 @@ std::optional<HeightRange> rangeOf(const std::vector<TimeSummary>& summaries,
 
 std::string gridLines(const DatasetInfo& info, const LayerSummary& layers) {
     return fmt::format(
-        "Grid     {} x {} x {} cells of {:g} x {:g} m\n"
-        "Domain   {:g} x {:g} km, heights {:.0f} m to {:.2f} km\n"
+        "Grid     {} x {} x {} cells of {:.5g} x {:.5g} m\n"
+        "Domain   {:.4g} x {:.4g} km, heights {:.0f} m to {:.2f} km\n"
         "Layers   {}, {:.0f} to {:.0f} m deep, median {:.0f} m\n",
         info.size.x, info.size.y, info.size.z, info.spacingM.x, info.spacingM.y,
         info.size.x * info.spacingM.x * kKmPerM, info.size.y * info.spacingM.y * kKmPerM,

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <set>
 
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
@@ -57,9 +58,22 @@ void applyPlanes(const RenderOptions& options, Look& look) {
     }
 }
 
-Metadata describe(const RenderOptions& options, const Scene& scene, const DatasetInfo& info,
-                  const SpeciesVolume& volume, const TimeInfo& time,
-                  const render::FrameStats& stats, const std::string& device) {
+/// What all times of one command share.
+struct Run {
+    const RenderOptions& options;
+    const Scene& scene;
+    Dataset& dataset;
+    const VolumeRequest& request;
+    render::Renderer& renderer;
+    std::set<std::string> said{};  ///< notes: what holds for all times is told once
+
+    const DatasetInfo& info() const { return dataset.info(); }
+};
+
+Metadata describe(const Run& run, const HeldVolume& held, const TimeInfo& time,
+                  const render::FrameStats& stats) {
+    const Scene& scene = run.scene;
+    const std::string plan = neph::describe(held.summary.plan, run.info());
     const CameraPose& pose = scene.document.camera;
     const Preset preset{scene.presetName, "", scene.document.look, pose};
     return {
@@ -71,10 +85,11 @@ Metadata describe(const RenderOptions& options, const Scene& scene, const Datase
                      pose.elevationDeg, pose.fovDeg)},
         {"nephoscope.look", formatPreset(preset)},
         {"nephoscope.data",
-         fmt::format("{}; {}; file {}; time {}; reader {}", info.model, info.scheme,
-                     time.file.filename().string(), volume.timeLabel, info.reader)},
-        {"nephoscope.renderer",
-         fmt::format("{} engine, {} planes, {}", options.engine, stats.planes, device)},
+         fmt::format("{}; {}; file {}; time {}; reader {}", run.info().model, run.info().scheme,
+                     time.file.filename().string(), held.volume.timeLabel, run.info().reader)},
+        {"nephoscope.resolution", plan.empty() ? "full" : plan},
+        {"nephoscope.renderer", fmt::format("{} engine, {} planes, {}", run.options.engine,
+                                            stats.planes, run.renderer.deviceName())},
     };
 }
 
@@ -92,29 +107,28 @@ void printAll(std::string_view kind, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) fmt::print(stderr, "{}: {}\n", kind, line);
 }
 
+void sayOnce(Run& run, const std::string& note) {
+    if (!note.empty() && run.said.insert(note).second) printAll("note", {note});
+}
+
 /// One time: read, render, write, and say so.
-void renderTime(const RenderOptions& options, const Scene& scene, Dataset& dataset, int time,
-                bool several, const VolumeRequest& request, render::Renderer& renderer) {
-    const HeldVolume held = readVolume(dataset, time, request);
-    const SpeciesVolume& volume = held.volume;
-    printAll("note", volume.notes);
-    if (const std::string plan = neph::describe(held.summary.plan, dataset.info()); !plan.empty()) {
-        printAll("note", {plan});
-    }
-    renderer.setVolume(volume);
+void renderTime(Run& run, int time, bool several) {
+    const HeldVolume held = readVolume(run.dataset, time, run.request);
+    for (const std::string& note : held.volume.notes) sayOnce(run, note);
+    sayOnce(run, neph::describe(held.summary.plan, run.info()));
+    run.renderer.setVolume(held.volume);
     render::FrameInputs inputs;
-    inputs.look = scene.document.look;
-    inputs.sizePx = parseSize(options.size);
-    inputs.camera = placeCamera(scene.document.camera, volume.grid,
+    inputs.look = run.scene.document.look;
+    inputs.sizePx = parseSize(run.options.size);
+    inputs.camera = placeCamera(run.scene.document.camera, held.volume.grid,
                                 static_cast<double>(inputs.sizePx.x) / inputs.sizePx.y);
-    const render::FrameStats stats = renderer.render(inputs);
-    printAll("warning", renderer.takeMessages());
-    const TimeInfo& info = dataset.info().times[static_cast<std::size_t>(time)];
-    const auto out = outputName(options.out, time, several);
-    write(options, out, renderer,
-          describe(options, scene, dataset.info(), volume, info, stats, renderer.deviceName()));
+    const render::FrameStats stats = run.renderer.render(inputs);
+    printAll("warning", run.renderer.takeMessages());
+    const TimeInfo& info = run.info().times[static_cast<std::size_t>(time)];
+    const auto out = outputName(run.options.out, time, several);
+    write(run.options, out, run.renderer, describe(run, held, info, stats));
     fmt::print(stderr, "wrote {} ({}x{}, {}, {} planes, {:.0f} ms)\n", out.string(),
-               inputs.sizePx.x, inputs.sizePx.y, volume.timeLabel, stats.planes,
+               inputs.sizePx.x, inputs.sizePx.y, held.volume.timeLabel, stats.planes,
                stats.milliseconds);
 }
 
@@ -159,9 +173,8 @@ int runRender(const RenderOptions& options) {
         region, chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings),
         planRadii(scene.document.look, dataset->info())};
     printAll("warning", warnings);
-    for (const int time : times) {
-        renderTime(options, scene, *dataset, time, times.size() > 1, request, renderer);
-    }
+    Run run{options, scene, *dataset, request, renderer};
+    for (const int time : times) renderTime(run, time, times.size() > 1);
     return 0;
 }
 

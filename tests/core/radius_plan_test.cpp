@@ -144,6 +144,17 @@ TEST_CASE("Droplets are as many as the run prescribes") {
     CHECK(static_cast<double>(values[0]) == Approx(1.5e-3 / (1000.0 * size.radiusM)));
 }
 
+TEST_CASE("A scheme that is not known leaves the number that the run prescribes to size droplets") {
+    DatasetInfo data = dataOf(Microphysics::unknown);
+    data.cloudDropletsPerM3 = 7e7;
+    const RadiusPlan asked = planOf(Species::cloud, RadiusSource::scheme, data);
+    const RadiusPlan numbered = planOf(Species::cloud, RadiusSource::number, data);
+    CHECK(asked.rules == numbered.rules);
+    REQUIRE(asked.notes.size() == 1);
+    CHECK(asked.notes[0].find("the number of particles gives the size instead") !=
+          std::string::npos);
+}
+
 TEST_CASE("Extinction of ice is 3 Q content over 4 density radius, and 0 where there is none") {
     RadiusRule rule;
     rule.source = RadiusSource::file;

@@ -271,3 +271,23 @@ TEST_CASE(
         return note.starts_with("Rain: the file has no known microphysics scheme");
     }));
 }
+
+TEST_CASE("A profile of temperature sizes particles as the same temperature in every column does") {
+    const auto extinction = [](glm::ivec3 temperatureSize) {
+        MemoryDataset dataset({3, 5, 4},
+                              [](int, int, int z) { return 100.0f * static_cast<float>(z); });
+        dataset.addRatio(Species::snow,
+                         [](int x, int y, int) { return 1e-4f * static_cast<float>(1 + x + y); });
+        dataset.add("t", VariableRole::airTemperature, {}, temperatureSize,
+                    [](int, int, int z) { return 270.0f - 10.0f * static_cast<float>(z); });
+        RadiusPlan radii;
+        RadiusRule& rule = radii.rules[static_cast<std::size_t>(Species::snow)];
+        rule.source = RadiusSource::scheme;
+        rule.scheme = Microphysics::wsm6;
+        rule.temperatureVariable = "t";
+        return resample(dataset, 0, {{}, radii}).extinction(Species::snow).values;
+    };
+    const std::vector<float> profile = extinction({1, 1, 4});
+    CHECK(profile == extinction({3, 5, 4}));
+    CHECK(std::ranges::any_of(profile, [](float value) { return value > 0.0f; }));
+}
