@@ -12,6 +12,9 @@ pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
+# HDF5 comes with NetCDF; it is named for one call, which keeps it from printing on threads that
+# NetCDF did not start.
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
 if(NEPHOSCOPE_TESTS)
   find_package(doctest REQUIRED)
 endif()

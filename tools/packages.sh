@@ -9,6 +9,7 @@ build_packages=(
 )
 runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-dejavu-core)
 test_packages=(doctest-dev clang-format)
+sanitizer_packages=(clang libclang-rt-dev llvm)  # llvm: names and lines in the reports
 
 # Installs those of its arguments that are missing; silent and quick when none is.
 install_packages() {

@@ -273,7 +273,8 @@ void Case::addFields() {
         field.type = type_;
         field.swapped = swapped_;
         contents_.add(
-            std::move(variable), {.stored = [field, files, name, times = times_](std::size_t time) {
+            std::move(variable),
+            {.stored = [field, files = files, name = name, times = times_](std::size_t time) {
                 const auto file = files.find(times[time]);
                 if (file == files.end()) {
                     throw Error{fmt::format("variable {} is not there at this time", name),

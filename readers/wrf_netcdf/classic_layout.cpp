@@ -9,8 +9,10 @@
 namespace wrf {
 namespace {
 
-constexpr std::uint64_t kMaxListed = 1U << 20;  // dimensions, attributes or variables in one list
-constexpr std::uint64_t kFloat = 5;             // NC_FLOAT
+constexpr std::uint64_t kFloat = 5;         // NC_FLOAT
+constexpr std::uint64_t kLeastOfEntry = 4;  // bytes of the smallest thing that a list can hold
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: what is longer, the library writes past the caller's array.
+constexpr std::uint64_t kMaxName = 256, kMaxRank = 1024;
 
 /// Bytes of one value of an external type; 0 when the type does not exist.
 std::uint64_t bytesOf(std::uint64_t type) {
@@ -27,11 +29,15 @@ std::uint64_t padded(std::uint64_t bytes) {
 /// Reads big-endian numbers one after the other; `broken` after the first that cannot be.
 class ClassicHeader {
   public:
-    explicit ClassicHeader(const std::string& path) : in_(path, std::ios::binary) {}
+    explicit ClassicHeader(const std::string& path) : in_(path, std::ios::binary | std::ios::ate) {
+        left_ = in_ ? static_cast<std::uint64_t>(in_.tellg()) : 0;
+        in_.seekg(0);
+    }
 
     std::optional<ClassicLayout> read() {
         std::array<char, 4> magic{};
         in_.read(magic.data(), magic.size());
+        left_ -= std::min<std::uint64_t>(left_, magic.size());
         version_ = static_cast<unsigned char>(magic[3]);
         if (!in_ || std::string_view(magic.data(), 3) != "CDF") return {};
         if (version_ != 1 && version_ != 2 && version_ != 5) return {};
@@ -45,9 +51,15 @@ class ClassicHeader {
     }
 
   private:
+    /// Counts off bytes of the file; `broken` when there are not so many.
+    void take(std::uint64_t bytes) {
+        if (bytes > left_) broken_ = true;
+        if (!broken_) left_ -= bytes;
+    }
     std::uint64_t number(int bytes) {
         std::array<unsigned char, 8> raw{};
         in_.read(reinterpret_cast<char*>(raw.data()), bytes);
+        take(static_cast<std::uint64_t>(bytes));
         if (!in_) broken_ = true;
         std::uint64_t value = 0;
         for (int i = 0; i < bytes; ++i) value = value << 8U | raw[static_cast<std::size_t>(i)];
@@ -57,17 +69,18 @@ class ClassicHeader {
     std::uint64_t count() { return number(version_ == 5 ? 8 : 4); }
     std::uint64_t listed() {
         const std::uint64_t n = count();
-        if (n > kMaxListed) broken_ = true;
+        if (n > left_ / kLeastOfEntry) broken_ = true;
         return broken_ ? 0 : n;
     }
     void skip(std::uint64_t bytes) {
-        if (broken_ || bytes > std::uint64_t{1} << 40U) {
-            broken_ = true;
-            return;
-        }
-        in_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+        take(bytes);
+        if (!broken_) in_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
     }
-    void skipName() { skip(padded(count())); }
+    void skipName() {
+        const std::uint64_t length = count();
+        if (length == 0 || length > kMaxName) broken_ = true;
+        skip(padded(length));
+    }
 
     void readDimensions() {
         word();
@@ -84,7 +97,7 @@ class ClassicHeader {
             skipName();
             const std::uint64_t bytes = bytesOf(word());
             const std::uint64_t values = count();
-            if (values > std::uint64_t{1} << 36U) broken_ = true;
+            if (bytes == 0 || values > left_) broken_ = true;
             skip(padded(bytes * values));
         }
     }
@@ -110,6 +123,7 @@ class ClassicHeader {
         ClassicLayout::Variable variable;
         std::uint64_t cells = 1;
         const std::uint64_t rank = listed();
+        if (rank > kMaxRank) broken_ = true;
         for (std::uint64_t axis = 0; axis < rank && !broken_; ++axis) {
             const std::uint64_t dimension = count();
             if (dimension >= lengths_.size()) broken_ = true;
@@ -123,6 +137,7 @@ class ClassicHeader {
         }
         skipAttributes();
         const std::uint64_t type = word();
+        if (bytesOf(type) == 0) broken_ = true;
         variable.floats = type == kFloat;
         variable.bytes = cells * bytesOf(type);
         count();  // vsize: redundant, and wrong for variables above 4 GiB
@@ -131,6 +146,7 @@ class ClassicHeader {
     }
 
     std::ifstream in_;
+    std::uint64_t left_ = 0;  ///< bytes of the file behind what has been read
     int version_ = 0;
     bool broken_ = false;
     std::vector<std::uint64_t> lengths_;

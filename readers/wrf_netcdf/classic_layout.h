@@ -2,8 +2,9 @@
 // floats can be read past the library, which serves one thread at a time.
 //
 // The NetCDF library fills with zeros what lies past the end of a classic file. A storm without
-// rain would look the same, so the header is read here once more for the offsets that the library
-// does not give. Layout: NetCDF user guide, appendix B.
+// rain would look the same, so the header is read here as well, for the offsets that the library
+// does not give, and first, because the library trusts the sizes that it finds there. Layout:
+// NetCDF user guide, appendix B.
 #pragma once
 #include <cstdint>
 #include <optional>

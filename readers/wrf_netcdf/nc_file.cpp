@@ -93,17 +93,22 @@ Container containerOf(const std::string& path) {
 }
 
 NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
+    const auto failure = [&](const std::string& reason) {
+        return Failure{"is a NetCDF file that cannot be opened",
+                       fmt::format("{} bytes; {}", bytesOnDisk(path), reason),
+                       "a whole NetCDF file",
+                       "it was probably cut short while it was written or copied: copy it again"};
+    };
+    if (containerOf(path) == Container::classic) {
+        layout_ = ClassicLayout::of(path);
+        if (!layout_) throw failure("its header is damaged");
+    }
     const LibraryLock lock;
     const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
     if (status != NC_NOERR) {
-        throw Failure{"is a NetCDF file that cannot be opened",
-                      fmt::format("{} bytes; the library says \"{}\"", bytesOnDisk(path),
-                                  nc_strerror(status)),
-                      "a whole NetCDF file",
-                      "it was probably cut short while it was written or copied: copy it again"};
+        throw failure(fmt::format("the library says \"{}\"", nc_strerror(status)));
     }
     try {
-        layout_ = ClassicLayout::of(path);
         readVariables();
     } catch (...) {
         nc_close(id_);

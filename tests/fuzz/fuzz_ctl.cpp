@@ -1,0 +1,14 @@
+// fuzz_ctl.cpp: any text is a GrADS descriptor, or an Error that says why not.
+#include "core/reader_plugin.h"
+#include "readers/raw_les/grads_ctl.h"
+#include "tests/fuzz/scratch.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    const std::string_view text = fuzz::asText({bytes, count});
+    raw::looksLikeCtl(text);
+    try {
+        raw::parseCtl(text);
+    } catch (const neph::plugin::Error&) {  // the expected answer to nonsense
+    }
+    return 0;
+}

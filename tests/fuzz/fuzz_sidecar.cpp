@@ -1,0 +1,33 @@
+// fuzz_sidecar.cpp: any text is a sidecar whose numbers fit together, or an Error.
+#include <cmath>
+#include <cstdlib>
+
+#include "core/reader_plugin.h"
+#include "readers/raw_les/sidecar.h"
+#include "tests/fuzz/scratch.h"
+
+namespace {
+
+/// What the rest of the reader counts on.
+bool fits(const raw::Sidecar& sidecar) {
+    bool good = sidecar.interfacesM.size() == sidecar.shape[2] + 1 && !sidecar.times.empty();
+    for (const double spacing : sidecar.spacingM) good = good && std::isfinite(spacing);
+    for (const raw::BrickVariable& variable : sidecar.variables) {
+        const std::size_t files = variable.files.size();
+        good = good && (files <= 1 || files == sidecar.times.size());
+        good = good && std::isfinite(variable.scale) && std::isfinite(variable.offset);
+    }
+    return good;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    const std::string_view text = fuzz::asText({bytes, count});
+    raw::looksLikeSidecar(text);
+    try {
+        if (!fits(raw::parseSidecar(text))) std::abort();
+    } catch (const neph::plugin::Error&) {  // the expected answer to nonsense
+    }
+    return 0;
+}

@@ -1,0 +1,160 @@
+// make_seeds.cpp: right inputs of every kind, one folder for each fuzz target, for the search to
+// start from. Argument: the folder to make them in.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/reader_wire.h"
+#include "core/resources.h"
+#include "tests/fuzz/case_files.h"
+#include "tests/readers/raw_maker.h"
+#include "tests/readers/wrf_maker.h"
+#include "tests/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path corpus;
+
+void seed(const std::string& target, const std::string& name, const std::string& bytes) {
+    fs::create_directories(corpus / target);
+    std::ofstream(corpus / target / name, std::ios::binary) << bytes;
+}
+
+std::string contentOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder as one input of fuzz_raw_les.
+void seedCase(const std::string& name, const fs::path& folder) {
+    std::string input;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string bytes = contentOf(entry.path());
+        input += std::string(fuzz::kFileMark) + entry.path().filename().string() + " " +
+                 std::to_string(bytes.size()) + "\n" + bytes;
+    }
+    seed("raw_les", name, input);
+}
+
+void seedGrads() {
+    GradsSpec plain;
+    GradsSpec templates;
+    templates.isTemplate = templates.bigEndianOption = true;
+    GradsSpec records;
+    records.times = 1;
+    records.sequential = records.yrev = records.zrev = true;
+    records.zdef = "zdef 3 levels 0.05 0.15 0.3";
+    int number = 0;
+    for (const GradsSpec& spec : {plain, templates, records}) {
+        const TemporaryFolder folder;
+        const fs::path ctl = writeGrads(folder.path(), spec);
+        const std::string name = "grads" + std::to_string(number++);
+        seed("ctl", name, contentOf(ctl));
+        seedCase(name, folder.path());
+    }
+}
+
+void seedMicrohh() {
+    for (const bool doubles : {false, true}) {
+        const TemporaryFolder folder;
+        const fs::path path = writeMicrohh(folder.path(), {.doubles = doubles, .more = ""});
+        const std::string name = doubles ? "microhh64" : "microhh32";
+        seedCase(name, folder.path());
+        for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+            if (entry.path().extension() == ".ini") seed("ini", name, contentOf(entry.path()));
+        }
+    }
+}
+
+void seedBricks() {
+    const std::string small = R"({
+ "type": "nephoscope-brick", "version": 1, "shape": [2, 1, 3], "spacing_m": [50, 60, 70],
+ "byte_order": "big", "times": [{"seconds": 60, "label": "a minute"}],
+ "variables": [{"name": "qc", "role": "mixing_ratio", "species": "cloud", "unit": "g/kg",
+   "numbers": "uint16", "scale": 0.5, "offset": -1, "missing": 65535, "file": "qc.raw"}]})";
+    seed("sidecar", "small", small);
+    seed("sidecar", "cumulus", contentOf(neph::resourcePath("samples/cumulus/cumulus.json")));
+    seed("raw_les", "brick", "\n=== brick.json\n" + small + "\n=== qc.raw 12\n");
+}
+
+void seedWrf() {
+    for (const auto& [name, format] : {std::pair{"classic", NetcdfFormat::classic},
+                                       std::pair{"offset64", NetcdfFormat::offset64}}) {
+        const TemporaryFolder folder;
+        WrfSpec spec;
+        spec.format = format;
+        spec.nx = spec.ny = spec.nz = 2;
+        spec.times = {"0001-01-01_00:00:00", "0001-01-01_00:10:00"};
+        writeWrf(folder / "wrfout", spec);
+        seed("wrf", name, contentOf(folder / "wrfout"));
+    }
+    const TemporaryFolder folder;
+    writeOtherNetcdf(folder / "other");
+    seed("wrf", "other", contentOf(folder / "other"));
+}
+
+void seedDocuments() {
+    for (const auto& entry : fs::directory_iterator(neph::resourcePath("presets"))) {
+        const std::string text = contentOf(entry.path());
+        seed("preset", entry.path().filename().string(), text);
+        seed("camera", entry.path().filename().string(), text);
+    }
+    seed("camera", "alone", R"({"target": [0.5, 0.5, 0.3], "distance": 1.2, "azimuth_deg": 200,
+ "elevation_deg": 10, "fov_deg": 40})");
+    for (const std::string memory : {"2GiB", "50%", "800M", ""}) {
+        seed("settings", "memory" + memory,
+             R"({"type": "nephoscope-settings", "version": 1, "memory": ")" + memory +
+                 R"(", "later": [1]})");
+    }
+}
+
+neph::FileDescription description() {
+    neph::FileDescription of;
+    of.model = "WRF V4.2.2";
+    of.scheme = "Thompson";
+    of.size = {3, 4, 5};
+    of.spacingM = {1000.0, 2000.0};
+    of.times = {{"0001-01-01_00:00:00", 60.0}};
+    of.variables = {{"QCLOUD", "cloud", "kg kg-1", "text", NEPH_ROLE_MIXING_RATIO,
+                     NEPH_SPECIES_CLOUD, of.size}};
+    of.notes = {"a note"};
+    of.attributes = {{"DX", "1000"}};
+    return of;
+}
+
+template <typename Message>
+std::string packed(const Message& message) {
+    neph::wire::Packer to;
+    neph::wire::pack(to, message);
+    return to.take();
+}
+
+void seedMessages() {
+    const std::string described = packed(description());
+    seed("messages", "description", '\0' + described);
+    seed("messages", "identity", '\1' + packed(neph::wire::Identity{"id", "1", "title", "nc", 1}));
+    seed("messages", "error", '\2' + packed(neph::ErrorParts{"file", "is short", "1", "2", "no"}));
+    // One description, shared by one entry that has one time; as HeaderCache::save writes them.
+    neph::wire::Packer cache;
+    cache.number(std::uint64_t{1}).text(described).number(std::uint64_t{1}).text("wrfout");
+    cache.number(std::uint64_t{60}).number(std::int64_t{7}).number(std::uint64_t{0});
+    cache.number(std::uint64_t{1}).text("a minute").number(60.0);
+    seed("header_cache", "one", cache.take());
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    corpus = arguments[1];
+    seedGrads();
+    seedMicrohh();
+    seedBricks();
+    seedWrf();
+    seedDocuments();
+    seedMessages();
+    return 0;
+}
