@@ -15,6 +15,7 @@
 #include <numeric>
 #include <optional>
 
+#include "app/cli/info_shown.h"
 #include "app/scene.h"
 #include "core/dataset.h"
 #include "core/file_list.h"
@@ -69,7 +70,8 @@ struct At {
 /// What `of` finds in each summary, where `value` is greatest.
 template <typename Of, typename Value>
 auto greatest(const std::vector<TimeSummary>& summaries, Of of, Value value) {
-    At best{&of(summaries.front()), &summaries.front()};
+    using Found = std::remove_cvref_t<decltype(of(summaries.front()))>;
+    At<Found> best{&of(summaries.front()), &summaries.front()};
     for (const TimeSummary& summary : summaries) {
         if (value(of(summary)) > value(*best.found)) best = {&of(summary), &summary};
     }
@@ -211,13 +213,6 @@ std::string seriesLines(const DatasetInfo& info, const std::vector<TimeSummary>&
     return text + "\n";
 }
 
-/// How much of the last time that was read a picture shows.
-std::string shownOf(Dataset& dataset, int time, const MemoryBudget& budget) {
-    const ReadPlan plan = planRead(dataset, time, {}, budget);
-    const std::string text = describe(plan, dataset.info());
-    return text.empty() ? "at full resolution" : text;
-}
-
 std::vector<std::string> allNotes(const DatasetInfo& info,
                                   const std::vector<TimeSummary>& summaries) {
     std::vector<std::string> notes = info.notes;
@@ -329,7 +324,7 @@ std::string infoText(Dataset& dataset, const std::string& times, const MemoryBud
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
     text += timeLine(info);
-    text += fmt::format("Shown    {}\n", shownOf(dataset, summaries.back().time, budget));
+    text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += seriesLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, summaries);
@@ -372,7 +367,7 @@ std::string infoJson(Dataset& dataset, const std::string& times, const MemoryBud
               {"model", info.model},
               {"scheme", info.scheme},
               {"grid", gridJson(info, summaries.back().layers)},
-              {"shown", shownOf(dataset, summaries.back().time, budget)},
+              {"shown", shownHere(dataset, summaries.back().time, budget)},
               {"cloud_threshold_g_per_kg", static_cast<double>(kCloudRatioKgPerKg) * kGramPerKg},
               {"cloud", rangeJson(rangeOf(summaries, &TimeSummary::cloud))},
               {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
