@@ -64,7 +64,7 @@ class SeriesDataset : public Dataset {
     void describe(const FileDescription& first);
     void mergeVariables(const FileDescription& file);
     void sortTimes();
-    ReaderFile& opened(const KnownFile& file);
+    ReaderFile& opened(const KnownFile& file, const Progress& progress);
     void requireUnchanged(const FileDescription& now, const TimeInfo& when,
                           std::string_view variable, std::size_t index) const;
     Error missing(const TimeInfo& when, const KnownFile& file, std::string_view variable) const;
@@ -135,10 +135,11 @@ void SeriesDataset::sortTimes() {
     info_.times = std::move(kept);
 }
 
-ReaderFile& SeriesDataset::opened(const KnownFile& file) {
+ReaderFile& SeriesDataset::opened(const KnownFile& file, const Progress& progress) {
     if (!open_ || openPath_ != file.path) {
         open_.reset();
-        open_ = std::make_unique<ReaderFile>(reader_, file.path);
+        open_ = std::make_unique<ReaderFile>(reader_, file.path,
+                                             [&](double) { return goOn(progress, 0.0); });
         openPath_ = file.path;
     }
     return *open_;
@@ -185,7 +186,7 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
     const auto file = std::ranges::find(*files_, when.file, &KnownFile::path);
     const auto index = file->variables.find(variable);
     if (index == file->variables.end()) throw missing(when, *file, variable);
-    ReaderFile& source = opened(*file);
+    ReaderFile& source = opened(*file, progress);
     requireUnchanged(source.description(), when, variable, index->second);
     const glm::ivec3 size = source.description().variables[index->second].size;
     const Box all = box.value_or(Box{glm::ivec3(0), size});

@@ -75,9 +75,9 @@ void requireReadable(const fs::path& file) {
 
 }  // namespace
 
-ReaderPlugin::ReaderPlugin(const fs::path& file) {
+ReaderPlugin::ReaderPlugin(const fs::path& file, const ReaderLimits& limits) : limits_(limits) {
     library = file;
-    auto process = std::make_unique<ReaderProcess>(library);
+    auto process = std::make_unique<ReaderProcess>(library, limits_);
     static_cast<wire::Identity&>(*this) = process->identity();
     giveBack(std::move(process));
 }
@@ -85,13 +85,13 @@ ReaderPlugin::ReaderPlugin(const fs::path& file) {
 std::unique_ptr<ReaderProcess> ReaderPlugin::borrow() const {
     {
         const std::scoped_lock lock(mutex_);
-        if (!idle_.empty()) {
+        while (!idle_.empty()) {
             auto process = std::move(idle_.back());
             idle_.pop_back();
-            return process;
+            if (process->alive()) return process;
         }
     }
-    return std::make_unique<ReaderProcess>(library);
+    return std::make_unique<ReaderProcess>(library, limits_);
 }
 
 void ReaderPlugin::giveBack(std::unique_ptr<ReaderProcess> process) const {
@@ -99,9 +99,9 @@ void ReaderPlugin::giveBack(std::unique_ptr<ReaderProcess> process) const {
     if (process->alive() && idle_.size() < kMostIdle) idle_.push_back(std::move(process));
 }
 
-PluginHost::PluginHost(std::span<const fs::path> places) {
+PluginHost::PluginHost(std::span<const fs::path> places, const ReaderLimits& limits) {
     for (const fs::path& place : places) {
-        for (const fs::path& library : librariesIn(place)) load(library);
+        for (const fs::path& library : librariesIn(place)) load(library, limits);
     }
 }
 
@@ -143,10 +143,10 @@ std::vector<fs::path> PluginHost::standardPlaces() {
     return places;
 }
 
-void PluginHost::load(const fs::path& library) {
+void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
     std::shared_ptr<const ReaderPlugin> reader;
     try {
-        reader = std::make_shared<const ReaderPlugin>(library);
+        reader = std::make_shared<const ReaderPlugin>(library, limits);
     } catch (const Error& error) {
         const std::string& detail = error.parts().found;
         rejected_.push_back({library, error.parts().what + (detail.empty() ? "" : ": " + detail)});
@@ -161,7 +161,8 @@ void PluginHost::load(const fs::path& library) {
     readers_.push_back(std::move(reader));
 }
 
-std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file) const {
+std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
+                                                     const Progress& progress) const {
     requireReadable(file);
     std::shared_ptr<const ReaderPlugin> best;
     int bestScore = 0;
@@ -171,7 +172,7 @@ std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file) const
         known += (known.empty() ? "" : "; ") + reader->title;
         try {
             auto process = reader->borrow();
-            const int score = process->score(file);
+            const int score = process->score(file, progress);
             reader->giveBack(std::move(process));
             if (score <= bestScore) continue;
             best = reader;

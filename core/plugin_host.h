@@ -23,13 +23,14 @@ struct ReaderName : wire::Identity {
 /// One accepted reader, and the processes that run it.
 struct ReaderPlugin : ReaderName {
     /// Starts a first process. Throws Error, with the reason in `what`, when it is no reader.
-    explicit ReaderPlugin(const std::filesystem::path& file);
+    explicit ReaderPlugin(const std::filesystem::path& file, const ReaderLimits& limits = {});
 
     /// An idle process of this reader, or a new one. Any thread. Throws Error.
     std::unique_ptr<ReaderProcess> borrow() const;
     void giveBack(std::unique_ptr<ReaderProcess> process) const;
 
   private:
+    ReaderLimits limits_;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<ReaderProcess>> idle_;
 };
@@ -43,7 +44,8 @@ class PluginHost {
   public:
     /// Loads every plugin of `places`, in order; a place is a folder of libraries or one library. A
     /// place that does not exist is passed over. Of two readers with the same id the first is kept.
-    explicit PluginHost(std::span<const std::filesystem::path> places);
+    explicit PluginHost(std::span<const std::filesystem::path> places,
+                        const ReaderLimits& limits = {});
 
     /// The readers a user has: the libraries or folders in `named`, then those of
     /// standardPlaces(). Throws Error where one of `named` is not there or is no reader.
@@ -57,11 +59,12 @@ class PluginHost {
     const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
 
     /// The reader with the best score for the content of `file`. Throws Error when the file cannot
-    /// be opened or no reader knows its format.
-    std::shared_ptr<const ReaderPlugin> pick(const std::filesystem::path& file) const;
+    /// be opened or no reader knows its format, or Cancelled.
+    std::shared_ptr<const ReaderPlugin> pick(const std::filesystem::path& file,
+                                             const Progress& progress = {}) const;
 
   private:
-    void load(const std::filesystem::path& library);
+    void load(const std::filesystem::path& library, const ReaderLimits& limits);
 
     std::vector<std::shared_ptr<const ReaderPlugin>> readers_;
     std::vector<RejectedPlugin> rejected_;

@@ -32,20 +32,21 @@ struct Candidate {
     bool mayFail() const { return !folder.empty(); }
 };
 
-bool takenWhole(const fs::path& folder, const PluginHost& host) {
+bool takenWhole(const fs::path& folder, const PluginHost& host, const Progress& progress) {
     try {
-        host.pick(folder);
+        host.pick(folder, progress);
         return true;
     } catch (const Error&) {
         return false;
     }
 }
 
-std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host) {
+std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host,
+                                    const Progress& progress) {
     std::vector<Candidate> candidates;
     for (const fs::path& path : named) {
         std::error_code code;
-        if (!fs::is_directory(path, code) || takenWhole(path, host)) {
+        if (!fs::is_directory(path, code) || takenWhole(path, host, progress)) {
             candidates.push_back({path});
             continue;
         }
@@ -78,7 +79,7 @@ class SeriesMaker {
         : candidates_(std::move(candidates)), host_(host), cacheFolder_(std::move(cacheFolder)) {}
 
     Series make(const Progress& progress) {
-        findFirst();
+        findFirst([&](double) { return goOn(progress, 0.0); });
         describeRest(progress);
         for (std::size_t i = 0; i < candidates_.size(); ++i) sort(candidates_[i]);
         for (auto& [folder, left] : leftOut_) note(folder, left);
@@ -94,12 +95,13 @@ class SeriesMaker {
     };
 
     /// The first candidate that can be read gives the reader.
-    void findFirst() {
+    void findFirst(const Progress& progress) {
         for (; first_ < candidates_.size(); ++first_) {
             Candidate& candidate = candidates_[first_];
             try {
-                series_.reader = host_.pick(candidate.path);
-                candidate.description = ReaderFile(series_.reader, candidate.path).description();
+                series_.reader = host_.pick(candidate.path, progress);
+                candidate.description =
+                    ReaderFile(series_.reader, candidate.path, progress).description();
                 return;
             } catch (const Error& error) {
                 if (!candidate.mayFail()) throw;
@@ -131,7 +133,10 @@ class SeriesMaker {
         }
         shareOut(
             unknown.size(), workerCount(kMostReaders),
-            [&](std::size_t i, std::size_t, const Progress&) { describe(*unknown[i]); }, progress);
+            [&](std::size_t i, std::size_t, const Progress& alone) {
+                describe(*unknown[i], [&](double) { return goOn(alone, 0.0); });
+            },
+            progress);
         for (const Candidate* candidate : unknown) {
             if (!candidate->stamp || !candidate->description) continue;
             caches.at(candidate->path.parent_path())
@@ -140,9 +145,10 @@ class SeriesMaker {
         for (const auto& [folder, cache] : caches) cache.save();
     }
 
-    void describe(Candidate& candidate) const {
+    void describe(Candidate& candidate, const Progress& progress) const {
         try {
-            candidate.description = ReaderFile(series_.reader, candidate.path).description();
+            candidate.description =
+                ReaderFile(series_.reader, candidate.path, progress).description();
         } catch (const Error& error) {
             if (!candidate.mayFail()) throw foreign(candidate, error);
             candidate.fault = error;
@@ -227,7 +233,8 @@ class SeriesMaker {
 
 Series describeSeries(std::span<const fs::path> named, const PluginHost& host,
                       const fs::path& cacheFolder, const Progress& progress) {
-    return SeriesMaker(candidatesOf(named, host), host, cacheFolder).make(progress);
+    const Progress begin = [&](double) { return goOn(progress, 0.0); };
+    return SeriesMaker(candidatesOf(named, host, begin), host, cacheFolder).make(progress);
 }
 
 }  // namespace neph

@@ -1,7 +1,8 @@
 // main.cpp of nephoscope-reader: loads one reader library and answers what the host asks of it.
 //
-// Started by core/reader_process with a socket and shared memory as descriptors 3 and 4; its one
-// argument is the library. Ends when the host goes away, even while the library hangs.
+// Started by core/reader_process with a socket and shared memory as descriptors 3 and 4; arguments
+// are the library and the bytes of memory that it may take. Ends when the host goes away, even
+// while the library hangs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -11,6 +12,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <span>
@@ -129,21 +132,22 @@ class Server {
     std::uint32_t lastHandle_ = 0;
 };
 
-void limitResources() {
+void limitResources([[maybe_unused]] rlim_t memoryBytes) {
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);  // a damaged file is no reason to fill a disk
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(NEPH_SANITIZED)
-    const rlimit memory{kReaderMemoryBytes, kReaderMemoryBytes};
+#ifndef NEPH_SANITIZED
+    const rlimit memory{memoryBytes, memoryBytes};
     setrlimit(RLIMIT_AS, &memory);  // sanitizers map terabytes that they never touch
 #endif
 }
 
-/// Ends the process when the host has gone, whatever the library is doing.
+/// Ends the process and what it started when the host has gone, whatever the library is doing.
 void watchHost() {
     std::thread([] {
         pollfd host{kReaderSocket, POLLRDHUP, 0};
         while (poll(&host, 1, -1) <= 0) {
         }
+        if (getpgrp() == getpid()) kill(0, SIGKILL);
         _exit(0);
     }).detach();
 }
@@ -166,11 +170,11 @@ std::optional<Server> introduce(const char* library) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2 || fcntl(kReaderSocket, F_GETFD) < 0 || fcntl(kReaderMemory, F_GETFD) < 0) {
+    if (count != 3 || fcntl(kReaderSocket, F_GETFD) < 0 || fcntl(kReaderMemory, F_GETFD) < 0) {
         fmt::print(stderr, "nephoscope-reader is started by nephoscope; it has no use by itself\n");
         return 2;
     }
-    limitResources();
+    limitResources(std::strtoull(arguments[2], nullptr, 10));
     watchHost();
     std::optional<Server> server = introduce(arguments[1]);
     std::string question;
