@@ -24,6 +24,8 @@ class Crew {
         for (std::size_t piece = next_++; piece < pieces_ && !stopped_; piece = next_++) {
             try {
                 work_(piece, worker, progress);
+            } catch (const Cancelled&) {
+                if (!stopped_) fail(piece);  // else it heeds the failure of another
             } catch (...) {
                 fail(piece);
             }

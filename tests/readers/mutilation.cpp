@@ -1,0 +1,238 @@
+// mutilation.cpp: truncation, flipped bits, zeros, noise, swapped blocks, foreign headers,
+// doubling, and numbers spelt as no number should be.
+#include "tests/readers/mutilation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "tests/readers/raw_maker.h"
+#include "tests/readers/wrf_maker.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::string;
+
+const fs::path kSource = NEPH_TEST_SOURCE_DIR;
+constexpr std::size_t kHeaderBytes = 4096;  // most of what readers decide on lies here
+
+Bytes contentOf(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& path, const Bytes& bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), std::ssize(bytes));
+}
+
+/// Small numbers that follow from the seed alone, on every machine.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    std::size_t below(std::size_t n) { return n == 0 ? 0 : engine_() % n; }
+    template <typename T, std::size_t N>
+    T oneOf(const std::array<T, N>& list) {
+        return list[below(N)];
+    }
+    char byte() { return static_cast<char>(below(256)); }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// One file on its way to damage. Places lie near its start more often than not.
+struct Wound {
+    Bytes& bytes;
+    Dice& dice;
+
+    std::size_t place() {
+        const std::size_t reach =
+            dice.below(10) < 7 ? std::min(bytes.size(), kHeaderBytes) : bytes.size();
+        return dice.below(reach);
+    }
+    std::size_t within(std::size_t start, std::size_t length) const {
+        return std::min(length, bytes.size() - start);
+    }
+};
+
+std::string truncated(Wound w) {
+    const std::size_t length = w.place();
+    w.bytes.resize(length);
+    return fmt::format("cut to {} bytes", length);
+}
+
+std::string lengthened(Wound w) {
+    const std::size_t more = w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 512, 4096});
+    w.bytes.append(more, w.dice.byte());
+    return fmt::format("{} bytes appended", more);
+}
+
+std::string flipped(Wound w) {
+    const std::size_t count = w.dice.oneOf(std::array<std::size_t, 4>{1, 2, 8, 64});
+    std::string places;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = w.place();
+        const auto bit = static_cast<unsigned>(w.dice.below(8));
+        w.bytes[at] = static_cast<char>(static_cast<unsigned char>(w.bytes[at]) ^ (1U << bit));
+        places += fmt::format(" {}.{}", at, bit);
+    }
+    return "bits flipped at" + places;
+}
+
+std::string zeroed(Wound w) {
+    const std::size_t start = w.place();
+    const std::size_t length =
+        w.within(start, w.dice.oneOf(std::array<std::size_t, 5>{1, 4, 64, 512, 4096}));
+    std::fill_n(w.bytes.begin() + std::ptrdiff_t(start), length, '\0');
+    return fmt::format("{} zeros at {}", length, start);
+}
+
+std::string extreme(Wound w) {
+    const std::size_t start = w.place();
+    const std::size_t length = w.within(start, w.dice.oneOf(std::array<std::size_t, 3>{1, 4, 8}));
+    std::fill_n(w.bytes.begin() + std::ptrdiff_t(start), length, '\xff');
+    if (w.dice.below(2) == 0 && length > 0) w.bytes[start] = '\x7f';
+    return fmt::format("{} bytes of ones at {}", length, start);
+}
+
+std::string noise(Wound w) {
+    const std::size_t start = w.place();
+    const std::size_t length =
+        w.within(start, w.dice.oneOf(std::array<std::size_t, 3>{4, 64, 512}));
+    for (std::size_t i = 0; i < length; ++i) w.bytes[start + i] = w.dice.byte();
+    return fmt::format("{} bytes of noise at {}", length, start);
+}
+
+std::string swapped(Wound w) {
+    std::size_t a = w.place(), b = w.place();
+    if (a > b) std::swap(a, b);
+    std::size_t length = w.dice.oneOf(std::array<std::size_t, 4>{4, 64, 512, 4096});
+    length = std::min(w.within(b, length), b - a);
+    std::swap_ranges(w.bytes.begin() + std::ptrdiff_t(a),
+                     w.bytes.begin() + std::ptrdiff_t(a + length),
+                     w.bytes.begin() + std::ptrdiff_t(b));
+    return fmt::format("{} bytes swapped between {} and {}", length, a, b);
+}
+
+std::string cutOut(Wound w) {
+    const std::size_t start = w.place();
+    const std::size_t length =
+        w.within(start, w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
+    w.bytes.erase(start, length);
+    return fmt::format("{} bytes cut out at {}", length, start);
+}
+
+std::string doubled(Wound w) {
+    const std::size_t start = w.place();
+    const std::size_t length =
+        w.within(start, w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
+    w.bytes.insert(start, w.bytes.substr(start, length));
+    return fmt::format("{} bytes doubled at {}", length, start);
+}
+
+/// In a text: one number becomes another. In what is no text: noise.
+std::string renumbered(Wound w) {
+    const std::size_t start = w.bytes.find_first_of("0123456789", w.place());
+    if (start == Bytes::npos || w.bytes.find('\0') != Bytes::npos) return noise(w);
+    const std::size_t end = w.bytes.find_first_not_of("0123456789.eE", start);
+    const std::string_view value = w.dice.oneOf(
+        std::array<std::string_view, 10>{"0", "-1", "nan", "inf", "1e308", "4294967296",
+                                         "99999999999999999999", "2147483647", "x", "1e-300"});
+    w.bytes.replace(start, end - start, value);
+    return fmt::format("the number at {} is now {}", start, value);
+}
+
+using Damage = std::string (*)(Wound);
+constexpr std::array<Damage, 10> kDamages{truncated, lengthened, flipped, zeroed,  extreme,
+                                          noise,     swapped,    cutOut,  doubled, renumbered};
+
+/// The header of another file in place of its own.
+std::string beheaded(Bytes& bytes, const Patient& patient, Dice& dice) {
+    const std::string& donor = patient.files[dice.below(patient.files.size())];
+    const fs::path other =
+        dice.below(2) == 0 ? patient.folder / donor : kSource / "samples/cumulus/cumulus.json";
+    const std::size_t length = dice.oneOf(std::array<std::size_t, 4>{8, 64, 512, 4096});
+    const Bytes head = contentOf(other).substr(0, length);
+    bytes.replace(0, std::min(head.size(), bytes.size()), head);
+    return fmt::format("{} bytes of the header of {}", length, other.filename().string());
+}
+
+std::string damage(Bytes& bytes, const Patient& patient, Dice& dice) {
+    const std::size_t way = dice.below(kDamages.size() + 1);
+    if (bytes.empty() || way == kDamages.size()) return beheaded(bytes, patient, dice);
+    return kDamages[way]({bytes, dice});
+}
+
+void addIfThere(std::vector<Patient>& list, Patient patient) {
+    for (const std::string& file : patient.files) {
+        if (!fs::exists(patient.folder / file)) return;
+    }
+    list.push_back(std::move(patient));
+}
+
+WrfSpec smallWrf(NetcdfFormat format) {
+    WrfSpec spec;
+    spec.format = format;
+    spec.nx = 12;
+    spec.ny = 10;
+    spec.nz = 8;
+    return spec;
+}
+
+}  // namespace
+
+std::vector<Patient> patients(const fs::path& scratch) {
+    fs::create_directories(scratch);
+    writeWrf(scratch / "wrfout_nc4", smallWrf(NetcdfFormat::netcdf4));
+    writeWrf(scratch / "wrfout_cdf2", smallWrf(NetcdfFormat::offset64));
+    std::vector<Patient> list{
+        {"small NetCDF-4", scratch, {"wrfout_nc4"}, "wrfout_nc4"},
+        {"classic CDF-2", scratch, {"wrfout_cdf2"}, "wrfout_cdf2"},
+        {"supercell sample",
+         kSource / "samples/supercell",
+         {"wrfout_d01_0001-01-01_00:30:00"},
+         "wrfout_d01_0001-01-01_00:30:00"},
+        {"cumulus sample",
+         kSource / "samples/cumulus",
+         {"cumulus.json", "qc.000540.raw", "qc.000720.raw", "qr.000720.raw", "qg.000720.raw",
+          "qc.000900.raw", "qr.000900.raw", "qs.000900.raw", "qg.000900.raw"},
+         "cumulus.json"}};
+    const fs::path data = kSource / "../shared/data";
+    addIfThere(list, {"WRF supercell",
+                      data / "wrf-supercell",
+                      {"wrfout_d01_0001-01-01_00:00:00"},
+                      "wrfout_d01_0001-01-01_00:00:00"});
+    addIfThere(list, {"MicroHH RICO",
+                      data / "microhh-rico",
+                      {"rico.ini", "grid.0000000", "rhoref.0000000", "thermo_basestate.0000000",
+                       "time.0007200", "ql.0007200", "qr.0007200"},
+                      ""});
+    addIfThere(list, {"CM1",
+                      data / "cm1-cumulus",
+                      {"cm1out_s.ctl", "cm1out_metadata.ctl", "cm1out_metadata.dat",
+                       "cm1out_000001_s.dat", "cm1out_000002_s.dat", "cm1out_000003_s.dat"},
+                      "cm1out_s.ctl"});
+    return list;
+}
+
+std::string mutilate(const Patient& patient, std::uint64_t number, const fs::path& folder) {
+    Dice dice(number * 0x9e3779b97f4a7c15U + patient.name.size());
+    // Descriptors, which come first, more often than the others.
+    const std::size_t victim = dice.below(2) == 0 ? 0 : dice.below(patient.files.size());
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    for (std::size_t i = 0; i < patient.files.size(); ++i) {
+        const std::string& name = patient.files[i];
+        if (i != victim) fs::create_symlink(fs::absolute(patient.folder / name), folder / name);
+    }
+    const std::string& name = patient.files[victim];
+    Bytes bytes = contentOf(patient.folder / name);
+    const std::string what = damage(bytes, patient, dice);
+    write(folder / name, bytes);
+    return fmt::format("{} #{}: {}: {}", patient.name, number, name, what);
+}
