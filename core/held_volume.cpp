@@ -61,9 +61,10 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
     CellBounds bounds;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         summary.present[s] = volume.has(static_cast<Species>(s));
-        summary.anything[s] =
-            lookThrough(volume.contentKgPerM3[s], kVisibleContentKgPerM3, bounds) |
+        const bool content = lookThrough(volume.contentKgPerM3[s], kVisibleContentKgPerM3, bounds);
+        const bool extinction =
             lookThrough(volume.extinctionPerM[s], kVisibleExtinctionPerM, bounds);
+        summary.anything[s] = content || extinction;
     }
     if (!bounds.empty()) {
         const RegularGrid& grid = volume.grid;

@@ -132,7 +132,8 @@ TEST_CASE("A library that is faulty while it is loaded is rejected with the reas
         {"entry nowhere", ""},
     };
     for (const auto& [words, reason] : cases) {
-        CAPTURE(words);
+        const std::string load = words;
+        CAPTURE(load);
         const Environment deed("NEPH_HOSTILE_LOAD", words);
         const PluginHost host(
             std::vector<fs::path>{NEPH_TEST_HOSTILE, fs::path(NEPH_TEST_READER_DIR)}, kLimits);
@@ -257,7 +258,8 @@ TEST_CASE("A description that lies is an error and no wrong picture") {
         {"smallStruct", "4 bytes"},
     };
     for (const auto& [lie, found] : cases) {
-        CAPTURE(lie);
+        const std::string told = lie;
+        CAPTURE(told);
         const std::string fault = hostile.fault(std::string("describe ") + lie);
         INFO(fault);
         CHECK(contains(fault, "reader hostile"));
@@ -299,7 +301,8 @@ TEST_CASE("A read that lies about what it gave is an error") {
         {"badStatus", "no reason"},
     };
     for (const auto& [lie, found] : cases) {
-        CAPTURE(lie);
+        const std::string told = lie;
+        CAPTURE(told);
         const std::string fault = hostile.fault(std::string("read ") + lie);
         INFO(fault);
         CHECK(contains(fault, "reader hostile"));

@@ -85,7 +85,8 @@ TEST_CASE("Both byte orders and every type of number read the same brick") {
         sidecar["variables"][0]["numbers"] = numbers;
         sidecar["variables"][0]["offset"] = 0;
         const auto qc = openFiles({write(folder, sidecar, bytes)})->read("qc", 0);
-        CAPTURE(numbers);
+        const std::string type = numbers;
+        CAPTURE(type);
         CHECK(qc.values[1] == doctest::Approx(1e-3));
         CHECK(qc.values[5] == doctest::Approx(125e-3));
     }
