@@ -124,7 +124,8 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
         readNumbers(data, NumberType::float32, isSwapped(ctl.byteOrder), record * ctl.t.count);
     std::vector<double> seconds;
     for (std::size_t i = before; i < numbers.size(); i += record) {
-        if (!std::isfinite(numbers[i])) return {};
+        const bool later = seconds.empty() || numbers[i] > seconds.back();
+        if (!std::isfinite(numbers[i]) || !later) return {};  // damaged: files are in order of time
         seconds.push_back(numbers[i]);
     }
     return seconds;

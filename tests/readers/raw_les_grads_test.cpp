@@ -216,12 +216,12 @@ TEST_CASE("Templates of calendar time and of counts name their files") {
              std::tuple{"^c_%iy4%imc_%f3.bin", "tdef 2 linear JAN2001 1dy\n", "c_2001jan_024.bin"},
              std::tuple{"^c_%y2%mc%d1.bin", "tdef 2 linear 12Z01DEC1999 1mo\n", "c_00jan1.bin"},
          }) {
-        CAPTURE(dset);
         const TemporaryFolder folder;
         GradsSpec spec;
         spec.times = 1;
         spec.options = "template";
         spec.dset = dset;
+        CAPTURE(spec.dset);
         spec.tdef = tdef;
         spec.metadata = false;
         spec.title = "units of x,y,z are m";
@@ -317,6 +317,15 @@ TEST_CASE("The namelist beside a CM1 descriptor tells scheme, droplets and hail"
     CHECK(info.cloudDropletsPerM3 == 1e8);
     CHECK(info.find(VariableRole::mixingRatio, Species::hail)->name == "qg");
     CHECK(info.find(VariableRole::mixingRatio, Species::graupel) == nullptr);
+}
+
+TEST_CASE("Times of cm1out_metadata that do not increase are not believed, and a note says so") {
+    const TemporaryFolder folder;
+    const std::filesystem::path ctl = writeGrads(folder.path(), GradsSpec{});
+    writeFloats(folder / "cm1out_metadata.dat", {540.0f, 1.0f, 0.0f, 2.0f});
+    const auto dataset = openFiles({ctl});
+    CHECK(dataset->info().times.at(1).seconds > 0.0);
+    CHECK(contains(dataset->info().notes.at(0), "cannot be read: times are counted"));
 }
 
 TEST_CASE("Without cm1out_metadata times are counted, and a note says so") {
