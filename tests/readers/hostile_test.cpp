@@ -28,13 +28,16 @@ using Clock = std::chrono::steady_clock;
 
 #ifdef NEPH_SANITIZED
 constexpr bool kMemoryIsLimited = false;  // sanitizers map terabytes
+constexpr double kSlowness = 5.0;         // and take their time to start
 #else
 constexpr bool kMemoryIsLimited = true;
+constexpr double kSlowness = 1.0;
 #endif
 
 // Short, so that the tests are; a reader that does its work is far from both.
-constexpr ReaderLimits kLimits{
-    .silentCpuSeconds = 0.3, .answerSeconds = 2.0, .memoryBytes = std::uint64_t{512} << 20U};
+constexpr ReaderLimits kLimits{.silentCpuSeconds = 0.3 * kSlowness,
+                               .answerSeconds = 2.0 * kSlowness,
+                               .memoryBytes = std::uint64_t{512} << 20U};
 
 struct Hostile {
     explicit Hostile(const ReaderLimits& limits = kLimits)

@@ -143,7 +143,7 @@ TEST_CASE("Heights come from level centres or interfaces, air from profiles") {
 }
 
 TEST_CASE("A brick of the wrong size is refused with both numbers") {
-    for (const std::size_t bytes : {0, 11, 13, 24}) {
+    for (const std::size_t bytes : {0UL, 11UL, 13UL, 24UL}) {
         const TemporaryFolder folder;
         const auto path = write(folder, small(), std::string(bytes, 'x'));
         const ErrorParts error = errorOf([&] { openFiles({path}); });
