@@ -117,16 +117,20 @@ void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLeve
     const DatasetInfo& info = dataset.info();
     const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
     const auto text = [](glm::dvec3 from, glm::dvec3 to) {
-        return fmt::format("x {:.6g} to {:.6g} m, y {:.6g} to {:.6g} m, z {:.6g} to {:.6g} m",
-                           from.x, to.x, from.y, to.y, from.z, to.z);
+        std::string words;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!std::isfinite(from[axis]) || !std::isfinite(to[axis])) continue;  // not asked for
+            words += fmt::format("{}{} {:.6g} to {:.6g} km", words.empty() ? "" : ", ", "xyz"[axis],
+                                 from[axis] * 1e-3, to[axis] * 1e-3);
+        }
+        return words;
     };
-    throw Error(
-        {.where = info.times.front().file.string(),
-         .what = "the region asked for holds no cell of the domain",
-         .found = text(region->lowerM, region->upperM),
-         .expected =
-             "a part of " + text({0.0, 0.0, native.lowest}, {extent.x, extent.y, native.highest}),
-         .hint = "metres from the south-west corner, z above sea level, lower before upper"});
+    throw Error({.where = info.times.front().file.string(),
+                 .what = "the region asked for holds no cell of the domain",
+                 .found = text(region->lowerM, region->upperM),
+                 .expected = "a part of " +
+                             text({0.0, 0.0, native.lowest}, {extent.x, extent.y, native.highest}),
+                 .hint = "from the south-west corner, z above sea level, lower before upper"});
 }
 
 /// Completes a plan that has its box and its levels.

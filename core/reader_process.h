@@ -38,7 +38,7 @@ inline constexpr std::size_t kReaderValuesAt = 4096;
 struct ReaderLimits {
     /// Computing while it opens or reads, without a sign of progress: readers report every few
     /// megabytes. One that waits for a slow disk does not compute.
-    double silentCpuSeconds = 10.0;
+    double silentCpuSeconds = 5.0;
     /// By the clock, for what takes no reading of data: being loaded, scoring, closing.
     double answerSeconds = 30.0;
     /// Address space. Far above what reading a band or a chunk of any model output needs; a damaged
