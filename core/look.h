@@ -19,6 +19,7 @@
 
 namespace neph {
 
+enum class Engine : int { march, slicing };
 enum class Transport : int { lowAlbedo, translucent };
 enum class PhaseMode : int { uniform, perField };
 enum class ExtinctionMode : int { physical, equal };
@@ -84,6 +85,8 @@ struct Look {
     bool groundVisible = true;
     glm::vec3 groundColour{0.13f, 0.12f, 0.065f};
 
+    Engine engine = Engine::march;
+    float quality = 1.0f;  ///< steps a voxel of the march
     int planes = 256;
     float exposureEv = 0.4f;
     ToneMap toneMap = ToneMap::filmic;
@@ -123,6 +126,7 @@ struct Parameter {
     float PhaseSpec::*phaseMember = nullptr;
     std::size_t phaseOffset = 0;
     bool ofConstantRadius = false;  ///< acts only where the radius of `species` is a constant
+    std::optional<Engine> engine;   ///< acts only with this engine
 };
 
 /// All parameters in the order of the panels.
@@ -158,8 +162,8 @@ std::string unitSuffix(const Parameter& row);
 /// Text of a value as the screen shows it: 10 µm, on, Translucent.
 std::string screenText(const Parameter& row, const ParameterValue& value);
 
-/// Whether a row acts at present: a parameter of a phase function acts where its kind reads it, and
-/// a constant radius where none comes from the model.
+/// Whether a row acts at present: a parameter of a phase function acts where its kind reads it, a
+/// constant radius where none comes from the model, a row of one engine while that engine draws.
 bool applies(const Parameter& row, const Look& look);
 
 /// The earliest stage that differs between two looks; none when they are equal.

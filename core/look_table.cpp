@@ -8,6 +8,8 @@
 namespace neph {
 namespace {
 
+constexpr std::array<std::string_view, 2> kEngineIds{"march", "slicing"};
+constexpr std::array<std::string_view, 2> kEngineLabels{"March", "Half-angle slicing"};
 constexpr std::array<std::string_view, 2> kTransportIds{"low_albedo", "translucent"};
 constexpr std::array<std::string_view, 2> kTransportLabels{"Low albedo", "Translucent"};
 constexpr std::array<std::string_view, 2> kPhaseModeIds{"uniform", "per_field"};
@@ -176,7 +178,8 @@ void addLight(Rows& rows) {
     rows.choice("form", "Forward scattering", offsetof(Look, lightForm), Stage::light,
                 kLightFormIds, kLightFormLabels,
                 "Eq. 14-17 as printed, which depend on the number of planes, or the form that does "
-                "not. docs/physics.md §1");
+                "not, which the march always uses. docs/physics.md §1")
+        .engine = Engine::slicing;
     rows.number("forward_angle", "Forward angle", "deg", offsetof(Look, forwardAngleDeg),
                 {0.0, 60.0}, Stage::light,
                 "Full opening of the arc that counts as forward scattered, theta_f of Eq. 15-16.");
@@ -224,8 +227,17 @@ void addSunAndSky(Rows& rows) {
 
 void addView(Rows& rows) {
     rows.begin("View", "view.", 0);
+    rows.choice(
+        "engine", "Engine", offsetof(Look, engine), Stage::medium, kEngineIds, kEngineLabels,
+        "March: light once for every view, then rays of steps that fit the data. Half-angle "
+        "slicing: the method of [Riley03], light anew for every view.");
+    rows.number("quality", "Quality", "1", offsetof(Look, quality), {0.25, 8.0, true}, Stage::eye,
+                "Steps of the march for each voxel that a ray crosses; fewer where little is, more "
+                "where much is. The error falls with its square. docs/performance.md")
+        .engine = Engine::march;
     rows.integer("planes", "Planes", "1", offsetof(Look, planes), {16, 2048, true}, Stage::light,
-                 "Number of slices through the occupied part of the volume.");
+                 "Number of slices through the occupied part of the volume.")
+        .engine = Engine::slicing;
     rows.number("exposure", "Exposure", "EV", offsetof(Look, exposureEv), {-10.0, 10.0},
                 Stage::resolve, "Scene-referred gain, 2^EV, before the film curve.");
     rows.choice("tone_map", "Film curve", offsetof(Look, toneMap), Stage::resolve, kToneMapIds,

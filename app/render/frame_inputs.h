@@ -1,7 +1,9 @@
 // frame_inputs.h: the plain values that one picture is a function of, and what came of it.
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
-#include <string>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/camera.h"
@@ -13,17 +15,41 @@ struct FrameInputs {
     Look look;
     Camera camera;
     glm::ivec2 sizePx{640, 480};
-    int planes = 0;  ///< 0: as the look says; interactive frames may ask for fewer
+    /// Slices, or steps of the march, along the diagonal of what is occupied; 0: as the look says.
+    /// Interactive frames may ask for fewer. A given number fixes the step; else the march adapts
+    /// it to the data.
+    int planes = 0;
+    /// 0: a picture of its own. n > 0: the march samples at other places than before and averages
+    /// with the n pictures before, which must have had the same inputs but for their numbers.
+    int sample = 0;
+    bool profile = false;  ///< fill in FrameStats::passes and ::samples, which costs a little
 };
 
-/// What the last frame did, for the status line and for `bench`.
+/// Time of one pass on the GPU.
+struct PassTime {
+    std::string_view name;  ///< a literal, as "bake medium"
+    double milliseconds = 0.0;
+};
+
+/// What the eye pass did, over all pixels.
+struct SampleCounts {
+    std::uint64_t rays = 0;        ///< that meet the occupied box
+    std::uint64_t taken = 0;       ///< samples of the medium
+    std::uint64_t skipped = 0;     ///< leaps over empty bricks
+    std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
+};
+
+/// What the last frame did, for the status line, the profile and `bench`.
 struct FrameStats {
+    std::optional<Stage> redone;  ///< earliest stage that was redone; none: nothing but a copy
     bool bakedMedium = false;
     bool marchedLight = false;
     bool marchedEye = false;
-    int planes = 0;
-    glm::ivec2 lightSizePx{0};
-    double milliseconds = 0.0;  ///< wall time with the GPU finished
+    int planes = 0;                ///< slices, or steps along the diagonal
+    glm::ivec3 lightSize{0};       ///< texels across and layers of the light
+    double milliseconds = 0.0;     ///< wall time with the GPU finished
+    std::vector<PassTime> passes;  ///< in the order they ran; only when profiled
+    SampleCounts samples;          ///< only when profiled
 };
 
 }  // namespace neph::render

@@ -135,7 +135,7 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     impl_->last = inputs;
     glFinish();
     stats.planes = impl_->slicing.plan().count;
-    stats.lightSizePx = impl_->slicing.plan().lightSizePx;
+    stats.lightSize = {impl_->slicing.plan().lightSizePx, stats.planes};
     stats.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return stats;
