@@ -14,10 +14,20 @@ std::size_t bytesPerTexel(GLenum format) {
     switch (format) {
         case GL_RGBA32F:
             return 16;
+        case GL_RGBA16:
+        case GL_RGBA16F:
+            return 8;
         case GL_R32F:
+        case GL_R32UI:
         case GL_RGBA8:
         case GL_RG16:
+        case GL_RG16F:
             return 4;
+        case GL_R16:
+        case GL_R16F:
+        case GL_RG8:
+        case GL_RG8UI:
+            return 2;
         case GL_R8UI:
             return 1;
         default:

@@ -79,6 +79,15 @@ void Program::dispatch(glm::ivec3 items) const {
                       static_cast<GLuint>(groups.z));
 }
 
+void Program::dispatchGroups(int count) const {
+    constexpr int kMostGroups = 65535;  // in one direction, on every driver
+    glUseProgram(name_);
+    for (int first = 0; first < count; first += kMostGroups) {
+        setInt(kFirstGroupLocation, first);
+        glDispatchCompute(static_cast<GLuint>(std::min(kMostGroups, count - first)), 1, 1);
+    }
+}
+
 fs::file_time_type Program::newestOnDisk() const {
     return newestOf(files_);
 }

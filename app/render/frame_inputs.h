@@ -31,6 +31,12 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
+/// Bytes of one part on the GPU.
+struct MemoryUse {
+    std::string_view name;  ///< a literal: "species", "medium", "light", "pictures", "noise"
+    std::size_t bytes = 0;
+};
+
 /// What the eye pass did, over all pixels.
 struct SampleCounts {
     std::uint64_t rays = 0;        ///< that meet the occupied box

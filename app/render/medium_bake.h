@@ -1,48 +1,31 @@
-// medium_bake.h: the volume on the GPU and what a look makes of it.
+// medium_bake.h: the medium of half-angle slicing: one extinction per optical class, as the look
+// has it.
 #pragma once
-#include <array>
-#include <vector>
-
-#include "app/gl/objects.h"
-#include "app/gl/program.h"
-#include "app/render/engines/slice_plan.h"
+#include "app/render/brick_map.h"
+#include "app/render/volume_textures.h"
 #include "core/medium.h"
-#include "core/species.h"
 
 namespace neph::render {
 
-/// Mass contents or extinctions as uploaded; absent species have one empty voxel.
-struct VolumeTextures {
-    RegularGrid grid;
-    std::array<gl::Texture, kSpeciesCount> held;
-    std::array<Holding, kSpeciesCount> holdings{};
-
-    std::size_t bytes() const;
-};
-VolumeTextures uploadVolume(const SpeciesVolume& volume);
-
-/// Extinction per class and skylight, with a map of what is empty. Channels: classes first;
-/// skylight in the last channel.
+/// Channels: classes first; skylight in the last channel.
 struct MediumTextures {
     MediumPlan plan;
     gl::Texture first, second;  ///< RGBA32F; `second` only for more than three classes
-    gl::Texture emptiness;      ///< R8UI a brick: Chebyshev distance to the nearest occupied brick
-    SliceBox occupied;          ///< in grid space; empty (lower == upper) when nothing is there
-    glm::dvec3 brickM{1.0};
+    BrickMap bricks;
 
     int textureCount() const { return second ? 2 : 1; }
-    bool empty() const { return occupied.lowerM == occupied.upperM; }
-    std::size_t bytes() const { return first.bytes() + second.bytes() + emptiness.bytes(); }
+    std::size_t bytes() const { return first.bytes() + second.bytes() + bricks.map.bytes(); }
 };
 
-/// Voxels along the edge of an occupancy brick.
-inline constexpr int kBrickVoxels = 8;
+/// Diffuse light from below relative to that from above: about the albedo of land. docs/physics.md
+/// §5
+inline constexpr float kGroundShare = 0.2f;
 
 /// Bakes on the GPU; waits for a small read-back of the bricks.
 void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
                 MediumTextures& out);
 
-/// A 128³ tiling texture of the two detail noises.
-gl::Texture bakeNoiseTexture(gl::ProgramCache& programs);
+/// Largest extinction of each brick, read back; the pass has its textures bound.
+Array3f readBrickMaxima(const gl::Program& program, glm::ivec3 bricks);
 
 }  // namespace neph::render

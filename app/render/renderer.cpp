@@ -4,14 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "app/gl/objects.h"
+#include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
+#include "app/render/engines/march.h"
 #include "app/render/engines/slicing.h"
 #include "app/render/medium_bake.h"
+#include "app/render/noise_texture.h"
+#include "app/render/packed_medium.h"
 #include "core/error.h"
 
 namespace neph::render {
@@ -21,16 +26,21 @@ struct Renderer::Impl {
 
     gl::ProgramCache programs;
     std::optional<VolumeTextures> volume;
-    MediumTextures medium;
+    MediumTextures medium;  ///< of slicing; made when it is first wanted
+    PackedMedium packed;    ///< of the march; likewise
     gl::Texture noise, linear, display;
     SlicingEngine slicing;
+    MarchEngine march;
+    gl::PassTimer timer;
     std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
     bool mediumStale = true;
     std::vector<std::string> messages;
 
     Stage stageFor(const FrameInputs& inputs) const;
     void bake(const FrameInputs& inputs, FrameStats& stats);
+    void draw(const FrameInputs& inputs, Stage stage, const Progress& progress);
     void resolve(const FrameInputs& inputs);
+    void describe(const FrameInputs& inputs, Stage stage, FrameStats& stats);
 };
 
 namespace {
@@ -56,16 +66,16 @@ void checkSize(glm::ivec2 sizePx) {
 
 }  // namespace
 
-/// The earliest stage to redo. Slices lie halfway between eye and light, so a moved camera needs
-/// new light too.
+/// The earliest stage to redo. Slices lie halfway between eye and light, so there a moved camera
+/// needs new light too.
 Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
     if (!last || mediumStale) return Stage::medium;
-    if (!sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
-        last->planes != inputs.planes) {
-        return std::min(Stage::light,
-                        firstDifference(last->look, inputs.look).value_or(Stage::light));
-    }
-    return firstDifference(last->look, inputs.look).value_or(Stage::resolve);
+    const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
+    const bool moved = !sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
+                       last->planes != inputs.planes;
+    const bool slices = inputs.look.engine == Engine::slicing;
+    if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
+    return last->sample != inputs.sample ? std::min(Stage::eye, changed) : changed;
 }
 
 void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
@@ -73,10 +83,35 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
     for (const MediumClass& c : plan.classes) {
         if (c.noiseAmount > 0.0f && !noise) noise = bakeNoiseTexture(programs);
     }
-    if (!mediumStale && plan == medium.plan) return;
-    bakeMedium(*volume, plan, programs, medium);
+    const bool slices = inputs.look.engine == Engine::slicing;
+    const bool made =
+        slices ? static_cast<bool>(medium.first) : static_cast<bool>(packed.extinction);
+    if (!mediumStale && made && plan == (slices ? medium.plan : packed.plan)) return;
+    timer.pass("bake medium");
+    // The other engine's medium would be stale, and two would be held for nothing.
+    if (slices) {
+        packed = {};
+        bakeMedium(*volume, plan, programs, medium);
+    } else {
+        medium = {};
+        packMedium(*volume, plan, programs, packed);
+    }
     mediumStale = false;
     stats.bakedMedium = true;
+}
+
+void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress) {
+    const gl::Texture* detail = noise ? &noise : nullptr;
+    if (inputs.look.engine == Engine::slicing) {
+        slicing.render(inputs, volume->grid, medium, detail, programs, linear, stage == Stage::eye,
+                       progress, timer);
+        return;
+    }
+    if (stage <= Stage::light) {
+        march.light(inputs, *volume, packed, detail, programs, progress, timer);
+    }
+    timer.pass("eye");
+    march.eye(inputs, volume->grid, packed, detail, programs, linear, progress);
 }
 
 void Renderer::Impl::resolve(const FrameInputs& inputs) {
@@ -87,6 +122,19 @@ void Renderer::Impl::resolve(const FrameInputs& inputs) {
     display.bindImage(1, GL_WRITE_ONLY);
     program.dispatch({inputs.sizePx, 1});
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void Renderer::Impl::describe(const FrameInputs& inputs, Stage stage, FrameStats& stats) {
+    const bool slices = inputs.look.engine == Engine::slicing;
+    const SlicePlan& plan = slices ? slicing.plan() : march.plan();
+    stats.planes = slices ? plan.count : march.steps();
+    stats.lightSize = {plan.lightSizePx, plan.count};
+    stats.redone = stage;
+    if (!inputs.profile) return;
+    for (const auto& [name, milliseconds] : timer.finish()) {
+        stats.passes.push_back({name, milliseconds});
+    }
+    if (!slices && stats.marchedEye) stats.samples = march.counts();
 }
 
 Renderer::Renderer(const std::filesystem::path& shaderDir)
@@ -106,7 +154,7 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
                      .found = fmt::format("{} x {} x {} cells", size.x, size.y, size.z),
                      .expected = fmt::format("at most {} cells a side", most)});
     }
-    impl_->volume = uploadVolume(volume);
+    impl_->volume = uploadVolume(volume, impl_->programs);
     impl_->mediumStale = true;
 }
 
@@ -115,15 +163,15 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     checkSize(inputs.sizePx);
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
+    assert(inputs.sample == 0 || stage > Stage::light);
     impl_->last.reset();  // until this frame is whole
+    impl_->timer.start(inputs.profile);
     if (stage <= Stage::medium) impl_->bake(inputs, stats);
     if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {
         impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
     }
     if (stage <= Stage::eye) {
-        impl_->slicing.render(inputs, impl_->volume->grid, impl_->medium,
-                              impl_->noise ? &impl_->noise : nullptr, impl_->programs,
-                              impl_->linear, stage == Stage::eye, progress);
+        impl_->draw(inputs, stage, progress);
         stats.marchedLight = stage <= Stage::light;
         stats.marchedEye = true;
     }
@@ -131,11 +179,11 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
         impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
         impl_->display.setLinear();
     }
+    impl_->timer.pass("resolve");
     impl_->resolve(inputs);
     impl_->last = inputs;
     glFinish();
-    stats.planes = impl_->slicing.plan().count;
-    stats.lightSize = {impl_->slicing.plan().lightSizePx, stats.planes};
+    impl_->describe(inputs, stage, stats);
     stats.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return stats;
@@ -180,9 +228,35 @@ std::string Renderer::deviceName() const {
     return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
+double Renderer::floorMilliseconds(const FrameInputs& inputs) {
+    FrameInputs profiled = inputs;
+    profiled.profile = true;
+    profiled.look.engine = Engine::march;
+    render(profiled);
+    impl_->last.reset();
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    impl_->march.floor(profiled, impl_->volume->grid, impl_->packed, impl_->programs,
+                       impl_->linear);
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+std::vector<MemoryUse> Renderer::memory() const {
+    const std::size_t light = impl_->march.lightBytes();
+    return {{"species", impl_->volume->bytes()},
+            {"medium", impl_->packed.bytes() + impl_->medium.bytes()},
+            {"light", light},
+            {"noise", impl_->noise.bytes()},
+            {"pictures", impl_->linear.bytes() + impl_->display.bytes() + impl_->slicing.bytes() +
+                             impl_->march.bytes() - light}};
+}
+
 std::size_t Renderer::gpuBytes() const {
-    return impl_->volume->bytes() + impl_->medium.bytes() + impl_->noise.bytes() +
-           impl_->linear.bytes() + impl_->display.bytes() + impl_->slicing.bytes();
+    std::size_t sum = 0;
+    for (const MemoryUse& part : memory()) sum += part.bytes;
+    return sum;
 }
 
 std::vector<std::string> Renderer::takeMessages() {

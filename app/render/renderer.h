@@ -35,6 +35,11 @@ class Renderer {
     /// thrown and the display texture keeps the last whole picture.
     FrameStats render(const FrameInputs& inputs, const Progress& progress = {});
 
+    /// Draws the picture of `inputs` with the march, then its rays and exactly its samples once
+    /// more with a single trilinear fetch of RGBA16 each: the floor that its eye pass is measured
+    /// against. Returns the wall time of the second, ms. The next render() begins anew.
+    double floorMilliseconds(const FrameInputs& inputs);
+
     /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the picture);
     /// 0 before the first.
     unsigned displayTexture() const;
@@ -47,7 +52,8 @@ class Renderer {
 
     /// GL renderer string, for provenance and bench.
     std::string deviceName() const;
-    /// Bytes held on the GPU.
+    /// Bytes held on the GPU, by part and in all.
+    std::vector<MemoryUse> memory() const;
     std::size_t gpuBytes() const;
     /// Problems since the last call, newest last: shader file, line, reason.
     std::vector<std::string> takeMessages();

@@ -2,7 +2,7 @@
 // the medium: one extinction per optical class and voxel.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
-#include "../shared/slicing_block.glsl"
+#include "../shared/frame_block.glsl"
 
 const int kSpeciesCount = 6;
 layout(binding = 0) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m

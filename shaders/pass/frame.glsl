@@ -1,10 +1,10 @@
 // frame.glsl: what every pass of slicing knows of the frame: the pixel's ray, the ground, the place
 // in the light buffer.
 #pragma once
-#include "../shared/slicing_block.glsl"
+#include "../shared/frame_block.glsl"
 
-layout(std140, binding = 0) uniform SlicingUniforms {
-    SlicingBlock u_;
+layout(std140, binding = 0) uniform FrameUniforms {
+    FrameBlock u_;
 };
 
 struct Ray {

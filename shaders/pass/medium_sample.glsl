@@ -1,16 +1,14 @@
 // medium_sample.glsl: what the slicing passes share: reading the medium at a point, with its
-// detail, and skipping what is empty.
+// detail.
 #pragma once
 #include "../lib/noise.glsl"
-#include "../lib/ray_box.glsl"
+#include "bricks.glsl"
 #include "frame.glsl"
 
 layout(binding = 0) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
 layout(binding = 1) uniform sampler3D t_medium1;
 #endif
-layout(binding = 2) uniform usampler3D
-    t_emptiness;  // distance to the nearest occupied brick, in bricks
 #if NOISE
 layout(binding = 3) uniform sampler3D t_noise;  // r: billow, g: wisp
 #endif
@@ -55,20 +53,4 @@ float totalExtinctionPerM(MediumSample s) {
 
 float skylightOf(MediumSample s) {
     return s.extinctionPerM[4 * CLASS_TEXTURES - 1];
-}
-
-/// Bricks around the point that are certainly empty: 0 in an occupied brick.
-int emptiness(vec3 positionM) {
-    ivec3 brick =
-        clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_emptiness, 0) - 1);
-    return int(texelFetch(t_emptiness, brick, 0).r);
-}
-
-/// Distance along the unit `dir` to the wall of the empty block of `bricks` around the point.
-float emptyDistanceM(vec3 positionM, vec3 dir, int bricks) {
-    vec3 brick = floor(positionM / u_.brickM.xyz);
-    vec3 ahead = mix(brick - float(bricks - 1), brick + float(bricks),
-                     greaterThan(divisible(dir), vec3(0.0)));
-    vec3 distance = (ahead * u_.brickM.xyz - positionM) / divisible(dir);
-    return min(min(distance.x, distance.y), distance.z);
 }

@@ -6,32 +6,18 @@
 // 18), and skylight.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
-#include "../lib/phase_table.glsl"
-#include "../lib/ray_box.glsl"
-#include "../lib/sky.glsl"
 #include "medium_sample.glsl"
+#include "phases.glsl"
+#include "ray_in_box.glsl"
 
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(location = 0) uniform int firstRow;            // of the band of rows that is drawn
 layout(rgba32f, binding = 0) uniform image2D io_eye;  // rgb: radiance, a: transmittance
-layout(std430, binding = 0) readonly buffer PhaseTables {
-    vec4 phaseTables[];
-};
-
-vec3 displayPhase(int index, float cosTheta) {
-    float at = phaseTableIndex(cosTheta, PHASE_TABLE_SIZE);
-    int entry = min(int(at), PHASE_TABLE_SIZE - 2);
-    int base = index * PHASE_TABLE_SIZE + entry;
-    return mix(phaseTables[base].rgb, phaseTables[base + 1].rgb, at - float(entry));
-}
 
 /// Slices of this batch that the ray meets within the occupied box and before the ground: first and
 /// last, in light order.
 ivec2 slicesMet(Ray ray, float t0, float perUnit) {
-    vec2 inside = rayBox(ray.originM, ray.dir, u_.boxLowerM.xyz, u_.boxUpperM.xyz);
-    inside.x = max(inside.x, 0.0);
-    float groundM = groundDistanceM(ray);
-    if (groundM > 0.0) inside.y = min(inside.y, groundM);
+    vec2 inside = insideBoxM(ray);
     if (inside.x >= inside.y) return ivec2(1, 0);
     vec2 at = (inside - t0) / perUnit;
     ivec2 first = ivec2(ceil(min(at.x, at.y)), floor(max(at.x, at.y)));
@@ -46,10 +32,7 @@ vec4 marchBatch(Ray ray) {
     ivec2 met = slicesMet(ray, t0, perUnit);
 
     vec3 sunlit[CLASSES];
-    float cosTheta = dot(u_.towardsSun.xyz, ray.dir);
-    for (int i = 0; i < CLASSES; ++i) {
-        sunlit[i] = u_.classes[i].colourAlbedo.rgb * u_.sunRadiance.rgb * displayPhase(i, cosTheta);
-    }
+    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, ray.dir);
 
     int forward = perUnit > 0.0 ? 1 : -1;
     int slice = forward > 0 ? met.x : met.y;

@@ -2,14 +2,18 @@
 // 14-17.
 //
 // Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and
-// writes layer k + 1.
+// writes layer k + 1. Either engine's medium is read, by the same names.
 #version 450 core
 layout(local_size_x = 32, local_size_y = 8) in;
 #include "../lib/optics.glsl"
+#if PACKED
+#include "packed_sample.glsl"
+#else
 #include "medium_sample.glsl"
+#endif
 
 layout(binding = 4) uniform sampler2DArray t_light;
-layout(r32f, binding = 0) writeonly uniform image2DArray o_light;
+layout(LIGHT_FORMAT, binding = 0) writeonly uniform image2DArray o_light;
 layout(location = 0) uniform int layer;
 
 /// Where the light ray of a texel meets the slice.

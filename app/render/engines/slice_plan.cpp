@@ -47,6 +47,27 @@ int lightSize(double extentM, double texelM) {
     return std::clamp(static_cast<int>(std::ceil(extentM / texelM)), kMinLightPx, kMaxLightPx);
 }
 
+/// Spreads `count` slices along plan.normal over the box.
+void layOut(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, int count) {
+    const Extent depth = along(plan.normal, box);
+    plan.count = count;
+    plan.firstM = depth.lo;
+    plan.spacingM = depth.length() / count;
+    plan.lightStepM = plan.spacingM / glm::dot(plan.normal, -towardsSun);
+}
+
+/// The light buffer: the box as the sun sees it.
+void layLight(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, double texelM) {
+    const glm::dvec3 helper =
+        std::abs(towardsSun.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    plan.lightU = glm::normalize(glm::cross(helper, towardsSun));
+    plan.lightV = glm::cross(towardsSun, plan.lightU);
+    const Extent u = along(plan.lightU, box), v = along(plan.lightV, box);
+    plan.lightLowerM = {u.lo, v.lo};
+    plan.lightExtentM = {u.length(), v.length()};
+    plan.lightSizePx = {lightSize(u.length(), texelM), lightSize(v.length(), texelM)};
+}
+
 }  // namespace
 
 SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox& box, int planes,
@@ -59,24 +80,28 @@ SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox
         std::atan(camera.tanHalfFovY * std::sqrt(1.0 + camera.aspect * camera.aspect));
     plan.normal = halfway(axis, travel, cornerRad);
 
-    const Extent depth = along(plan.normal, box);
-    plan.count = planes;
-    plan.firstM = depth.lo;
-    plan.spacingM = depth.length() / planes;
-    plan.lightStepM = plan.spacingM / glm::dot(plan.normal, travel);
-
-    const glm::dvec3 helper =
-        std::abs(towardsSun.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-    plan.lightU = glm::normalize(glm::cross(helper, towardsSun));
-    plan.lightV = glm::cross(towardsSun, plan.lightU);
+    layOut(plan, towardsSun, box, planes);
     // A texel finer than the slices are apart would only repeat what they saw. The same for every
     // camera, so that an orbit keeps its buffers.
-    texelM = std::max(texelM, glm::length(box.upperM - box.lowerM) / planes);
-    const Extent u = along(plan.lightU, box), v = along(plan.lightV, box);
-    plan.lightLowerM = {u.lo, v.lo};
-    plan.lightExtentM = {u.length(), v.length()};
-    plan.lightSizePx = {lightSize(u.length(), texelM), lightSize(v.length(), texelM)};
+    layLight(plan, towardsSun, box,
+             std::max(texelM, glm::length(box.upperM - box.lowerM) / planes));
     return plan;
+}
+
+SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM) {
+    SlicePlan plan;
+    plan.normal = -towardsSun;
+    const double depthM = along(plan.normal, box).length();
+    layOut(plan, towardsSun, box, std::max(1, static_cast<int>(std::ceil(depthM / stepM))));
+    layLight(plan, towardsSun, box, stepM);
+    return plan;
+}
+
+void SlicePlan::limit(int most) {
+    if (count <= most) return;
+    spacingM *= static_cast<double>(count) / most;
+    lightStepM *= static_cast<double>(count) / most;
+    count = most;
 }
 
 }  // namespace neph::render

@@ -28,7 +28,14 @@ struct SlicePlan {
     glm::dvec2 lightLowerM{0.0};   ///< of the light buffer, in the coordinates of lightU and lightV
     glm::dvec2 lightExtentM{1.0};  ///< of the light buffer
     glm::ivec2 lightSizePx{1};
+
+    /// At most so many slices, further apart.
+    void limit(int most);
 };
+
+/// Slices that face the sun, `stepM` apart, with light texels as large: for light alone, whatever
+/// the camera. Count at least 1.
+SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM);
 
 /// `texelM`: wanted size of a light texel. The buffer covers the box as the sun sees it, 16 to 1024
 /// texels a side.

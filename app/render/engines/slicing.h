@@ -5,7 +5,10 @@
 // shaders.
 #pragma once
 #include "app/gl/objects.h"
+#include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
+#include "app/render/engines/light_layers.h"
+#include "app/render/engines/phase_buffer.h"
 #include "app/render/engines/slice_plan.h"
 #include "app/render/frame_inputs.h"
 #include "app/render/medium_bake.h"
@@ -20,27 +23,21 @@ class SlicingEngine {
     /// last whole frame. Asks `progress` between bands of slices and of rows; throws Cancelled.
     void render(const FrameInputs& inputs, const RegularGrid& grid, const MediumTextures& medium,
                 const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear,
-                bool lightIsValid, const Progress& progress);
+                bool lightIsValid, const Progress& progress, gl::PassTimer& timer);
 
     const SlicePlan& plan() const { return plan_; }
     std::size_t bytes() const { return light_.bytes() + eye_.bytes() + phases_.bytes(); }
 
   private:
     void resize(const FrameInputs& inputs);
-    void uploadPhases(const Look& look, const MediumPlan& plan);
-    void marchLight(const gl::Program& program, int slices, const Progress& progress);
-    void carryLight(int fromLayer);
-    int marchBatch(const FrameInputs& inputs, const MediumTextures& medium,
-                   gl::ProgramCache& programs, int slices, bool keepLight,
-                   const Progress& progress);
+    void marchEye(const FrameInputs& inputs, const gl::Program& program, const Progress& progress);
 
     SlicePlan plan_;
     int batch_ = 0;  ///< slices whose light is held at a time
-    gl::Texture light_, eye_;
-    gl::Buffer block_, phases_;
-    Look phaseLook_;  ///< the look and plan that `phases_` was made of
-    MediumPlan phasePlan_;
-    bool havePhases_ = false;
+    LightLayers light_;
+    gl::Texture eye_;
+    gl::Buffer block_;
+    PhaseBuffer phases_;
 };
 
 }  // namespace neph::render

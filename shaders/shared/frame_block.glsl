@@ -1,9 +1,10 @@
-// slicing_block.glsl: the numbers of one frame of half-angle slicing, seen by GLSL (std140) and by
-// C++ (GLM).
+// frame_block.glsl: the numbers of one frame, of either engine, seen by GLSL (std140) and by C++
+// (GLM).
 //
 // Only 16-byte members, so that both lay it out alike. Grid space: metres from the lower corner of
 // the volume, axes as in world space. Slice i of n is the plane dot(normal, p) = firstM + (i + 1/2)
-// spacingM; the light meets slice 0 first.
+// spacingM; the light meets slice 0 first. The slices of the march face the sun and carry light
+// alone.
 #pragma once
 
 const int kMaxClasses = 6;
@@ -13,7 +14,7 @@ struct ClassBlock {
     vec4 noise;         ///< x: amount, y: 1 / tile length in m, z: 0 billow, 1 wisp
 };
 
-struct SlicingBlock {
+struct FrameBlock {
     vec4 eyeM;        ///< xyz in grid space; w: height above sea level of the grid's lower corner
     vec4 forward;     ///< unit; w: 1 when eye order is light order (front to back), else -1
     vec4 right;       ///< scaled by tan(fov/2) aspect
@@ -23,18 +24,22 @@ struct SlicingBlock {
     vec4 lightU;      ///< unit, across the light; w: coordinate of the light buffer's left edge, m
     vec4 lightV;      ///< likewise
     vec4 lightScale;  ///< xy: 1 / size of the light buffer in m; z: spacingM; w: ring radius in m
+    vec4 march;       ///< x: base step in m, y: wanted optical depth of a step, zw: least and
+                      ///< largest step as multiples of the base
     vec4 boxLowerM;   ///< occupied part of the volume
     vec4 boxUpperM;
-    vec4 gridExtentM;   ///< of the whole volume
-    vec4 brickM;        ///< size of an occupancy brick
-    vec4 forwardShare;  ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
-    vec4 sunRadiance;   ///< rgb: colour × intensity
-    vec4 skyZenith;     ///< rgb × intensity
-    vec4 skyHorizon;    ///< rgb × intensity
-    vec4 ambient;       ///< rgb: radiance that skylight gives a sample under open sky
-    vec4 ground;        ///< rgb; w: 1 when visible
+    vec4 gridExtentM;     ///< of the whole volume
+    vec4 mixtureExtentM;  ///< of the half-resolution texture of the march
+    vec4 brickM;          ///< size of an occupancy brick
+    vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
+    vec4 sunRadiance;     ///< rgb: colour × intensity
+    vec4 skyZenith;       ///< rgb × intensity
+    vec4 skyHorizon;      ///< rgb × intensity
+    vec4 ambient;         ///< rgb: radiance that skylight gives a sample under open sky
+    vec4 ground;          ///< rgb; w: 1 when visible
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
-    ivec4 picture;  ///< xy: size in pixels, zw: size of the light buffer
+    ivec4 sampling;  ///< x: number of this picture among those averaged at rest
+    ivec4 picture;   ///< xy: size in pixels, zw: size of the light buffer
     ClassBlock classes[kMaxClasses];
 };

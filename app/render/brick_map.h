@@ -1,0 +1,30 @@
+// brick_map.h: which bricks of a medium are empty, how far it is to the next that is not, and how
+// dense it is around.
+#pragma once
+#include "app/gl/objects.h"
+#include "app/render/engines/slice_plan.h"
+#include "core/grid.h"
+
+namespace neph::render {
+
+/// Code in the map for the largest extinction in and around a brick: 2^((level - kLevelOfOne) /
+/// kLevelsPerOctave) per metre, rounded up; 0 is nothing. As shaders/pass/bricks.glsl reads it.
+inline constexpr int kLevelOfOne = 240, kLevelsPerOctave = 8;
+
+/// Voxels along the edge of a brick, the unit in which emptiness is known.
+inline constexpr int kBrickVoxels = 8;
+
+struct BrickMap {
+    /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level of
+    /// the largest extinction in the brick and its neighbours.
+    gl::Texture map;
+    SliceBox occupied;  ///< in grid space; empty (lower == upper) when nothing is there
+    glm::dvec3 brickM{1.0};
+
+    bool empty() const { return occupied.lowerM == occupied.upperM; }
+};
+
+/// `maximumPerM`: the largest extinction that interpolation can give in each brick.
+BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid);
+
+}  // namespace neph::render

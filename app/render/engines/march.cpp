@@ -1,0 +1,196 @@
+// march.cpp: choosing the light's slices and the eye's step, and running the passes.
+#include "app/render/engines/march.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/render/engines/frame_block.h"
+#include "app/render/noise_texture.h"
+#include "core/blue_noise.h"
+
+namespace neph::render {
+namespace {
+
+constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
+// Light texels are this much coarser than voxels, so that the light takes a byte a voxel at most.
+constexpr double kLightTexelVoxels = 1.5;
+constexpr std::size_t kLightBytes = std::size_t{1} << 30;
+// Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
+constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
+
+double voxelM(const RegularGrid& grid) {
+    return std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
+}
+
+SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
+    return medium.bricks.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()}
+                                 : medium.bricks.occupied;
+}
+
+/// Classes that have noise of one scale and character read it once.
+struct Kinds {
+    std::vector<int> ofClass, classOf;
+};
+
+Kinds kindsOf(const MediumPlan& plan) {
+    Kinds kinds;
+    for (std::size_t c = 0; c < plan.classes.size(); ++c) {
+        const MediumClass& mine = plan.classes[c];
+        const auto same = [&](int other) {
+            const MediumClass& theirs = plan.classes[static_cast<std::size_t>(other)];
+            return theirs.noiseScaleM == mine.noiseScaleM &&
+                   theirs.noiseCharacter == mine.noiseCharacter;
+        };
+        auto found = std::find_if(kinds.classOf.begin(), kinds.classOf.end(), same);
+        if (mine.noiseAmount == 0.0f)
+            found = kinds.classOf.begin();  // whichever: it does not count
+        if (found == kinds.classOf.end()) {
+            kinds.classOf.push_back(static_cast<int>(c));
+            found = kinds.classOf.end() - 1;
+        }
+        kinds.ofClass.push_back(static_cast<int>(found - kinds.classOf.begin()));
+    }
+    return kinds;
+}
+
+std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
+    std::vector<std::string> names = lightDefines(look, medium.plan, true);
+    names.push_back("PACKED 1");
+    names.push_back("LIGHT_FORMAT r16");
+    names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
+    if (isNoisy(medium.plan)) {
+        const Kinds kinds = kindsOf(medium.plan);
+        names.push_back(fmt::format("KINDS {}", kinds.classOf.size()));
+        names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.ofClass, ", ")));
+        names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.classOf, ", ")));
+        names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
+    }
+    return names;
+}
+
+std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMedium& medium,
+                                    bool floor) {
+    std::vector<std::string> names = defines(inputs.look, medium);
+    names.push_back(fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize));
+    names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
+    names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
+    return names;
+}
+
+gl::Texture uploadBlueNoise() {
+    gl::Texture texture = gl::Texture::make2D(GL_R32F, glm::ivec2(kBlueNoiseSize));
+    texture.upload(GL_RED, GL_FLOAT, blueNoise().data());
+    return texture;
+}
+
+}  // namespace
+
+void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
+                       const PackedMedium& medium, const gl::Texture* noise) {
+    const SliceBox box = boxOf(medium, grid);
+    const double diagonalM = glm::length(box.upperM - box.lowerM);
+    const bool fixed = inputs.planes > 0;
+    const double stepM =
+        fixed ? diagonalM / inputs.planes : voxelM(grid) / static_cast<double>(inputs.look.quality);
+    steps_ = static_cast<int>(std::lround(diagonalM / stepM));
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
+    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
+                   fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
+    block_.write(&block, sizeof(block));
+    block_.bind(GL_UNIFORM_BUFFER, 0);
+    medium.extinction.bind(0);
+    medium.first.bind(1);
+    medium.bricks.map.bind(2);
+    if (noise) noise->bind(3);
+    light_.bind(4);
+    if (medium.second) medium.second.bind(5);
+}
+
+void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
+                        PackedMedium& medium, const gl::Texture* noise, gl::ProgramCache& programs,
+                        const Progress& progress, gl::PassTimer& timer) {
+    timer.pass("light");
+    const RegularGrid& grid = volume.grid;
+    plan_ = planSunSlices(sunDirWorld(inputs.look), boxOf(medium, grid),
+                          kLightTexelVoxels * voxelM(grid));
+    plan_.limit(layersThatFit(plan_.lightSizePx, sizeof(std::uint16_t), kLightBytes) - 1);
+    if (medium.bricks.empty()) plan_.count = 0;
+    light_.resize(plan_.lightSizePx, plan_.count + 1, GL_R16);
+    light_.open(-1);
+    if (plan_.count == 0) return;
+    bind(inputs, grid, medium, noise);
+    const auto names = defines(inputs.look, medium);
+    light_.march(programs.get("pass/slice_light.comp", names), plan_.count, progress);
+    timer.pass("light to medium");
+    volume.candidates.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    medium.extinction.bindImage(0, GL_READ_WRITE);
+    programs.get("pass/light_to_medium.comp").dispatchGroups(volume.candidateCount);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
+                        const gl::Texture& linear, const Progress& progress) {
+    if (!blueNoise_) blueNoise_ = uploadBlueNoise();
+    blueNoise_.bind(6);
+    phases_.bind(0);
+    linear.bindImage(0, GL_READ_WRITE);
+    program.setFloat(1, 1.0f / static_cast<float>(inputs.sample + 1));
+    for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
+        if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};
+        program.setInt(0, row);
+        program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
+    }
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,
+                      const PackedMedium& medium, const gl::Texture* noise,
+                      gl::ProgramCache& programs, const gl::Texture& linear,
+                      const Progress& progress) {
+    phases_.update(inputs.look, medium.plan);
+    bind(inputs, grid, medium, noise);
+    if (inputs.profile) {
+        const std::array<GLuint, 4> zeros{};
+        counts_.write(zeros.data(), sizeof(zeros));
+        counts_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+        if (taken_.size() != glm::ivec3(inputs.sizePx, 1)) {
+            taken_ = gl::Texture::make2D(GL_R32UI, inputs.sizePx);
+        }
+        taken_.bindImage(1, GL_WRITE_ONLY);
+    }
+    march(inputs, programs.get("pass/march_eye.comp", eyeDefines(inputs, medium, false)), linear,
+          progress);
+}
+
+void MarchEngine::floor(const FrameInputs& inputs, const RegularGrid& grid,
+                        const PackedMedium& medium, gl::ProgramCache& programs,
+                        const gl::Texture& linear) {
+    bind(inputs, grid, medium, nullptr);
+    if (floor_.size() != grid.size) {
+        floor_ = gl::Texture::make3D(GL_RGBA16, grid.size);
+        floor_.setLinear();
+        glClearTexImage(floor_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    }
+    floor_.bind(7);
+    taken_.bindImage(1, GL_READ_ONLY);
+    march(inputs, programs.get("pass/march_eye.comp", eyeDefines(inputs, medium, true)), linear,
+          {});
+}
+
+SampleCounts MarchEngine::counts() const {
+    std::array<GLuint, 4> values{};
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof(values), values.data());
+    return {values[0], values[1], values[2], values[3]};
+}
+
+std::size_t MarchEngine::bytes() const {
+    return light_.bytes() + phases_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
+}
+
+}  // namespace neph::render

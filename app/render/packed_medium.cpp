@@ -1,0 +1,80 @@
+// packed_medium.cpp: extinction brick by brick, then mixture and map of bricks.
+#include "app/render/packed_medium.h"
+
+#include <fmt/format.h>
+
+#include "app/render/medium_bake.h"
+
+namespace neph::render {
+namespace {
+
+/// A new volume may have other candidates, so what lies outside of them starts empty.
+void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
+    const glm::ivec3 cells = (volume.grid.size + 1) / 2;
+    const auto make = [](GLenum format, glm::ivec3 size) {
+        gl::Texture texture = gl::Texture::make3D(format, size);
+        texture.setLinear();
+        return texture;
+    };
+    if (!out.extinction || out.extinction.size() != volume.grid.size) {
+        out = {};
+        out.extinction = make(GL_RG16F, volume.grid.size);
+        out.first = make(GL_RGBA8, cells);
+    }
+    if (needsSecond != static_cast<bool>(out.second)) {
+        out.second = needsSecond ? make(GL_RGBA8, cells) : gl::Texture();
+    }
+    glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
+}
+
+/// Uniforms that both passes have: what a texel of each species is worth.
+void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const gl::Program& program) {
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const auto i = static_cast<std::size_t>(s);
+        volume.held[i].bind(static_cast<GLuint>(s));
+        program.setFloat(s, plan.extinctionPerHeld[i] * volume.perTexel[i]);
+    }
+}
+
+void packExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
+    const gl::Program& program = programs.get("pass/pack_extinction.comp");
+    setSpecies(volume, out.plan, program);
+    volume.candidates.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    out.extinction.bindImage(0, GL_WRITE_ONLY);
+    program.dispatchGroups(volume.candidateCount);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
+    const gl::Program& program = programs.get(
+        "pass/pack_mixture.comp", {fmt::format("MIXTURE_TEXTURES {}", out.mixtureCount())});
+    setSpecies(volume, out.plan, program);
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        program.setInt(kSpeciesCount + s, out.plan.classOf[static_cast<std::size_t>(s)]);
+    }
+    program.setFloat(12, static_cast<float>(volume.grid.spacingM.z));
+    program.setFloat(13, kSkylightAsymmetry);
+    program.setFloat(14, kGroundShare);
+    out.extinction.bind(6);
+    out.first.bindImage(0, GL_WRITE_ONLY);
+    if (out.second) out.second.bindImage(1, GL_WRITE_ONLY);
+    program.dispatch({out.first.size().x, out.first.size().y, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+}  // namespace
+
+void packMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
+                PackedMedium& out) {
+    makeTextures(volume, plan.classes.size() > 3, out);
+    out.plan = plan;
+    packExtinction(volume, programs, out);
+    packMixture(volume, programs, out);
+    out.extinction.bind(0);
+    out.bricks = mapBricks(
+        readBrickMaxima(programs.get("pass/brick_maximum.comp", {"PACKED 1", "CLASS_TEXTURES 1"}),
+                        volume.brickCount()),
+        volume.grid);
+}
+
+}  // namespace neph::render

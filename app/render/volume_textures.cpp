@@ -1,0 +1,98 @@
+// volume_textures.cpp: upload as halves, and the list of bricks that any bake has to visit.
+#include "app/render/volume_textures.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace neph::render {
+namespace {
+
+constexpr float kLargestHalf = 32768.0f;  // a power of two below the top of the range
+
+float largestOf(const Array3f& held) {
+    return *std::max_element(held.values.begin(), held.values.end());
+}
+
+/// Uploads floats and lets the GPU make halves of them; returns what a texel is worth.
+float uploadHalves(const Array3f& held, gl::ProgramCache& programs, gl::Texture& out) {
+    const float largest = largestOf(held);
+    const float perTexel = largest > 0.0f ? largest / kLargestHalf : 1.0f;
+    gl::Texture whole = gl::Texture::make3D(GL_R32F, held.size);
+    whole.upload(GL_RED, GL_FLOAT, held.values.data());
+    out = gl::Texture::make3D(GL_R16F, held.size);
+    out.setLinear();
+    const gl::Program& program = programs.get("pass/to_half.comp");
+    whole.bind(0);
+    out.bindImage(0, GL_WRITE_ONLY);
+    program.setFloat(0, 1.0f / perTexel);
+    program.dispatch(held.size);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    return perTexel;
+}
+
+/// Marks the bricks that hold anything of `held`.
+void mark(const Array3f& held, Array3<std::uint8_t>& bricks) {
+    const float* value = held.values.data();
+    for (int z = 0; z < held.size.z; ++z) {
+        for (int y = 0; y < held.size.y; ++y) {
+            for (int x = 0; x < held.size.x; x += kBrickVoxels) {
+                const int end = std::min(kBrickVoxels, held.size.x - x);
+                const bool any = std::any_of(value, value + end, [](float v) { return v > 0.0f; });
+                value += end;
+                if (any) bricks.at(x / kBrickVoxels, y / kBrickVoxels, z / kBrickVoxels) = 1;
+            }
+        }
+    }
+}
+
+/// Interpolation carries what a voxel holds into the next brick.
+bool bordersOnAny(const Array3<std::uint8_t>& bricks, glm::ivec3 p) {
+    const glm::ivec3 lower = glm::max(p - 1, glm::ivec3(0));
+    const glm::ivec3 upper = glm::min(p + 1, bricks.size - 1);
+    for (int z = lower.z; z <= upper.z; ++z)
+        for (int y = lower.y; y <= upper.y; ++y)
+            for (int x = lower.x; x <= upper.x; ++x)
+                if (bricks.at(x, y, z) != 0) return true;
+    return false;
+}
+
+void listCandidates(const Array3<std::uint8_t>& bricks, VolumeTextures& out) {
+    std::vector<glm::ivec4> list;
+    for (int z = 0; z < bricks.size.z; ++z)
+        for (int y = 0; y < bricks.size.y; ++y)
+            for (int x = 0; x < bricks.size.x; ++x)
+                if (bordersOnAny(bricks, {x, y, z})) list.emplace_back(x, y, z, 0);
+    out.candidateCount = static_cast<int>(list.size());
+    if (list.empty()) list.emplace_back(0);  // a buffer that is bound must have a size
+    out.candidates.write(list.data(), list.size() * sizeof(glm::ivec4));
+}
+
+}  // namespace
+
+std::size_t VolumeTextures::bytes() const {
+    std::size_t sum = candidates.bytes();
+    for (const gl::Texture& texture : held) sum += texture.bytes();
+    return sum;
+}
+
+VolumeTextures uploadVolume(const SpeciesVolume& volume, gl::ProgramCache& programs) {
+    VolumeTextures textures;
+    textures.grid = volume.grid;
+    textures.holdings = volume.holdings();
+    Array3<std::uint8_t> bricks(textures.brickCount(), 0);
+    for (std::size_t s = 0; s < textures.held.size(); ++s) {
+        const auto species = static_cast<Species>(s);
+        const Array3f& held =
+            volume.holdsExtinction(species) ? volume.extinction(species) : volume.content(species);
+        if (held.empty()) {  // a sampler must have something bound
+            uploadHalves(Array3f(glm::ivec3(1), 0.0f), programs, textures.held[s]);
+            continue;
+        }
+        textures.perTexel[s] = uploadHalves(held, programs, textures.held[s]);
+        mark(held, bricks);
+    }
+    listCandidates(bricks, textures);
+    return textures;
+}
+
+}  // namespace neph::render
