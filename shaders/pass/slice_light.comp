@@ -6,6 +6,9 @@
 #version 450 core
 layout(local_size_x = 32, local_size_y = 8) in;
 #include "../lib/optics.glsl"
+// A file is included once, on whichever side of an #if: what both sides need comes before it.
+#include "../lib/noise.glsl"
+#include "bricks.glsl"
 #if PACKED
 #include "packed_sample.glsl"
 #else
