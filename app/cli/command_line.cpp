@@ -80,8 +80,16 @@ void addRender(CLI::App& app, RenderOptions& options) {
     command.add_option("--size", options.size, "In pixels")
         ->type_name("WxH")
         ->capture_default_str();
-    command.add_option("--planes", options.planes, "Number of slices, instead of view.planes");
-    command.add_option("--engine", options.engine, "Rendering engine")->capture_default_str();
+    command.add_option("--engine", options.engine, "Instead of view.engine: march or slicing")
+        ->type_name("NAME");
+    command
+        .add_option("--quality", options.quality, "Steps a voxel, march; instead of view.quality")
+        ->type_name("NUMBER");
+    command.add_option("--samples", options.samples, "Pictures averaged, march")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--planes", options.planes, "Slices, slicing; instead of view.planes")
+        ->type_name("N");
     command.add_option("--format", options.format, "Pixels of an EXR: half or float")
         ->capture_default_str();
 }

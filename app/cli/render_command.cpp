@@ -23,6 +23,7 @@ namespace {
 
 // Largest picture a side: what every OpenGL 4.5 driver takes as a texture.
 constexpr int kMaxSidePx = 16384;
+constexpr int kMaxSamples = 1024;
 
 enum class FileKind { png, exr };
 
@@ -36,8 +37,9 @@ FileKind kindOf(const std::filesystem::path& out) {
 
 void checkOptions(const RenderOptions& options) {
     kindOf(options.out);
-    if (options.engine != "slicing") {
-        throw UsageError({"--engine", "there is no engine " + options.engine, "", "slicing", ""});
+    if (options.samples < 1 || options.samples > kMaxSamples) {
+        throw UsageError({"--samples", "is outside its range", std::to_string(options.samples),
+                          fmt::format("a whole number from 1 to {}", kMaxSamples), ""});
     }
     if (options.format != "half" && options.format != "float") {
         throw UsageError({"--format", "is not known", options.format, "half or float", ""});
@@ -46,16 +48,24 @@ void checkOptions(const RenderOptions& options) {
     checkReplaceable(options.out);  // now rather than after the work
 }
 
-/// As part of the look, so that the look in the metadata renders the same picture again.
-void applyPlanes(const RenderOptions& options, Look& look) {
-    if (!options.planes) return;
+/// Sets a parameter as an option of its own says, if it does. As part of the look, so that the look
+/// in the metadata renders the same picture again.
+void apply(Look& look, std::string_view id, std::string_view option, const std::string& text) {
+    if (text.empty()) return;
     try {
-        setValue(look, parameter("view.planes"), *options.planes);
+        const Parameter& row = parameter(id);
+        setValue(look, row, parseValue(row, text));
     } catch (const Error& error) {
         ErrorParts parts = error.parts();
-        parts.where = "--planes";
+        parts.where = option;
         throw UsageError(parts);
     }
+}
+
+void applyOptions(const RenderOptions& options, Look& look) {
+    apply(look, "view.engine", "--engine", options.engine);
+    apply(look, "view.quality", "--quality", options.quality);
+    apply(look, "view.planes", "--planes", options.planes);
 }
 
 /// What all times of one command share.
@@ -68,14 +78,25 @@ struct Run {
     std::set<std::string> said{};  ///< notes: what holds for all times is told once
 
     const DatasetInfo& info() const { return dataset.info(); }
+    const Look& look() const { return scene.document.look; }
+    /// Slicing draws the same picture every time.
+    int samples() const { return look().engine == Engine::march ? options.samples : 1; }
 };
+
+/// How the picture was made: "march, 512 steps, 8 samples".
+std::string workText(const Run& run, const render::FrameStats& stats) {
+    if (run.look().engine == Engine::slicing)
+        return fmt::format("slicing, {} planes", stats.planes);
+    return fmt::format("march, {} steps, {} sample{}", stats.planes, run.samples(),
+                       run.samples() == 1 ? "" : "s");
+}
 
 Metadata describe(const Run& run, const HeldVolume& held, const TimeInfo& time,
                   const render::FrameStats& stats) {
     const Scene& scene = run.scene;
     const std::string plan = neph::describe(held.summary.plan, run.info());
     const CameraPose& pose = scene.document.camera;
-    const Preset preset{scene.presetName, "", scene.document.look, pose};
+    const Preset preset{scene.presetName, "", run.look(), pose};
     return {
         {"Software", fmt::format("Nephoscope {}", versionText())},
         {"nephoscope.preset", scene.presetName},
@@ -88,8 +109,8 @@ Metadata describe(const Run& run, const HeldVolume& held, const TimeInfo& time,
          fmt::format("{}; {}; file {}; time {}; reader {}", run.info().model, run.info().scheme,
                      time.file.filename().string(), held.volume.timeLabel, run.info().reader)},
         {"nephoscope.resolution", plan.empty() ? "full" : plan},
-        {"nephoscope.renderer", fmt::format("{} engine, {} planes, {}", run.options.engine,
-                                            stats.planes, run.renderer.deviceName())},
+        {"nephoscope.renderer",
+         fmt::format("{}, {}", workText(run, stats), run.renderer.deviceName())},
     };
 }
 
@@ -111,6 +132,15 @@ void sayOnce(Run& run, const std::string& note) {
     if (!note.empty() && run.said.insert(note).second) printAll("note", {note});
 }
 
+/// All samples of a picture; the time is that of all.
+render::FrameStats drawSamples(Run& run, render::FrameInputs inputs) {
+    render::FrameStats stats = run.renderer.render(inputs);
+    while (++inputs.sample < run.samples()) {
+        stats.milliseconds += run.renderer.render(inputs).milliseconds;
+    }
+    return stats;
+}
+
 /// One time: read, render, write, and say so.
 void renderTime(Run& run, int time, bool several) {
     const HeldVolume held = readVolume(run.dataset, time, run.request);
@@ -118,18 +148,17 @@ void renderTime(Run& run, int time, bool several) {
     sayOnce(run, neph::describe(held.summary.plan, run.info()));
     run.renderer.setVolume(held.volume);
     render::FrameInputs inputs;
-    inputs.look = run.scene.document.look;
+    inputs.look = run.look();
     inputs.sizePx = parseSize(run.options.size);
     inputs.camera = placeCamera(run.scene.document.camera, held.volume.grid,
                                 static_cast<double>(inputs.sizePx.x) / inputs.sizePx.y);
-    const render::FrameStats stats = run.renderer.render(inputs);
+    const render::FrameStats stats = drawSamples(run, inputs);
     printAll("warning", run.renderer.takeMessages());
     const TimeInfo& info = run.info().times[static_cast<std::size_t>(time)];
     const auto out = outputName(run.options.out, time, several);
     write(run.options, out, run.renderer, describe(run, held, info, stats));
-    fmt::print(stderr, "wrote {} ({}x{}, {}, {} planes, {:.0f} ms)\n", out.string(),
-               inputs.sizePx.x, inputs.sizePx.y, held.volume.timeLabel, stats.planes,
-               stats.milliseconds);
+    fmt::print(stderr, "wrote {} ({}x{}, {}, {}, {:.0f} ms)\n", out.string(), inputs.sizePx.x,
+               inputs.sizePx.y, held.volume.timeLabel, workText(run, stats), stats.milliseconds);
 }
 
 }  // namespace
@@ -160,7 +189,7 @@ int runRender(const RenderOptions& options) {
     checkOptions(options);
     const std::optional<Region> region = parseRegion(options.scene.region);
     Scene scene = makeScene(options.scene);
-    applyPlanes(options, scene.document.look);
+    applyOptions(options, scene.document.look);
     printAll("warning", scene.warnings);
     const auto dataset =
         Dataset::open(listFiles(options.scene.files), PluginHost::standard(options.scene.readers));

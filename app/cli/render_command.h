@@ -1,6 +1,5 @@
 // render_command.h: `nephoscope render`: pictures to files, without a display.
 #pragma once
-#include <optional>
 #include <string>
 
 #include "app/scene.h"
@@ -11,8 +10,10 @@ struct RenderOptions {
     SceneOptions scene;
     std::string out = "nephoscope.png";
     std::string size = "1280x720";
-    std::optional<int> planes;  ///< none: as the look says
-    std::string engine = "slicing";
+    std::string engine;           ///< as view.engine; empty, here and below: as the look says
+    std::string quality;          ///< as view.quality
+    std::string planes;           ///< as view.planes
+    int samples = 8;              ///< pictures that the march averages
     std::string format = "half";  ///< of EXR
 };
 

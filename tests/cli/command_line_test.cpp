@@ -14,7 +14,7 @@ namespace {
 const std::string kSource = NEPH_TEST_SOURCE_DIR;
 const std::string kStormFile = kSource + "/samples/supercell/wrfout_d01_0001-01-01_00:30:00";
 // Small and coarse: these tests are about files and words, not about pictures.
-const std::string kQuick = " --size 48x32 --planes 16 ";
+const std::string kQuick = " --size 48x32 --quality 0.25 --samples 1 ";
 
 std::string textOf(const Metadata& metadata, const std::string& key) {
     for (const auto& [name, text] : metadata) {
@@ -55,7 +55,11 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
                           Case{"render --planes 1", "from 16 to 2048"},
                           Case{"render --planes 0", "from 16 to 2048"},
                           Case{"render --planes x", "--planes"},
-                          Case{"render --engine warp", "slicing"},
+                          Case{"render --engine warp", "one of march, slicing"},
+                          Case{"render --quality 0.1", "from 0.25 to 8"},
+                          Case{"render --quality fine", "--quality"},
+                          Case{"render --samples 0", "from 1 to 1024"},
+                          Case{"render --samples 1.5", "--samples"},
                           Case{"render --format double", "half or float"},
                           Case{"render --out a.jpg", ".png or .exr"},
                           Case{"render --region 1:2", "x0:x1,y0:y1"},
@@ -129,11 +133,33 @@ TEST_CASE("The look in a picture's metadata renders the same picture again") {
                        first.string())
                 .status == 0);
     std::ofstream(folder / "look.json") << textOf(readPngMetadata(first), "nephoscope.look");
-    // Without --planes: those of the first picture are part of its look.
-    REQUIRE(runProgram("render " + kStormFile + " --size 48x32 --preset " +
+    // Without --quality: that of the first picture is part of its look.
+    REQUIRE(runProgram("render " + kStormFile + " --size 48x32 --samples 1 --preset " +
                        (folder / "look.json").string() + " --out " + second.string())
                 .status == 0);
     CHECK(readPng(first).rgba == readPng(second).rgba);
+}
+
+TEST_CASE(
+    "An engine is chosen for one picture, and the picture says which, how fine and how often") {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.png";
+    const auto rendered = [&](const std::string& options) {
+        const Outcome outcome = runProgram("render " + kStormFile + " --size 48x32 " + options +
+                                           " --out " + file.string());
+        CHECK(outcome.status == 0);
+        const Metadata metadata = readPngMetadata(file);
+        const auto look = nlohmann::json::parse(textOf(metadata, "nephoscope.look"))["look"];
+        return std::pair(textOf(metadata, "nephoscope.renderer"), look);
+    };
+    const auto march = rendered("--engine march --quality 0.5 --samples 2");
+    CHECK(march.first.starts_with("march, "));
+    CHECK(contains(march.first, " steps, 2 samples, "));
+    CHECK(march.second["view.engine"] == "march");
+    CHECK(march.second["view.quality"] == 0.5);
+    const auto slicing = rendered("--engine slicing --planes 16 --samples 2");
+    CHECK(slicing.first.starts_with("slicing, 16 planes, "));
+    CHECK(slicing.second["view.engine"] == "slicing");
 }
 
 TEST_CASE("A setting changes the picture") {
