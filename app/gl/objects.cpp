@@ -117,6 +117,30 @@ void Texture::bindImage(GLuint unit, GLenum access) const {
     glBindImageTexture(unit, name_, 0, GL_TRUE, 0, access, format_);
 }
 
+Sampler Sampler::nearestRepeat() {
+    Sampler sampler;
+    glCreateSamplers(1, &sampler.name_);
+    glSamplerParameteri(sampler.name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler.name_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glSamplerParameteri(sampler.name_, axis, GL_REPEAT);
+    }
+    return sampler;
+}
+
+Sampler& Sampler::operator=(Sampler&& other) noexcept {
+    if (this != &other) {
+        release();
+        name_ = std::exchange(other.name_, 0);
+    }
+    return *this;
+}
+
+void Sampler::release() {
+    if (name_ != 0) glDeleteSamplers(1, &name_);
+    name_ = 0;
+}
+
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
     if (this != &other) {
         release();

@@ -44,6 +44,28 @@ class Texture {
     std::size_t bytes_ = 0;
 };
 
+/// How to read a texture where that differs from the texture's own way.
+class Sampler {
+  public:
+    Sampler() = default;
+    /// Nearest texel, repeating.
+    static Sampler nearestRepeat();
+    ~Sampler() { release(); }
+    Sampler(Sampler&& other) noexcept { *this = std::move(other); }
+    Sampler& operator=(Sampler&& other) noexcept;
+    Sampler(const Sampler&) = delete;
+    Sampler& operator=(const Sampler&) = delete;
+
+    explicit operator bool() const { return name_ != 0; }
+    void bind(GLuint unit) const { glBindSampler(unit, name_); }
+    static void unbind(GLuint unit) { glBindSampler(unit, 0); }
+
+  private:
+    void release();
+
+    GLuint name_ = 0;
+};
+
 class Buffer {
   public:
     Buffer() = default;

@@ -33,6 +33,7 @@ struct Renderer::Impl {
     MarchEngine march;
     gl::PassTimer timer;
     std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
+    std::optional<Look> lit;          ///< what the light in `packed` was carried for
     bool mediumStale = true;
     std::vector<std::string> messages;
 
@@ -69,11 +70,16 @@ void checkSize(glm::ivec2 sizePx) {
 /// The earliest stage to redo. Slices lie halfway between eye and light, so there a moved camera
 /// needs new light too.
 Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
-    if (!last || mediumStale) return Stage::medium;
+    if (mediumStale) return Stage::medium;
+    const bool slices = inputs.look.engine == Engine::slicing;
+    // A picture that gave way leaves the march's light as it was.
+    if (!last && lit && !slices) {
+        return std::min(Stage::eye, firstDifference(*lit, inputs.look).value_or(Stage::eye));
+    }
+    if (!last) return Stage::medium;
     const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
     const bool moved = !sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
                        last->planes != inputs.planes;
-    const bool slices = inputs.look.engine == Engine::slicing;
     if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
     return last->sample != inputs.sample ? std::min(Stage::eye, changed) : changed;
 }
@@ -88,6 +94,7 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
         slices ? static_cast<bool>(medium.first) : static_cast<bool>(packed.extinction);
     if (!mediumStale && made && plan == (slices ? medium.plan : packed.plan)) return;
     timer.pass("bake medium");
+    lit.reset();
     // The other engine's medium would be stale, and two would be held for nothing.
     if (slices) {
         packed = {};
@@ -108,7 +115,9 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress
         return;
     }
     if (stage <= Stage::light) {
+        lit.reset();
         march.light(inputs, *volume, packed, detail, programs, progress, timer);
+        lit = inputs.look;
     }
     timer.pass("eye");
     march.eye(inputs, volume->grid, packed, detail, programs, linear, progress);
@@ -164,7 +173,8 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
     assert(inputs.sample == 0 || stage > Stage::light);
-    impl_->last.reset();  // until this frame is whole
+    // Until this frame is whole; a further sample that gives way leaves the ones before.
+    if (inputs.sample == 0) impl_->last.reset();
     impl_->timer.start(inputs.profile);
     if (stage <= Stage::medium) impl_->bake(inputs, stats);
     if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {

@@ -4,7 +4,7 @@
 // varies fast (extinction and light). Each step is sampled at one place within it, the same share
 // of the step in all steps of a pixel, which differs from pixel to pixel by a blue-noise pattern.
 // PROFILE counts; FLOOR repeats the rays and samples of a picture with one fetch each and nothing
-// else, to measure against.
+// else, to measure against. docs/performance.md
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "backdrop.glsl"
@@ -15,7 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(location = 0) uniform int firstRow;  // of the band of rows that is drawn
 layout(location = 1) uniform float blend;   // of this picture in the mean: 1 for the first
 layout(rgba32f, binding = 0) uniform image2D io_linear;
-layout(binding = 6) uniform sampler2D t_blueNoise;  // repeats
+layout(binding = 6) uniform sampler2D t_blueNoise;
 #if PROFILE
 layout(r32ui, binding = 1) writeonly uniform uimage2D o_taken;
 layout(std430, binding = 2) buffer Counts {
@@ -32,6 +32,16 @@ const int kRun = 4;
 const float kOpaque = 0.005;  // transmittance below which a ray ends
 const float kLog2E = 1.44269504;
 
+/// A ray in the units in which it is used.
+struct Path {
+    Ray ray;
+    vec3 at, atPerM;        // in the medium's texture
+    vec3 brick, brickPerM;  // in bricks
+    vec3 mPerBrick;         // distance along the ray for one brick of each axis, signed
+    float endM;             // of the part that can meet anything
+    float place;            // within a step, in [0, 1)
+};
+
 struct Eye {
     vec3 radiance;
     float through;
@@ -45,93 +55,108 @@ float placeInStep(ivec2 pixel) {
     return fract(pattern + 0.61803399 * float(u_.sampling.x));
 }
 
-/// Length of step for a level of extinction. As core says it: 2^((level - 240) / 8) per metre.
+Path pathOf(ivec2 pixel, Ray ray, float endM) {
+    Path path;
+    path.ray = ray;
+    path.at = ray.originM / u_.gridExtentM.xyz;
+    path.atPerM = ray.dir / u_.gridExtentM.xyz;
+    path.brick = ray.originM / u_.brickM.xyz;
+    path.brickPerM = divisible(ray.dir) / u_.brickM.xyz;
+    path.mPerBrick = 1.0 / path.brickPerM;
+    path.endM = endM;
+    path.place = placeInStep(pixel);
+    return path;
+}
+
+/// Length of step for a level of extinction.
 float stepM(uint level) {
-    float mostPerM = exp2((float(level) - 240.0) / 8.0);
-    return u_.march.x * clamp(u_.march.y / (mostPerM * u_.march.x), u_.march.z, u_.march.w);
+    float perM = exp2((240.0 - float(level)) / 8.0);  // as brick_map.h has it, its inverse
+    return clamp(u_.march.y * perM, u_.march.z * u_.march.x, u_.march.w * u_.march.x);
 }
 
 /// Leaps from empty brick to empty brick; returns the level of the brick where that ends.
-uint leap(Ray ray, float endM, inout float atM, inout uint skipped) {
-    uvec2 brick = brickAt(ray.originM + atM * ray.dir);
-    while (brick.r > 0u && atM < endM) {
+uint leap(Path path, inout float atM, inout uint skipped) {
+    ivec3 last = textureSize(t_bricks, 0) - 1;
+    vec3 ahead = step(0.0, path.brickPerM);
+    while (true) {
+        vec3 p = path.brick + atM * path.brickPerM;
+        vec3 corner = floor(p);
+        uvec2 brick = texelFetch(t_bricks, clamp(ivec3(corner), ivec3(0), last), 0).rg;
+        if (brick.r == 0u || atM >= path.endM) return brick.g;
+        float reach = float(brick.r);
+        vec3 wall = corner + mix(vec3(1.0 - reach), vec3(reach), ahead);
+        vec3 distanceM = (wall - p) * path.mPerBrick;
         // A thousandth of a brick over the wall, so that rounding cannot hold the ray at it.
-        atM +=
-            emptyDistanceM(ray.originM + atM * ray.dir, ray.dir, int(brick.r)) + 1e-3 * u_.brickM.x;
-        brick = brickAt(ray.originM + atM * ray.dir);
+        atM += min(min(distanceM.x, distanceM.y), distanceM.z) + 1e-3 * u_.brickM.x;
         ++skipped;
     }
-    return brick.g;
 }
 
 #if NOISE
-/// Each kind of noise at a point, from the nearest texel to a place jittered within one texel: on
-/// average this is linear interpolation.
-void noisesAt(vec3 positionM, float random, out float noises[KINDS]) {
-    vec3 jitter = (fract(random * vec3(1.0, 37.0, 91.0)) - 0.5) / NOISE_SIZE;
-    for (int k = 0; k < KINDS; ++k) {
-        vec4 noise = u_.classes[kClassOfKind[k]].noise;
-        vec2 texel = textureLod(t_noise, positionM * noise.y + jitter, 0.0).rg;
-        noises[k] = noise.z < 0.5 ? texel.r : texel.g;
+/// What the extinction is multiplied by at a point: the detail of one class, drawn by `u` with the
+/// classes' shares, from the nearest texel to a place that is jittered within one texel. On average
+/// over u and jitter this is every class's detail, interpolated linearly, by its share.
+float detailAt(vec3 positionM, vec3 jitter, float u, Mixture mixture) {
+    vec4 noise = u_.classes[0].noise;
+    float edge = mixture.share[0];
+    for (int i = 1; i < CLASSES; ++i) {
+        if (u >= edge) noise = u_.classes[i].noise;
+        edge += mixture.share[i];
     }
+    vec2 texel = textureLod(t_noise, positionM * noise.y + jitter, 0.0).rg;
+    return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
 }
 #endif
 
 #if FLOOR
-void runFloor(Ray ray, float atM, float h, float place, inout Eye eye) {
+void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     for (int i = 0; i < kRun; ++i) {
-        vec3 positionM = ray.originM + (atM + (float(i) + place) * h) * ray.dir;
-        vec4 texel = textureLod(t_floor, positionM / u_.gridExtentM.xyz, 0.0);
+        vec3 at = path.at + (atM + (float(i) + path.place) * h) * path.atPerM;
+        vec4 texel = textureLod(t_floor, at, 0.0);
         eye.radiance += texel.rgb * texel.a;
     }
 }
+#else
+/// One run of steps of length `h` from `atM`; steps beyond the end have no length.
+void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
+    vec3 middleM = path.ray.originM + (atM + 0.5 * float(kRun) * h) * path.ray.dir;
+    Mixture mixture = mixtureAt(middleM);
+#if NOISE
+    vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / NOISE_SIZE;
+    float draw = path.place * 19.0;
 #endif
-
-/// One run of steps of length `h` from `atM`; steps beyond `endM` have no length.
-void run(Ray ray, float atM, float endM, float h, float place, vec3 sunlit[CLASSES],
-         inout Eye eye) {
-    Mixture mixture = mixtureAt(ray.originM + (atM + 2.0 * h) * ray.dir);
     float lit = 0.0;
-    float seen = 0.0;
+    float before = eye.through;
     for (int i = 0; i < kRun; ++i) {
         float startM = atM + float(i) * h;
-        vec3 positionM = ray.originM + (startM + place * h) * ray.dir;
-        vec2 medium = textureLod(t_extinction, positionM / u_.gridExtentM.xyz, 0.0).rg;
-        float extinctionPerM = medium.r;
+        float sampleM = startM + path.place * h;
+        vec2 medium = textureLod(t_extinction, path.at + sampleM * path.atPerM, 0.0).rg;
+        float depth = kLog2E * medium.r * clamp(path.endM - startM, 0.0, h);
 #if NOISE
-        float noises[KINDS];
-        noisesAt(positionM, place + 0.7548777 * float(eye.taken + uint(i)), noises);
-        extinctionPerM *= detailOf(mixture, noises);
+        float u = fract(draw + float(i) / float(kRun));  // spread over the run
+        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, u, mixture);
 #endif
-        float segmentM = clamp(endM - startM, 0.0, h);
-        float through = eye.through * exp2(-kLog2E * extinctionPerM * segmentM);
+        float through = eye.through * exp2(-depth);
         lit += (eye.through - through) * exp2(-medium.g);
-        seen += eye.through - through;
         eye.through = through;
     }
-    vec3 sun = vec3(0.0);
-    vec3 sky = vec3(0.0);
+    float seen = (before - eye.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
-        sun += mixture.share[i] * sunlit[i];
-        sky += mixture.share[i] * u_.classes[i].colourAlbedo.rgb;
+        eye.radiance += mixture.share[i] *
+                        (lit * sunlit[i] + seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
     }
-    eye.radiance += lit * sun + seen * mixture.skylight * u_.ambient.rgb * sky;
 }
-
-Eye march(Ray ray, vec2 insideM, float place, uint most) {
-    vec3 sunlit[CLASSES];
-    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, ray.dir);
-    Eye eye = Eye(vec3(0.0), 1.0, 0u, 0u);
-    float atM = insideM.x;
-    while (atM < insideM.y && eye.through > kOpaque && eye.taken < most) {
-        uint level = leap(ray, insideM.y, atM, eye.skipped);
-        if (atM >= insideM.y) break;
-        float h = stepM(level);
-#if FLOOR
-        runFloor(ray, atM, h, place, eye);
-#else
-        run(ray, atM, insideM.y, h, place, sunlit, eye);
 #endif
+
+Eye march(Path path, float atM, uint most) {
+    vec3 sunlit[CLASSES];
+    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, path.ray.dir);
+    Eye eye = Eye(vec3(0.0), 1.0, 0u, 0u);
+    while (atM < path.endM && eye.through > kOpaque && eye.taken < most) {
+        uint level = leap(path, atM, eye.skipped);
+        if (atM >= path.endM) break;
+        float h = stepM(level);
+        run(path, atM, h, sunlit, eye);
         eye.taken += uint(kRun);
         atM += float(kRun) * h;
     }
@@ -145,8 +170,15 @@ void closeRay(inout Eye eye) {
     eye.through = 0.0;
 }
 
+/// The eight invocations that a processor's vector takes together make a block of 4 x 2 pixels.
+ivec2 pixelOf(uint index) {
+    uvec2 block = uvec2(index >> 3u & 1u, index >> 4u);
+    return ivec2(4u * block.x + (index & 3u), 2u * block.y + (index >> 2u & 1u));
+}
+
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
+    ivec2 pixel = 8 * ivec2(gl_WorkGroupID.xy) + pixelOf(gl_LocalInvocationIndex);
+    pixel.y += firstRow;
     if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
     Ray ray = rayThrough(pixel);
     vec2 insideM = insideBoxM(ray);
@@ -154,7 +186,7 @@ void main() {
 #if FLOOR
     most = imageLoad(i_taken, pixel).r;
 #endif
-    Eye eye = march(ray, insideM, placeInStep(pixel), most);
+    Eye eye = march(pathOf(pixel, ray, insideM.y), insideM.x, most);
     closeRay(eye);
     vec4 seen = vec4(eye.radiance + eye.through * backdrop(ray, u_.slices.x), 1.0 - eye.through);
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);

@@ -12,9 +12,6 @@ layout(binding = 5) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
 #endif
 #if NOISE
 layout(binding = 3) uniform sampler3D t_noise;  // r: billow, g: wisp
-// Classes with noise of one scale and character share a kind.
-const int kKindOfClass[CLASSES] = KIND_OF_CLASS;
-const int kClassOfKind[KINDS] = CLASS_OF_KIND;
 #endif
 
 struct Mixture {
@@ -39,17 +36,6 @@ Mixture mixtureAt(vec3 positionM) {
     for (int i = 0; i < CLASSES; ++i) mixture.share[i] = stored[i] / sum;
     return mixture;
 }
-
-#if NOISE
-/// What the extinction is multiplied by, given the noises of each kind at the point.
-float detailOf(Mixture mixture, float noises[KINDS]) {
-    float factor = 0.0;
-    for (int i = 0; i < CLASSES; ++i) {
-        factor += mixture.share[i] * detailFactor(noises[kKindOfClass[i]], u_.classes[i].noise.x);
-    }
-    return factor;
-}
-#endif
 
 struct MediumSample {
     float extinctionPerM[CLASSES];

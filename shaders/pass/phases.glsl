@@ -3,15 +3,13 @@
 #include "../lib/phase_table.glsl"
 #include "frame.glsl"
 
-layout(std430, binding = 0) readonly buffer PhaseTables {
-    vec4 phaseTables[];
-};
+layout(binding = 8) uniform sampler2D t_phases;  // one row a class
 
 vec3 displayPhase(int index, float cosTheta) {
     float at = phaseTableIndex(cosTheta, PHASE_TABLE_SIZE);
     int entry = min(int(at), PHASE_TABLE_SIZE - 2);
-    int base = index * PHASE_TABLE_SIZE + entry;
-    return mix(phaseTables[base].rgb, phaseTables[base + 1].rgb, at - float(entry));
+    return mix(texelFetch(t_phases, ivec2(entry, index), 0).rgb,
+               texelFetch(t_phases, ivec2(entry + 1, index), 0).rgb, at - float(entry));
 }
 
 /// Radiance that a class scatters along the ray for a unit of light, per unit of optical depth.

@@ -17,6 +17,7 @@
 namespace neph::render {
 namespace {
 
+constexpr GLuint kNoiseUnit = 3;
 constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
 // Light texels are this much coarser than voxels, so that the light takes a byte a voxel at most.
 constexpr double kLightTexelVoxels = 1.5;
@@ -33,44 +34,12 @@ SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
                                  : medium.bricks.occupied;
 }
 
-/// Classes that have noise of one scale and character read it once.
-struct Kinds {
-    std::vector<int> ofClass, classOf;
-};
-
-Kinds kindsOf(const MediumPlan& plan) {
-    Kinds kinds;
-    for (std::size_t c = 0; c < plan.classes.size(); ++c) {
-        const MediumClass& mine = plan.classes[c];
-        const auto same = [&](int other) {
-            const MediumClass& theirs = plan.classes[static_cast<std::size_t>(other)];
-            return theirs.noiseScaleM == mine.noiseScaleM &&
-                   theirs.noiseCharacter == mine.noiseCharacter;
-        };
-        auto found = std::find_if(kinds.classOf.begin(), kinds.classOf.end(), same);
-        if (mine.noiseAmount == 0.0f)
-            found = kinds.classOf.begin();  // whichever: it does not count
-        if (found == kinds.classOf.end()) {
-            kinds.classOf.push_back(static_cast<int>(c));
-            found = kinds.classOf.end() - 1;
-        }
-        kinds.ofClass.push_back(static_cast<int>(found - kinds.classOf.begin()));
-    }
-    return kinds;
-}
-
 std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     std::vector<std::string> names = lightDefines(look, medium.plan, true);
     names.push_back("PACKED 1");
     names.push_back("LIGHT_FORMAT r16");
     names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
-    if (isNoisy(medium.plan)) {
-        const Kinds kinds = kindsOf(medium.plan);
-        names.push_back(fmt::format("KINDS {}", kinds.classOf.size()));
-        names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.ofClass, ", ")));
-        names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.classOf, ", ")));
-        names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
-    }
+    names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
     return names;
 }
 
@@ -107,7 +76,7 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
     medium.extinction.bind(0);
     medium.first.bind(1);
     medium.bricks.map.bind(2);
-    if (noise) noise->bind(3);
+    if (noise) noise->bind(kNoiseUnit);
     light_.bind(4);
     if (medium.second) medium.second.bind(5);
 }
@@ -136,9 +105,13 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
 
 void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
                         const gl::Texture& linear, const Progress& progress) {
-    if (!blueNoise_) blueNoise_ = uploadBlueNoise();
+    if (!blueNoise_) {
+        blueNoise_ = uploadBlueNoise();
+        nearest_ = gl::Sampler::nearestRepeat();
+    }
+    nearest_.bind(kNoiseUnit);
     blueNoise_.bind(6);
-    phases_.bind(0);
+    phases_.bind();
     linear.bindImage(0, GL_READ_WRITE);
     program.setFloat(1, 1.0f / static_cast<float>(inputs.sample + 1));
     for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
@@ -147,6 +120,7 @@ void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
         program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    gl::Sampler::unbind(kNoiseUnit);
 }
 
 void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,

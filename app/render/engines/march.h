@@ -5,7 +5,7 @@
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
 #include "app/render/engines/light_layers.h"
-#include "app/render/engines/phase_buffer.h"
+#include "app/render/engines/phase_texture.h"
 #include "app/render/engines/slice_plan.h"
 #include "app/render/frame_inputs.h"
 #include "app/render/packed_medium.h"
@@ -49,11 +49,12 @@ class MarchEngine {
     SlicePlan plan_;
     int steps_ = 0;
     LightLayers light_;
-    PhaseBuffer phases_;
+    PhaseTexture phases_;
     gl::Buffer block_, counts_;
     gl::Texture blueNoise_;
-    gl::Texture floor_;  ///< RGBA16; only to measure
-    gl::Texture taken_;  ///< R32UI: samples of each pixel; only when profiled
+    gl::Sampler nearest_;  ///< of the detail noise
+    gl::Texture floor_;    ///< RGBA16; only to measure
+    gl::Texture taken_;    ///< R32UI: samples of each pixel; only when profiled
 };
 
 }  // namespace neph::render

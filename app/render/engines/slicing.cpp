@@ -46,7 +46,7 @@ void SlicingEngine::resize(const FrameInputs& inputs) {
 
 void SlicingEngine::marchEye(const FrameInputs& inputs, const gl::Program& program,
                              const Progress& progress) {
-    phases_.bind(0);
+    phases_.bind();
     eye_.bindImage(0, GL_READ_WRITE);
     for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
         if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};

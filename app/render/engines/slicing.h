@@ -8,7 +8,7 @@
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
 #include "app/render/engines/light_layers.h"
-#include "app/render/engines/phase_buffer.h"
+#include "app/render/engines/phase_texture.h"
 #include "app/render/engines/slice_plan.h"
 #include "app/render/frame_inputs.h"
 #include "app/render/medium_bake.h"
@@ -37,7 +37,7 @@ class SlicingEngine {
     LightLayers light_;
     gl::Texture eye_;
     gl::Buffer block_;
-    PhaseBuffer phases_;
+    PhaseTexture phases_;
 };
 
 }  // namespace neph::render
