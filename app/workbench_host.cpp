@@ -27,12 +27,13 @@ constexpr std::array<std::pair<char, ui::Key>, 11> kLetters{{{'c', ui::Key::c},
                                                              {'s', ui::Key::s},
                                                              {'y', ui::Key::y},
                                                              {'z', ui::Key::z}}};
-constexpr std::array<std::pair<int, ui::Key>, 8> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
+constexpr std::array<std::pair<int, ui::Key>, 9> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
                                                           {GLFW_KEY_RIGHT, ui::Key::right},
                                                           {GLFW_KEY_HOME, ui::Key::home},
                                                           {GLFW_KEY_END, ui::Key::end},
                                                           {GLFW_KEY_ESCAPE, ui::Key::escape},
                                                           {GLFW_KEY_TAB, ui::Key::tab},
+                                                          {GLFW_KEY_F3, ui::Key::f3},
                                                           {GLFW_KEY_F5, ui::Key::f5},
                                                           {GLFW_KEY_F11, ui::Key::f11}}};
 

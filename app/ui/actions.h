@@ -28,6 +28,7 @@ enum class Key : int {
     end,
     escape,
     tab,
+    f3,
     f5,
     f11
 };

@@ -53,6 +53,7 @@ void draw(Ui& ui) {
         drawTimeBar(ui);
         drawStatus(ui);
     }
+    if (ui.showProfile) drawProfile(ui);
     drawNotices(ui);
     drawPathPopup(ui);
     if (ui.showHelp) drawHelp(ui);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/profile.h"
 #include "core/preset.h"
 #include "core/session.h"
 
@@ -29,6 +30,7 @@ struct Requests {
     bool quit = false;
     bool toggleFullScreen = false;
     bool reloadShaders = false;
+    bool redraw = false;                ///< the picture, though nothing has changed
     std::optional<std::string> memory;  ///< a setting to use and to remember
 };
 
@@ -38,10 +40,12 @@ struct Ui {
     Session& session;
     std::uintptr_t picture = 0;  ///< texture, row 0 at the bottom; 0 for none
     FrameReport report;
+    Profile profile;  ///< kept up to date while it is shown
     Requests requests;
     bool showPanels = true;
     bool showHelp = false;
     bool showMessages = false;
+    bool showProfile = false;
     bool askForPath = false;            ///< opens the popup in the next frame
     bool askForPresetName = false;      ///< moves the keyboard to the preset's name
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed

@@ -10,44 +10,14 @@
 #include "app/ui/actions.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
-#include "app/ui/theme.h"
 #include "app/ui/ui.h"
 #include "core/memory_setting.h"
 #include "tests/core/fake_series.h"
+#include "tests/ui/headless.h"
 
 using namespace neph;
 
 namespace {
-
-/// ImGui without a window: frames are laid out and thrown away.
-class Headless {
-  public:
-    Headless() {
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {1280.0f, 720.0f};
-        io.DeltaTime = 0.1f;
-        io.MousePos = {640.0f, 300.0f};
-        ui::applyTheme(1.0f);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    }
-    ~Headless() { ImGui::DestroyContext(); }
-    Headless(const Headless&) = delete;
-    Headless& operator=(const Headless&) = delete;
-
-    void frame(auto&& content) {
-        ImGui::NewFrame();
-        content();
-        ImGui::Render();
-    }
-};
-
-PluginHost noReaders() {
-    return PluginHost(std::span<const std::filesystem::path>{});
-}
 
 /// A window of 300 pixels at the origin with one parameter in it.
 bool drawParameter(Headless& gui, const Parameter& row, Look& look) {

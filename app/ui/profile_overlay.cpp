@@ -1,0 +1,83 @@
+// profile_overlay.cpp: what the picture cost, over its corner: text, and a thin bar under each
+// pass.
+//
+// Digits of the font are of one width, so numbers that end at the same place stand still.
+#include <imgui.h>
+
+#include "app/ui/panels.h"
+
+namespace neph::ui {
+namespace {
+
+// In letters: width, margin to the picture's edge, and where values end.
+constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.4f;
+constexpr float kOpacity = 0.72f;  // legible on a bright cloud, and the cloud still shows
+
+void textUpTo(float end, const std::string& text, bool dim) {
+    ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
+    dim ? ImGui::TextDisabled("%s", text.c_str()) : ImGui::TextUnformatted(text.c_str());
+}
+
+void drawBar(double share) {
+    const float height = 0.14f * ImGui::GetFontSize();
+    const float full = ImGui::GetContentRegionAvail().x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.AddRectFilled(at, {at.x + full, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    canvas.AddRectFilled(at, {at.x + static_cast<float>(share) * full, at.y + height},
+                         ImGui::GetColorU32(ImGuiCol_PlotHistogram));
+    ImGui::Dummy({full, height});
+}
+
+void drawRow(const ProfileRow& row) {
+    const float em = ImGui::GetFontSize();
+    ImGui::TextDisabled("%s", row.label.c_str());
+    textUpTo(kValueEndEms * em, row.value, row.old);
+    textUpTo(kWidthEms * em - ImGui::GetStyle().WindowPadding.x, row.note, true);
+}
+
+void drawRows(const std::vector<ProfileRow>& rows) {
+    for (const ProfileRow& row : rows) drawRow(row);
+}
+
+void drawContent(const Profile& profile) {
+    ImGui::TextUnformatted(profile.engine.c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", profile.device.c_str());
+    drawRows(profile.picture);
+    ImGui::Separator();
+    for (const ProfileRow& row : profile.passes) {
+        drawRow(row);
+        drawBar(row.share);
+    }
+    ImGui::Separator();
+    drawRows(profile.samples);
+    if (!profile.memory.empty()) drawRow(profile.memory.front());
+    ImGui::TextDisabled("Last change redid");
+    ImGui::TextUnformatted(profile.redone.c_str());
+}
+
+}  // namespace
+
+void drawProfile(const Ui& ui) {
+    const float em = ImGui::GetFontSize();
+    const float edge = ImGui::GetIO().DisplaySize.x - (ui.showPanels ? columnWidth() : 0.0f);
+    ImGui::SetNextWindowPos({edge - (kWidthEms + kMarginEms) * em, kMarginEms * em});
+    ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
+    ImGui::SetNextWindowBgAlpha(kOpacity);
+    // Without inputs: the hand reaches the picture through it.
+    if (ImGui::Begin("##profile", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+        if (ui.profile.picture.empty()) {
+            ImGui::TextDisabled("No picture yet");
+        } else {
+            drawContent(ui.profile);
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace neph::ui
