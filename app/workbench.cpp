@@ -42,11 +42,17 @@ class Workbench {
   private:
     void takeInput();
     void takeData();
+    render::FrameInputs inputsOf(const ui::Draft& draft) const;
     void drawPicture();
+    void drawPanels();
     void carryOut();
     void setMemory(const std::string& memory);
     void noteChanges();
     double waitS() const;
+    /// Whether further samples make the picture better, now.
+    bool averages() const {
+        return !interacting_ && session_.document.look.engine == Engine::march;
+    }
     double restS() const { return std::chrono::duration<double>(Clock::now() - changed_).count(); }
     glm::ivec2 windowPx() const {
         return {std::max(1, window_.framebufferWidth()), std::max(1, window_.framebufferHeight())};
@@ -118,39 +124,45 @@ void Workbench::noteChanges() {
     if (moved) drawn_.reset();
 }
 
-void Workbench::drawPicture() {
-    if (!session_.shown()) return;
-    const int planes = session_.document.look.planes;
-    // A button held still is still motion: the next move must find the machine ready.
-    const double rest = interacting_ ? 0.0 : restS();
-    const ui::Draft draft = quality_.draft(rest, windowPx(), planes);
-    const bool better = drawn_ && draft.step > drawn_->step;
-    if (drawn_ && !better) return;
-    if (drawn_ && draft.sizePx == drawn_->sizePx && draft.planes == drawn_->planes) {
-        drawn_ = draft;
-        return;
-    }
+render::FrameInputs Workbench::inputsOf(const ui::Draft& draft) const {
     render::FrameInputs inputs;
     inputs.look = session_.document.look;
     inputs.sizePx = draft.sizePx;
-    inputs.planes = draft.planes;
+    inputs.sample = draft.sample;
+    if (inputs.look.engine == Engine::slicing) {
+        inputs.planes = ui::planesOf(draft, inputs.look.planes);
+    } else {
+        inputs.look.quality *= static_cast<float>(draft.detail);
+    }
     inputs.camera = placeCamera(session_.document.camera, session_.shown()->grid,
                                 static_cast<double>(windowPx().x) / windowPx().y);
+    return inputs;
+}
+
+void Workbench::drawPicture() {
+    if (!session_.shown()) return;
+    const Engine engine = session_.document.look.engine;
+    // A button held still is still motion: the next move must find the machine ready.
+    const double rest = interacting_ ? 0.0 : restS();
+    const std::optional<ui::Draft> next =
+        ui::nextDraft(drawn_, quality_.draft(rest, windowPx()), averages());
+    if (!next) return;
     render::FrameStats stats;
     try {
         // A frame in motion is short and always comes through; a refinement gives way to the hand.
-        stats = renderer_.render(inputs,
-                                 [&](double) { return draft.step == 0 || !host_.inputWaits(); });
+        stats = renderer_.render(inputsOf(*next),
+                                 [&](double) { return next->step == 0 || !host_.inputWaits(); });
     } catch (const Cancelled&) {
         return;
     }
-    if (stats.marchedEye) {
-        quality_.measured(draft, stats.milliseconds, windowPx(), planes, !stats.bakedMedium);
-    }
-    ui_.report = {stats.milliseconds, stats.planes, draft.sizePx, draft.step == ui::kFullStep,
+    // What the camera does not change is no measure of how finely to draw while it moves.
+    const bool prepared = stats.bakedMedium || (engine == Engine::march && stats.marchedLight);
+    if (stats.marchedEye && !prepared) quality_.measured(*next, stats.milliseconds, windowPx());
+    ui_.report = {stats.milliseconds, engine,       stats.planes,
+                  next->sample + 1,   next->sizePx, next->step == ui::kFullStep,
                   ui_.report.device};
     ui_.picture = renderer_.displayTexture();
-    drawn_ = draft;
+    drawn_ = next;
     for (std::string& message : renderer_.takeMessages()) {
         session_.say(Message::Kind::warning, std::move(message));
     }
@@ -181,10 +193,24 @@ void Workbench::setMemory(const std::string& memory) {
 }
 
 double Workbench::waitS() const {
-    if (!drawn_ && session_.shown()) return 0.0;
-    const bool refining = session_.shown() && (!drawn_ || drawn_->step < ui::kFullStep);
+    if (session_.shown()) {
+        const bool full = drawn_ && drawn_->step == ui::kFullStep;
+        if (!drawn_ || (full && averages() && drawn_->sample + 1 < ui::kSamples)) return 0.0;
+        if (!full) return kBusyWaitS;
+    }
     const bool uncommitted = restS() < 2.0 * kCommitS;
-    return session_.loading() || refining || uncommitted ? kBusyWaitS : kIdleWaitS;
+    return session_.loading() || uncommitted ? kBusyWaitS : kIdleWaitS;
+}
+
+void Workbench::drawPanels() {
+    const auto start = Clock::now();
+    host_.beginFrame();
+    ui::draw(ui_);
+    ui::showPicture(ui_);
+    interacting_ = host_.interacting();
+    host_.endFrame();
+    quality_.measuredPanels(
+        std::chrono::duration<double, std::milli>(Clock::now() - start).count());
 }
 
 void Workbench::run() {
@@ -193,11 +219,7 @@ void Workbench::run() {
         takeInput();
         takeData();
         drawPicture();
-        host_.beginFrame();
-        ui::draw(ui_);
-        ui::showPicture(ui_);
-        interacting_ = host_.interacting();
-        host_.endFrame();
+        drawPanels();
         noteChanges();
         carryOut();
     }

@@ -1,4 +1,4 @@
-// quality.cpp: a share of the full work, spread evenly over width, height and planes.
+// quality.cpp: a share of the full work, spread evenly over width, height and steps.
 #include "app/ui/quality.h"
 
 #include <algorithm>
@@ -11,50 +11,69 @@ constexpr double kMinShare = 0.004;  // a sixth in each direction; coarser shows
 constexpr double kRung = 1.25;       // from one size to the next
 constexpr int kMinPlanes = 24;
 constexpr int kMinSidePx = 15;
+constexpr double kMargin = 0.9;     // of the time there is: frames of one size differ a little
+constexpr double kMinAimMs = 10.0;  // for the picture, where the panels alone take all there is
+constexpr double kSmoothing = 0.2;  // weight of the last frame's panels
 
-/// Sizes come in rungs, and sides are odd: software drivers compile shaders anew for textures whose
-/// sides are powers of two, and textures of a size seen before come cheap.
-Draft share(double work, glm::ivec2 windowPx, int planes, int step) {
-    if (work >= 0.9) return {windowPx, planes, kFullStep};
-    const double rung = std::ceil(-std::log(std::cbrt(work)) / std::log(kRung) - 1e-9);
-    const double side = std::pow(kRung, -rung);
-    const auto scaled = [side](int whole, int least) {
-        return std::min(whole, std::max(least, static_cast<int>(std::lround(whole * side)) | 1));
-    };
-    return {{scaled(windowPx.x, kMinSidePx), scaled(windowPx.y, kMinSidePx)},
-            scaled(planes, kMinPlanes),
-            step};
+int scaled(int whole, double share, int least) {
+    return std::min(whole, std::max(least, static_cast<int>(std::lround(whole * share)) | 1));
 }
 
-double workOf(const Draft& draft, glm::ivec2 windowPx, int planes) {
-    return static_cast<double>(draft.sizePx.x) * draft.sizePx.y * draft.planes /
-           (static_cast<double>(windowPx.x) * windowPx.y * planes);
+/// Sizes come in rungs: textures of a size seen before come cheap.
+Draft share(double work, glm::ivec2 windowPx, int step) {
+    if (work >= 0.9) return {windowPx, 1.0, kFullStep};
+    const double rung = std::ceil(-std::log(std::cbrt(work)) / std::log(kRung) - 1e-9);
+    const double side = std::pow(kRung, -rung);
+    return {
+        {scaled(windowPx.x, side, kMinSidePx), scaled(windowPx.y, side, kMinSidePx)}, side, step};
+}
+
+double workOf(const Draft& draft, glm::ivec2 windowPx) {
+    return draft.detail * draft.sizePx.x * draft.sizePx.y /
+           (static_cast<double>(windowPx.x) * windowPx.y);
 }
 
 }  // namespace
 
-Draft QualityControl::draft(double restS, glm::ivec2 windowPx, int planes) const {
+Draft QualityControl::draft(double restS, glm::ivec2 windowPx) const {
+    const Draft full{windowPx, 1.0, kFullStep};
     double work = motionShare_;
     int step = 0;
     for (const Refinement& refinement : kRefinements) {
         if (restS < refinement.restS) break;
-        if (fullMs_ <= refinement.milliseconds) return {windowPx, planes, kFullStep};
-        work = std::max(work, refinement.milliseconds / fullMs_);
+        if (fullMs_ <= refinement.fullMs) return full;
+        work = std::max(work, refinement.draftMs / fullMs_);
         ++step;
     }
-    if (restS >= kFullS) return {windowPx, planes, kFullStep};
-    return share(work, windowPx, planes, step);
+    return restS >= kFullS ? full : share(work, windowPx, step);
 }
 
-void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx,
-                              int planes, bool drawnAlone) {
+void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx) {
     if (milliseconds <= 0.0) return;
-    const double work = workOf(draft, windowPx, planes);
-    if (drawnAlone) fullMs_ = milliseconds / work;
-    // Part of a frame's cost does not shrink with the picture, so approach the aim step by step.
-    const double ideal = work * kMotionAimMs / milliseconds;
+    const double work = workOf(draft, windowPx);
+    fullMs_ = milliseconds / work;
+    // Part of a picture's cost does not shrink with it, so approach the aim step by step.
+    const double aimMs = std::max(kMinAimMs, kMargin * (kFrameMs - panelsMs_));
+    const double ideal = work * aimMs / milliseconds;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);
     motionShare_ = std::clamp(motionShare_, kMinShare, 1.0);
+}
+
+void QualityControl::measuredPanels(double milliseconds) {
+    panelsMs_ += kSmoothing * (milliseconds - panelsMs_);
+}
+
+std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& wanted,
+                               bool averages) {
+    if (!shown || wanted.step > shown->step) return wanted;
+    if (!averages || shown->step < kFullStep || shown->sample + 1 >= kSamples) return {};
+    Draft further = *shown;
+    ++further.sample;
+    return further;
+}
+
+int planesOf(const Draft& draft, int planes) {
+    return draft.detail < 1.0 ? scaled(planes, draft.detail, kMinPlanes) : planes;
 }
 
 }  // namespace neph::ui

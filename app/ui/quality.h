@@ -1,44 +1,62 @@
 // quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
 //
-// In motion a frame is to take at most kMotionMs. At rest the picture is refined in steps, so that
-// a slow machine shows a better one soon. Work is the share of pixels x planes of the full picture.
+// In motion a frame is to take at most kFrameMs, panels and window included. At rest the picture is
+// refined, in steps where the machine is slow, so that it shows a better one soon; the march then
+// averages kSamples pictures. Work is the share of pixels x steps of the full picture.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace neph::ui {
 
 struct Refinement {
-    double restS;         ///< at rest for so long
-    double milliseconds;  ///< a picture that is expected to take so long
+    double restS;    ///< at rest for so long
+    double draftMs;  ///< a picture that is expected to take so long,
+    double fullMs;   ///< or the full one, when that takes no longer than this
 };
-inline constexpr std::array kRefinements{Refinement{0.2, 400.0}, Refinement{0.7, 1500.0}};
+/// A picture that takes up to 0.8 s is there in full a second after the hand rests.
+inline constexpr std::array kRefinements{Refinement{0.1, 300.0, 800.0},
+                                         Refinement{0.6, 1500.0, 1500.0}};
 inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
-inline constexpr double kFullS = 2.0;         // at rest for so long: in full, whatever it takes
-inline constexpr double kMotionMs = 100.0;    // a frame that still follows the hand
-inline constexpr double kMotionAimMs = 70.0;  // aimed at: panels and window take the rest
+inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
+inline constexpr double kFrameMs = 1000.0 / 30.0;  // of a whole frame in motion
+inline constexpr int kSamples = 16;                // averaged at rest; more show no difference
 
 /// One picture to draw.
 struct Draft {
     glm::ivec2 sizePx{0};
-    int planes = 0;
-    int step = 0;  ///< 0 in motion, then as kRefinements, kFullStep in full
+    double detail = 1.0;  ///< share of the look's planes, or of its steps
+    int step = 0;         ///< 0 in motion, then as kRefinements, kFullStep in full
+    int sample = 0;       ///< as FrameInputs::sample
     bool operator==(const Draft&) const = default;
 };
 
 class QualityControl {
   public:
     /// What to draw when nothing has changed for `restS` seconds.
-    Draft draft(double restS, glm::ivec2 windowPx, int planes) const;
+    Draft draft(double restS, glm::ivec2 windowPx) const;
 
-    /// Tells how long a draft took, of a full picture of `windowPx` and `planes`. `drawnAlone`: the
-    /// time holds no preparation, which a refinement would not repeat.
-    void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx, int planes,
-                  bool drawnAlone = true);
+    /// Tells how long a draft of a full picture of `windowPx` took; without preparation, which a
+    /// coarser picture needs as well and a refinement does not repeat.
+    void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx);
+
+    /// Tells how long panels and window took in a frame.
+    void measuredPanels(double milliseconds);
 
   private:
-    double motionShare_ = 0.05;  // of the full work; a guess for a slow machine
+    double motionShare_ = 0.02;  // of the full work; a guess for a slow machine
     double fullMs_ = 2000.0;     // of a full picture, from the last measurement; likewise
+    double panelsMs_ = 10.0;     // of panels and window; likewise
 };
+
+/// What to draw, if anything, while nothing changes: `wanted` where it is finer than what is shown;
+/// then, where the engine `averages`, further samples of the full picture.
+std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& wanted,
+                               bool averages);
+
+/// Slices of a draft, of `planes` in full. Odd, as sizes are: software drivers compile shaders anew
+/// for textures whose sides are powers of two.
+int planesOf(const Draft& draft, int planes);
 
 }  // namespace neph::ui

@@ -7,11 +7,18 @@
 namespace neph::ui {
 namespace {
 
+/// "march, 512 steps, 16 samples", "slicing, 320 planes".
+std::string workText(const FrameReport& report) {
+    if (report.engine == Engine::slicing) return fmt::format("slicing, {} planes", report.planes);
+    return fmt::format("march, {} steps, {} sample{}", report.planes, report.samples,
+                       report.samples == 1 ? "" : "s");
+}
+
 std::string frameText(const FrameReport& report) {
     if (report.sizePx.x == 0) return {};
-    return fmt::format("{:.0f} ms   {} x {} px   {} planes{}   {}", report.milliseconds,
-                       report.sizePx.x, report.sizePx.y, report.planes,
-                       report.full ? "" : "   (draft)", report.device);
+    return fmt::format("{:.0f} ms   {} x {} px   {}{}   {}", report.milliseconds, report.sizePx.x,
+                       report.sizePx.y, workText(report), report.full ? "" : "   (draft)",
+                       report.device);
 }
 
 std::string firstLine(const std::string& text) {

@@ -8,50 +8,63 @@ using namespace neph;
 namespace {
 
 constexpr glm::ivec2 kWindowPx{1280, 720};
-constexpr int kPlanes = 256;
 
-/// A machine whose frames cost a part that shrinks with the work and one that does not.
+/// A machine whose pictures cost a part that shrinks with the work and one that does not, and whose
+/// panels cost something too.
 struct Machine {
-    double fullMs, fixedMs;
-    double frameMs(const ui::Draft& draft) const {
-        return fixedMs +
-               fullMs * draft.sizePx.x * draft.sizePx.y * draft.planes / (1280.0 * 720.0 * kPlanes);
+    double fullMs, fixedMs, panelsMs = 8.0;
+    double pictureMs(const ui::Draft& draft) const {
+        return fixedMs + fullMs * draft.detail * draft.sizePx.x * draft.sizePx.y / (1280.0 * 720.0);
     }
 };
 
-/// The frame that a long drag ends up with.
+/// The picture that a long drag ends up with.
 ui::Draft drag(ui::QualityControl& quality, const Machine& machine) {
     for (int i = 0; i < 30; ++i) {
-        const ui::Draft draft = quality.draft(0.0, kWindowPx, kPlanes);
-        quality.measured(draft, machine.frameMs(draft), kWindowPx, kPlanes);
+        const ui::Draft draft = quality.draft(0.0, kWindowPx);
+        quality.measured(draft, machine.pictureMs(draft), kWindowPx);
+        quality.measuredPanels(machine.panelsMs);
     }
-    return quality.draft(0.0, kWindowPx, kPlanes);
+    return quality.draft(0.0, kWindowPx);
 }
 
 }  // namespace
 
-TEST_CASE("In motion a frame comes to follow the hand, on slow machines and fast") {
-    for (const Machine machine : {Machine{50.0, 1.0}, Machine{500.0, 5.0}, Machine{5000.0, 20.0}}) {
+TEST_CASE("In motion there come to be 30 frames a second, panels and window included") {
+    for (const Machine machine : {Machine{20.0, 1.0, 2.0}, Machine{500.0, 2.0, 5.0},
+                                  Machine{700.0, 5.0, 15.0}, Machine{2000.0, 8.0, 8.0}}) {
         CAPTURE(machine.fullMs);
         ui::QualityControl quality;
-        CHECK(machine.frameMs(drag(quality, machine)) <= ui::kMotionMs);
+        CHECK(machine.pictureMs(drag(quality, machine)) + machine.panelsMs <= 1000.0 / 30.0);
     }
+}
+
+TEST_CASE("The time that panels leave is used: cheaper panels, a finer picture") {
+    ui::QualityControl slow, quick;
+    const ui::Draft beside = drag(slow, {700.0, 2.0, 22.0});
+    const ui::Draft alone = drag(quick, {700.0, 2.0, 1.0});
+    CHECK(alone.sizePx.x > beside.sizePx.x);
+    CHECK(alone.detail > beside.detail);
 }
 
 TEST_CASE("A fast machine draws in full all the time") {
     ui::QualityControl quality;
-    const ui::Draft draft = drag(quality, {20.0, 1.0});
-    CHECK(draft.sizePx == kWindowPx);
-    CHECK(draft.planes == kPlanes);
-    CHECK(draft.step == ui::kFullStep);
+    CHECK(drag(quality, {15.0, 1.0}) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
 }
 
-TEST_CASE("At rest the picture gets finer and ends in full") {
+TEST_CASE("A machine that draws the full picture within 0.8 s shows it within one second") {
     ui::QualityControl quality;
-    drag(quality, {6000.0, 10.0});
+    drag(quality, {700.0, 1.0});
+    CHECK(quality.draft(0.0, kWindowPx).step == 0);
+    CHECK(quality.draft(0.1, kWindowPx) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
+}
+
+TEST_CASE("On a slow machine the picture gets finer at rest and ends in full") {
+    ui::QualityControl quality;
+    drag(quality, {6000.0, 2.0});
     int step = -1, pixels = 0;
     for (const double rest : {0.0, 0.3, 1.1, 8.1}) {
-        const ui::Draft draft = quality.draft(rest, kWindowPx, kPlanes);
+        const ui::Draft draft = quality.draft(rest, kWindowPx);
         CHECK(draft.step > step);
         CHECK(draft.sizePx.x >= pixels);
         step = draft.step;
@@ -65,29 +78,46 @@ TEST_CASE("A picture that takes long is not begun after a short rest") {
     ui::QualityControl quality;
     const Machine machine{6000.0, 10.0};
     drag(quality, machine);
-    CHECK(machine.frameMs(quality.draft(0.3, kWindowPx, kPlanes)) < 600.0);
-    CHECK(machine.frameMs(quality.draft(1.1, kWindowPx, kPlanes)) < 2000.0);
+    CHECK(machine.pictureMs(quality.draft(0.3, kWindowPx)) < 500.0);
+    CHECK(machine.pictureMs(quality.draft(1.1, kWindowPx)) < 2000.0);
 }
 
 TEST_CASE("Drafts stay within the window and the planes, whatever their size") {
     ui::QualityControl quality;
     drag(quality, {1e6, 1e4});
     for (const glm::ivec2 window : {glm::ivec2(1, 1), glm::ivec2(20, 4000), kWindowPx}) {
-        const ui::Draft draft = quality.draft(0.0, window, 16);
+        const ui::Draft draft = quality.draft(0.0, window);
         CHECK(draft.sizePx.x >= 1);
         CHECK(draft.sizePx.y >= 1);
         CHECK(draft.sizePx.x <= window.x);
         CHECK(draft.sizePx.y <= window.y);
-        CHECK(draft.planes == 16);
+        CHECK(ui::planesOf(draft, 16) == 16);
+        CHECK(ui::planesOf(draft, 512) >= 24);
+        CHECK(ui::planesOf(draft, 512) < 200);
     }
+    CHECK(ui::planesOf({kWindowPx, 1.0, ui::kFullStep}, 512) == 512);
 }
 
-TEST_CASE("Preparation that is not repeated does not count against the refinement") {
-    ui::QualityControl quality;
-    const Machine machine{1000.0, 5.0};
-    drag(quality, machine);
-    const ui::Draft before = quality.draft(0.7, kWindowPx, kPlanes);
-    const ui::Draft moving = quality.draft(0.0, kWindowPx, kPlanes);
-    quality.measured(moving, 2000.0, kWindowPx, kPlanes, false);
-    CHECK(quality.draft(0.7, kWindowPx, kPlanes) == before);
+TEST_CASE("A full picture at rest is averaged with others until there are sixteen") {
+    const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
+    std::optional<ui::Draft> shown;
+    int pictures = 0;
+    while (const auto next = ui::nextDraft(shown, full, true)) {
+        CHECK(next->sample == pictures);
+        CHECK(next->sizePx == kWindowPx);
+        shown = next;
+        REQUIRE(++pictures <= 16);
+    }
+    CHECK(pictures == 16);
+}
+
+TEST_CASE("Nothing replaces a picture at rest but a finer one") {
+    const ui::Draft moving{{320, 180}, 0.25, 0}, finer{{640, 360}, 0.5, 1};
+    const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
+    CHECK(ui::nextDraft({}, moving, true) == moving);
+    CHECK_FALSE(ui::nextDraft(moving, moving, true));
+    CHECK(ui::nextDraft(moving, finer, true) == finer);
+    CHECK_FALSE(ui::nextDraft(finer, moving, true));
+    CHECK_FALSE(ui::nextDraft(full, moving, false));
+    CHECK(ui::nextDraft(full, moving, true)->sizePx == kWindowPx);
 }
