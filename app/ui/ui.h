@@ -20,9 +20,11 @@ namespace neph::ui {
 /// The picture on screen, for the status line.
 struct FrameReport {
     double milliseconds = 0.0;
-    int planes = 0;
+    Engine engine = Engine::march;
+    int planes = 0;   ///< slices, or steps of the march along the diagonal
+    int samples = 0;  ///< pictures that were averaged
     glm::ivec2 sizePx{0};
-    bool full = false;  ///< at the resolution of the window and with all planes
+    bool full = false;  ///< at the resolution of the window and with all planes or steps
     std::string device;
 };
 
