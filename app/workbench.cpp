@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/profile_text.h"
 #include "app/gl/context.h"
 #include "app/render/renderer.h"
 #include "app/ui/actions.h"
@@ -129,6 +130,7 @@ render::FrameInputs Workbench::inputsOf(const ui::Draft& draft) const {
     inputs.look = session_.document.look;
     inputs.sizePx = draft.sizePx;
     inputs.sample = draft.sample;
+    inputs.profile = ui_.showProfile;
     if (inputs.look.engine == Engine::slicing) {
         inputs.planes = ui::planesOf(draft, inputs.look.planes);
     } else {
@@ -147,10 +149,11 @@ void Workbench::drawPicture() {
     const std::optional<ui::Draft> next =
         ui::nextDraft(drawn_, quality_.draft(rest, windowPx()), averages());
     if (!next) return;
+    const render::FrameInputs inputs = inputsOf(*next);
     render::FrameStats stats;
     try {
         // A frame in motion is short and always comes through; a refinement gives way to the hand.
-        stats = renderer_.render(inputsOf(*next),
+        stats = renderer_.render(inputs,
                                  [&](double) { return next->step == 0 || !host_.inputWaits(); });
     } catch (const Cancelled&) {
         return;
@@ -161,6 +164,7 @@ void Workbench::drawPicture() {
     ui_.report = {stats.milliseconds, engine,       stats.planes,
                   next->sample + 1,   next->sizePx, next->step == ui::kFullStep,
                   ui_.report.device};
+    if (inputs.profile) ui::update(ui_.profile, profileOf(stats, inputs, renderer_), !drawn_);
     ui_.picture = renderer_.displayTexture();
     drawn_ = next;
     for (std::string& message : renderer_.takeMessages()) {
@@ -175,6 +179,7 @@ void Workbench::carryOut() {
         renderer_.reloadChangedShaders();
         drawn_.reset();
     }
+    if (requests.redraw) drawn_.reset();
     if (requests.memory) setMemory(*requests.memory);
     if (requests.quit) host_.close();
 }

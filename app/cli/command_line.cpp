@@ -92,6 +92,7 @@ void addRender(CLI::App& app, RenderOptions& options) {
         ->type_name("N");
     command.add_option("--format", options.format, "Pixels of an EXR: half or float")
         ->capture_default_str();
+    command.add_flag("--profile", options.profile, "Tell the time of each pass, samples, memory");
 }
 
 void addPresets(CLI::App& app, Arguments& arguments) {

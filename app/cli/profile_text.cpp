@@ -34,12 +34,11 @@ std::string mebibytes(std::size_t bytes) {
     return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1U << 20U));
 }
 
+/// Shares are of the frame: what is missing from the whole is the processor's.
 std::vector<ProfileRow> passRows(const render::FrameStats& stats) {
-    double sumMs = 0.0;
-    for (const render::PassTime& pass : stats.passes) sumMs += pass.milliseconds;
     std::vector<ProfileRow> rows;
     for (const auto& [name, milliseconds] : stats.passes) {
-        const double share = sumMs > 0.0 ? milliseconds / sumMs : 0.0;
+        const double share = std::min(1.0, milliseconds / std::max(stats.milliseconds, 1e-3));
         rows.push_back({std::string(name), fmt::format("{:.2f} ms", milliseconds),
                         fmt::format("{:.0f} %", 100.0 * share), share});
     }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <set>
 
+#include "app/cli/profile_text.h"
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
@@ -136,7 +137,7 @@ void sayOnce(Run& run, const std::string& note) {
 render::FrameStats drawSamples(Run& run, render::FrameInputs inputs) {
     render::FrameStats stats = run.renderer.render(inputs);
     while (++inputs.sample < run.samples()) {
-        stats.milliseconds += run.renderer.render(inputs).milliseconds;
+        addSample(stats, run.renderer.render(inputs));
     }
     return stats;
 }
@@ -150,6 +151,7 @@ void renderTime(Run& run, int time, bool several) {
     render::FrameInputs inputs;
     inputs.look = run.look();
     inputs.sizePx = parseSize(run.options.size);
+    inputs.profile = run.options.profile;
     inputs.camera = placeCamera(run.scene.document.camera, held.volume.grid,
                                 static_cast<double>(inputs.sizePx.x) / inputs.sizePx.y);
     const render::FrameStats stats = drawSamples(run, inputs);
@@ -159,6 +161,9 @@ void renderTime(Run& run, int time, bool several) {
     write(run.options, out, run.renderer, describe(run, held, info, stats));
     fmt::print(stderr, "wrote {} ({}x{}, {}, {}, {:.0f} ms)\n", out.string(), inputs.sizePx.x,
                inputs.sizePx.y, held.volume.timeLabel, workText(run, stats), stats.milliseconds);
+    if (inputs.profile) {
+        fmt::print(stderr, "{}", profileText(profileOf(stats, inputs, run.renderer)));
+    }
 }
 
 }  // namespace

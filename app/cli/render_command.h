@@ -15,6 +15,7 @@ struct RenderOptions {
     std::string planes;           ///< as view.planes
     int samples = 8;              ///< pictures that the march averages
     std::string format = "half";  ///< of EXR
+    bool profile = false;         ///< say what each picture cost
 };
 
 /// Returns 0; throws Error or UsageError.

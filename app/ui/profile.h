@@ -7,7 +7,7 @@ namespace neph::ui {
 
 struct ProfileRow {
     std::string label, value, note;  ///< "light", "12.30 ms", "29 %"
-    double share = 0.0;              ///< of the time of all passes
+    double share = 0.0;              ///< of the frame's time, at most 1
     bool old = false;                ///< of an earlier picture: this one did without
 };
 
