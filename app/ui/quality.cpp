@@ -8,6 +8,7 @@ namespace neph::ui {
 namespace {
 
 constexpr double kMinShare = 0.004;  // a sixth in each direction; coarser shows nothing useful
+constexpr double kLargeShare = 0.1;  // a picture that tells what a full one costs
 constexpr double kRung = 1.25;       // from one size to the next
 constexpr int kMinPlanes = 24;
 constexpr int kMinSidePx = 15;
@@ -52,7 +53,14 @@ void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec
     if (milliseconds <= 0.0) return;
     const double work = workOf(draft, windowPx);
     fullMs_ = milliseconds / work;
-    // Part of a picture's cost does not shrink with it, so approach the aim step by step.
+    // Part of a picture's cost does not shrink with it. How much is learned where a large one
+    // follows small ones; and the aim is approached step by step.
+    if (work < kLargeShare) {
+        coarseMs_ = fullMs_;
+        fullMs_ *= ratio_;
+    } else if (coarseMs_ > 0.0) {
+        ratio_ = std::min(1.0, fullMs_ / coarseMs_);
+    }
     const double aimMs = std::max(kMinAimMs, kMargin * (kFrameMs - panelsMs_));
     const double ideal = work * aimMs / milliseconds;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);

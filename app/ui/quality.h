@@ -47,6 +47,8 @@ class QualityControl {
   private:
     double motionShare_ = 0.02;  // of the full work; a guess for a slow machine
     double fullMs_ = 2000.0;     // of a full picture, from the last measurement; likewise
+    double coarseMs_ = 0.0;      // of as much work as a full picture, in small ones; 0: unknown
+    double ratio_ = 1.0;         // of what work costs in large pictures and in small ones
     double panelsMs_ = 10.0;     // of panels and window; likewise
 };
 

@@ -59,6 +59,17 @@ TEST_CASE("A machine that draws the full picture within 0.8 s shows it within on
     CHECK(quality.draft(0.1, kWindowPx) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
 }
 
+TEST_CASE("What small pictures cost beside their work is learned from the first full one") {
+    ui::QualityControl quality;
+    const Machine machine{600.0, 8.0};
+    drag(quality, machine);
+    CHECK(quality.draft(0.1, kWindowPx).step == 1);
+    const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
+    quality.measured(full, machine.pictureMs(full), kWindowPx);
+    drag(quality, machine);
+    CHECK(quality.draft(0.1, kWindowPx) == full);
+}
+
 TEST_CASE("On a slow machine the picture gets finer at rest and ends in full") {
     ui::QualityControl quality;
     drag(quality, {6000.0, 2.0});
