@@ -48,12 +48,12 @@ std::vector<ProfileRow> passRows(const render::FrameStats& stats) {
 std::vector<ProfileRow> sampleRows(const render::SampleCounts& counts) {
     const double rays = static_cast<double>(std::max<std::uint64_t>(1, counts.rays));
     const auto aRay = [&](std::uint64_t count) { return static_cast<double>(count) / rays; };
-    return {{"rays", countText(counts.rays), ""},
-            {"samples", countText(counts.taken), fmt::format("{:.1f} a ray", aRay(counts.taken))},
-            {"skipped", countText(counts.skipped),
-             fmt::format("{:.1f} leaps a ray", aRay(counts.skipped))},
-            {"terminated", countText(counts.terminated),
-             fmt::format("{:.0f} % of rays", 100.0 * aRay(counts.terminated))}};
+    return {
+        {"rays", countText(counts.rays), ""},
+        {"samples", countText(counts.taken), fmt::format("{:.1f} a ray", aRay(counts.taken))},
+        {"skipped", countText(counts.skipped), fmt::format("{:.1f} a ray", aRay(counts.skipped))},
+        {"terminated", countText(counts.terminated),
+         fmt::format("{:.0f} % of rays", 100.0 * aRay(counts.terminated))}};
 }
 
 std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {

@@ -1,27 +1,36 @@
-// pass_timer.cpp: timestamps between passes.
+// pass_timer.cpp: marks between passes, on the GPU's clock or the CPU's.
 #include "app/gl/pass_timer.h"
 
 #include <algorithm>
 
+#include "app/gl/context.h"
+
 namespace neph::gl {
 
 PassTimer::~PassTimer() {
-    if (!marks_.empty()) glDeleteQueries(static_cast<GLsizei>(marks_.size()), marks_.data());
+    if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
 }
 
 void PassTimer::start(bool on) {
     on_ = on;
     used_ = 0;
+    clock_.clear();
     names_.clear();
+    if (on && !software_) software_ = deviceMemory().software;
 }
 
 void PassTimer::mark() {
-    if (used_ == marks_.size()) {
+    if (*software_) {
+        glFinish();
+        clock_.push_back(std::chrono::steady_clock::now());
+        return;
+    }
+    if (used_ == queries_.size()) {
         GLuint query = 0;
         glCreateQueries(GL_TIMESTAMP, 1, &query);
-        marks_.push_back(query);
+        queries_.push_back(query);
     }
-    glQueryCounter(marks_[used_++], GL_TIMESTAMP);
+    glQueryCounter(queries_[used_++], GL_TIMESTAMP);
 }
 
 void PassTimer::pass(std::string_view name) {
@@ -30,16 +39,30 @@ void PassTimer::pass(std::string_view name) {
     names_.push_back(name);
 }
 
+/// Of each mark since the first.
+std::vector<double> PassTimer::markMs() const {
+    std::vector<double> marks;
+    for (const auto& time : clock_) {
+        marks.push_back(std::chrono::duration<double, std::milli>(time - clock_.front()).count());
+    }
+    GLuint64 first = 0;
+    for (std::size_t i = 0; i < used_; ++i) {
+        GLuint64 nanoseconds = 0;
+        glGetQueryObjectui64v(queries_[i], GL_QUERY_RESULT, &nanoseconds);
+        if (i == 0) first = nanoseconds;
+        marks.push_back(static_cast<double>(nanoseconds - first) * 1e-6);
+    }
+    return marks;
+}
+
 std::vector<std::pair<std::string_view, double>> PassTimer::finish() {
     std::vector<std::pair<std::string_view, double>> times;
     if (!on_ || names_.empty()) return times;
     mark();
-    GLuint64 before = 0;
-    glGetQueryObjectui64v(marks_[0], GL_QUERY_RESULT, &before);
+    on_ = false;
+    const std::vector<double> marks = markMs();
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        GLuint64 after = 0;
-        glGetQueryObjectui64v(marks_[i + 1], GL_QUERY_RESULT, &after);
-        const double milliseconds = static_cast<double>(after - before) * 1e-6;
+        const double milliseconds = marks[i + 1] - marks[i];
         const auto known = std::find_if(times.begin(), times.end(),
                                         [&](const auto& time) { return time.first == names_[i]; });
         if (known == times.end()) {
@@ -47,9 +70,7 @@ std::vector<std::pair<std::string_view, double>> PassTimer::finish() {
         } else {
             known->second += milliseconds;
         }
-        before = after;
     }
-    on_ = false;
     return times;
 }
 

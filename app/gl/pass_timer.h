@@ -1,7 +1,13 @@
 // pass_timer.h: how long each pass of a frame took on the GPU.
+//
+// By timestamps in the command stream. Where the CPU stands in for a GPU, by its clock, with the
+// stream emptied at every mark: llvmpipe runs a compute pass at once, but writes a timestamp only
+// when it draws what was drawn before it.
 #pragma once
 #include <epoxy/gl.h>
 
+#include <chrono>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,9 +33,12 @@ class PassTimer {
 
   private:
     void mark();
+    std::vector<double> markMs() const;
 
     bool on_ = false;
-    std::vector<GLuint> marks_;  // queries, kept from frame to frame
+    std::optional<bool> software_;  // once asked
+    std::vector<std::chrono::steady_clock::time_point> clock_;
+    std::vector<GLuint> queries_;  // kept from frame to frame
     std::size_t used_ = 0;
     std::vector<std::string_view> names_;
 };

@@ -11,7 +11,9 @@ namespace {
 
 // In letters: width, margin to the picture's edge, and where values end.
 constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.4f;
-constexpr float kOpacity = 0.72f;  // legible on a bright cloud, and the cloud still shows
+constexpr float kOpacity = 0.80f;  // legible on a bright cloud, and the cloud still shows
+constexpr ImVec4 kDim{0.66f, 0.70f, 0.76f,
+                      1.0f};  // labels; brighter than where nothing shines through
 
 void textUpTo(float end, const std::string& text, bool dim) {
     ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
@@ -41,19 +43,20 @@ void drawRows(const std::vector<ProfileRow>& rows) {
 }
 
 void drawContent(const Profile& profile) {
+    const ImVec2 gap{0.0f, 0.3f * ImGui::GetFontSize()};
     ImGui::TextUnformatted(profile.engine.c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s", profile.device.c_str());
     drawRows(profile.picture);
-    ImGui::Separator();
+    ImGui::Dummy(gap);
     for (const ProfileRow& row : profile.passes) {
         drawRow(row);
         drawBar(row.share);
     }
-    ImGui::Separator();
+    ImGui::Dummy(gap);
     drawRows(profile.samples);
     if (!profile.memory.empty()) drawRow(profile.memory.front());
-    ImGui::TextDisabled("Last change redid");
+    ImGui::TextDisabled("last change redid");
     ImGui::TextUnformatted(profile.redone.c_str());
 }
 
@@ -65,6 +68,7 @@ void drawProfile(const Ui& ui) {
     ImGui::SetNextWindowPos({edge - (kWidthEms + kMarginEms) * em, kMarginEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
     ImGui::SetNextWindowBgAlpha(kOpacity);
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, kDim);
     // Without inputs: the hand reaches the picture through it.
     if (ImGui::Begin("##profile", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
@@ -78,6 +82,7 @@ void drawProfile(const Ui& ui) {
         }
     }
     ImGui::End();
+    ImGui::PopStyleColor();
 }
 
 }  // namespace neph::ui
