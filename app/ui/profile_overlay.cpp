@@ -12,8 +12,7 @@ namespace {
 // In letters: width, margin to the picture's edge, and where values end.
 constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.4f;
 constexpr float kOpacity = 0.80f;  // legible on a bright cloud, and the cloud still shows
-constexpr ImVec4 kDim{0.66f, 0.70f, 0.76f,
-                      1.0f};  // labels; brighter than where nothing shines through
+const ImVec4 kDim{0.66f, 0.70f, 0.76f, 1.0f};  // labels: brighter than on the panels
 
 void textUpTo(float end, const std::string& text, bool dim) {
     ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
