@@ -10,7 +10,7 @@ namespace neph::ui {
 namespace {
 
 // In letters: width, margin to the picture's edge, and where values end.
-constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.4f;
+constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.0f;
 constexpr float kOpacity = 0.80f;  // legible on a bright cloud, and the cloud still shows
 const ImVec4 kDim{0.66f, 0.70f, 0.76f, 1.0f};  // labels: brighter than on the panels
 
