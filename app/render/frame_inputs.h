@@ -22,6 +22,9 @@ struct FrameInputs {
     /// 0: a picture of its own. n > 0: the march samples at other places than before and averages
     /// with the n pictures before, which must have had the same inputs but for their numbers.
     int sample = 0;
+    /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
+    /// first picture after a change. The march computes it in full for the next picture without.
+    bool draftLight = false;
     bool profile = false;  ///< fill in FrameStats::passes and ::samples, which costs a little
 };
 

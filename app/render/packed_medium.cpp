@@ -41,7 +41,7 @@ void packExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, Pa
     setSpecies(volume, out.plan, program);
     volume.candidates.bind(GL_SHADER_STORAGE_BUFFER, 0);
     out.extinction.bindImage(0, GL_WRITE_ONLY);
-    program.dispatchGroups(volume.candidateCount);
+    program.dispatchGroups(static_cast<int>(volume.candidateBricks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

@@ -9,7 +9,7 @@ namespace neph::render {
 struct PackedMedium {
     MediumPlan plan;
     /// RG16F a voxel. r: extinction of all that is visible, 1/m, the look's noise left out; g: the
-    /// sun's light as -log2, which the march's light pass fills in.
+    /// share of sunlight that arrives, which the march's light pass fills in.
     gl::Texture extinction;
     /// RGBA8 a cell of 2 x 2 x 2 voxels. r: skylight; then the classes' shares of the extinction
     /// times a weight of their cell. `second` only for more than three classes.

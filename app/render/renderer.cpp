@@ -35,6 +35,7 @@ struct Renderer::Impl {
     std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
     std::optional<Look> lit;          ///< what the light in `packed` was carried for
     bool mediumStale = true;
+    bool lightIsDraft = false;
     std::vector<std::string> messages;
 
     Stage stageFor(const FrameInputs& inputs) const;
@@ -191,6 +192,7 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     }
     impl_->timer.pass("resolve");
     impl_->resolve(inputs);
+    if (stage <= Stage::light) impl_->lightIsDraft = inputs.draftLight;
     impl_->last = inputs;
     glFinish();
     impl_->describe(inputs, stage, stats);

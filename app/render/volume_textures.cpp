@@ -2,6 +2,7 @@
 #include "app/render/volume_textures.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace neph::render {
@@ -61,8 +62,10 @@ void listCandidates(const Array3<std::uint8_t>& bricks, VolumeTextures& out) {
     for (int z = 0; z < bricks.size.z; ++z)
         for (int y = 0; y < bricks.size.y; ++y)
             for (int x = 0; x < bricks.size.x; ++x)
-                if (bordersOnAny(bricks, {x, y, z})) list.emplace_back(x, y, z, 0);
-    out.candidateCount = static_cast<int>(list.size());
+                if (bordersOnAny(bricks, {x, y, z})) {
+                    list.emplace_back(x, y, z, 0);
+                    out.candidateBricks.emplace_back(x, y, z);
+                }
     if (list.empty()) list.emplace_back(0);  // a buffer that is bound must have a size
     out.candidates.write(list.data(), list.size() * sizeof(glm::ivec4));
 }

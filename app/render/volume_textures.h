@@ -1,7 +1,7 @@
 // volume_textures.h: the volume on the GPU, and where in it there is anything at all.
 #pragma once
 #include <array>
-#include <cstdint>
+#include <vector>
 
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
@@ -19,7 +19,7 @@ struct VolumeTextures {
     std::array<Holding, kSpeciesCount> holdings{};
     /// Lower corners, in bricks, of all bricks that hold or border on anything: ivec4 (xyz, 0).
     gl::Buffer candidates;
-    int candidateCount = 0;
+    std::vector<glm::ivec3> candidateBricks;  ///< the same
 
     glm::ivec3 brickCount() const { return (grid.size + kBrickVoxels - 1) / kBrickVoxels; }
     std::size_t bytes() const;

@@ -137,7 +137,7 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
         depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, u, mixture);
 #endif
         float through = eye.through * exp2(-depth);
-        lit += (eye.through - through) * exp2(-medium.g);
+        lit += (eye.through - through) * medium.g;
         eye.through = through;
     }
     float seen = (before - eye.through) * mixture.skylight;
@@ -188,7 +188,7 @@ void main() {
 #endif
     Eye eye = march(pathOf(pixel, ray, insideM.y), insideM.x, most);
     closeRay(eye);
-    vec4 seen = vec4(eye.radiance + eye.through * backdrop(ray, u_.slices.x), 1.0 - eye.through);
+    vec4 seen = vec4(eye.radiance + eye.through * backdrop(ray, u_.slices.z), 1.0 - eye.through);
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);
     imageStore(io_linear, pixel, seen);
 #if PROFILE

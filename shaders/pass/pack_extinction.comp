@@ -1,5 +1,5 @@
 // pack_extinction.comp: the extinction of all that is visible, one work group a brick that may hold
-// anything. The second channel, the sun's optical depth, is cleared.
+// anything. The second channel, sunlight, is filled in later.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 

@@ -5,7 +5,7 @@
 #include "bricks.glsl"
 #include "frame.glsl"
 
-layout(binding = 0) uniform sampler3D t_extinction;  // r: 1/m, g: -log2 of the sun's light
+layout(binding = 0) uniform sampler3D t_extinction;  // r: 1/m, g: share of sunlight
 layout(binding = 1) uniform sampler3D t_mixture0;    // r: skylight, gba: classes 0 to 2
 #if MIXTURE_TEXTURES > 1
 layout(binding = 5) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5

@@ -19,9 +19,9 @@ namespace {
 
 constexpr GLuint kNoiseUnit = 3;
 constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
-// Light texels are this much coarser than voxels, so that the light takes a byte a voxel at most.
-constexpr double kLightTexelVoxels = 1.5;
-constexpr std::size_t kLightBytes = std::size_t{1} << 30;
+// Size of a light texel in voxels, and in a draft.
+constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
+constexpr int kLightBatch = 32;  // layers held at a time
 // Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
 constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
 
@@ -33,6 +33,38 @@ SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
     return medium.bricks.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()}
                                  : medium.bricks.occupied;
 }
+
+/// The bricks that may hold anything, by the layers of light that pass through them.
+class BrickOrder {
+  public:
+    BrickOrder(const VolumeTextures& volume, const SlicePlan& plan) {
+        const glm::dvec3 brickM = volume.grid.spacingM * static_cast<double>(kBrickVoxels);
+        // Half the extent of a brick along the light.
+        const double reachM = 0.5 * glm::dot(glm::abs(plan.normal), brickM);
+        for (const glm::ivec3 brick : volume.candidateBricks) {
+            const glm::dvec3 middleM = (glm::dvec3(brick) + 0.5) * brickM;
+            const double alongM = glm::dot(plan.normal, middleM) - plan.firstM;
+            bricks_.push_back({glm::ivec4(brick, 0), (alongM - reachM) / plan.spacingM,
+                               (alongM + reachM) / plan.spacingM});
+        }
+    }
+
+    /// Those that lie between layers `first` and `first + slices`, if only in part.
+    std::vector<glm::ivec4> within(int first, int slices) const {
+        std::vector<glm::ivec4> found;
+        for (const Spanned& brick : bricks_) {
+            if (brick.last >= first && brick.first <= first + slices) found.push_back(brick.brick);
+        }
+        return found;
+    }
+
+  private:
+    struct Spanned {
+        glm::ivec4 brick;
+        double first, last;  ///< layers
+    };
+    std::vector<Spanned> bricks_;
+};
 
 std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     std::vector<std::string> names = lightDefines(look, medium.plan, true);
@@ -61,7 +93,7 @@ gl::Texture uploadBlueNoise() {
 }  // namespace
 
 void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
-                       const PackedMedium& medium, const gl::Texture* noise) {
+                       const PackedMedium& medium, const gl::Texture* noise, glm::ivec2 batch) {
     const SliceBox box = boxOf(medium, grid);
     const double diagonalM = glm::length(box.upperM - box.lowerM);
     const bool fixed = inputs.planes > 0;
@@ -69,6 +101,8 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
         fixed ? diagonalM / inputs.planes : voxelM(grid) / static_cast<double>(inputs.look.quality);
     steps_ = static_cast<int>(std::lround(diagonalM / stepM));
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
+    block.slices.y = batch.x;
+    block.slices.z = batch.y;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));
@@ -86,20 +120,35 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
                         const Progress& progress, gl::PassTimer& timer) {
     timer.pass("light");
     const RegularGrid& grid = volume.grid;
-    plan_ = planSunSlices(sunDirWorld(inputs.look), boxOf(medium, grid),
-                          kLightTexelVoxels * voxelM(grid));
-    plan_.limit(layersThatFit(plan_.lightSizePx, sizeof(std::uint16_t), kLightBytes) - 1);
+    plan_ = planSunSlices(
+        sunDirWorld(inputs.look), boxOf(medium, grid),
+        (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid));
     if (medium.bricks.empty()) plan_.count = 0;
-    light_.resize(plan_.lightSizePx, plan_.count + 1, GL_R16);
+    light_.resize(plan_.lightSizePx, std::min(kLightBatch, plan_.count) + 1, GL_R16);
     light_.open(-1);
-    if (plan_.count == 0) return;
-    bind(inputs, grid, medium, noise);
+    lastLayer_ = 0;
+    const BrickOrder bricks(volume, plan_);
     const auto names = defines(inputs.look, medium);
-    light_.march(programs.get("pass/slice_light.comp", names), plan_.count, progress);
-    timer.pass("light to medium");
-    volume.candidates.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    for (int first = 0; first < plan_.count; first += kLightBatch) {
+        const int slices = std::min(kLightBatch, plan_.count - first);
+        if (first > 0) light_.open(lastLayer_);
+        bind(inputs, grid, medium, noise, {first, slices});
+        timer.pass("light");
+        light_.march(programs.get("pass/slice_light.comp", names), slices, progress);
+        timer.pass("light to medium");
+        lightToMedium(bricks.within(first, slices), medium, programs);
+        lastLayer_ = slices;
+    }
+}
+
+/// What arrived within the batch of layers that is held.
+void MarchEngine::lightToMedium(const std::vector<glm::ivec4>& bricks, const PackedMedium& medium,
+                                gl::ProgramCache& programs) {
+    if (bricks.empty()) return;
+    bricks_.write(bricks.data(), bricks.size() * sizeof(glm::ivec4));
+    bricks_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     medium.extinction.bindImage(0, GL_READ_WRITE);
-    programs.get("pass/light_to_medium.comp").dispatchGroups(volume.candidateCount);
+    programs.get("pass/light_to_medium.comp").dispatchGroups(static_cast<int>(bricks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -128,7 +177,7 @@ void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,
                       gl::ProgramCache& programs, const gl::Texture& linear,
                       const Progress& progress) {
     phases_.update(inputs.look, medium.plan);
-    bind(inputs, grid, medium, noise);
+    bind(inputs, grid, medium, noise, {0, lastLayer_});
     if (inputs.profile) {
         const std::array<GLuint, 4> zeros{};
         counts_.write(zeros.data(), sizeof(zeros));
@@ -145,7 +194,7 @@ void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,
 void MarchEngine::floor(const FrameInputs& inputs, const RegularGrid& grid,
                         const PackedMedium& medium, gl::ProgramCache& programs,
                         const gl::Texture& linear) {
-    bind(inputs, grid, medium, nullptr);
+    bind(inputs, grid, medium, nullptr, {0, lastLayer_});
     if (floor_.size() != grid.size) {
         floor_ = gl::Texture::make3D(GL_RGBA16, grid.size);
         floor_.setLinear();

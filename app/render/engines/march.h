@@ -42,7 +42,9 @@ class MarchEngine {
 
   private:
     void bind(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
-              const gl::Texture* noise);
+              const gl::Texture* noise, glm::ivec2 batch);
+    void lightToMedium(const std::vector<glm::ivec4>& bricks, const PackedMedium& medium,
+                       gl::ProgramCache& programs);
     void march(const FrameInputs& inputs, const gl::Program& program, const gl::Texture& linear,
                const Progress& progress);
 
@@ -50,7 +52,8 @@ class MarchEngine {
     int steps_ = 0;
     LightLayers light_;
     PhaseTexture phases_;
-    gl::Buffer block_, counts_;
+    int lastLayer_ = 0;  ///< of the light that is held: what is left behind the last slice
+    gl::Buffer block_, counts_, bricks_;
     gl::Texture blueNoise_;
     gl::Sampler nearest_;  ///< of the detail noise
     gl::Texture floor_;    ///< RGBA16; only to measure
