@@ -13,6 +13,7 @@ namespace {
 void merge(std::vector<ProfileRow>& shown, std::vector<ProfileRow> next) {
     for (ProfileRow& row : shown) {
         row.old = true;
+        if (row.share > 0.0) row.note.clear();  // a share of another frame
         row.share = 0.0;
     }
     std::size_t at = 0;

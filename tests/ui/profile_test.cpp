@@ -77,6 +77,8 @@ TEST_CASE("Passes that a picture did without stay in their place, as old ones") 
           Labels{"bake medium (old)", "light", "background", "eye (old)", "resolve"});
     CHECK(shown.passes[0].share == 0.0);
     CHECK(shown.passes[0].value == "1.00 ms");
+    CHECK(shown.passes[0].note.empty());
+    CHECK(shown.passes[1].note == "50 %");
     CHECK(shown.passes[1].share == 0.5);
 }
 
