@@ -30,6 +30,8 @@ constexpr double kIdleWaitS = 0.25;   // between looks when nothing happens: too
 constexpr double kBusyWaitS = 0.05;   // while data load or the picture waits to be refined
 constexpr double kCommitS = 0.4;      // at rest for so long: the gesture is over, one step of undo
 constexpr int kFramesAfterInput = 3;  // ImGui needs a frame or two to settle after input
+// With fewer of its steps the march is grainy, which is worse to look at than fewer pixels.
+constexpr double kLeastDetailOfMarch = 0.5;
 
 bool isPresetFile(const std::filesystem::path& path) {
     return path.extension() == ".json";
@@ -146,8 +148,9 @@ void Workbench::drawPicture() {
     const Engine engine = session_.document.look.engine;
     // A button held still is still motion: the next move must find the machine ready.
     const double rest = interacting_ ? 0.0 : restS();
+    const double leastDetail = engine == Engine::march ? kLeastDetailOfMarch : 0.0;
     const std::optional<ui::Draft> next =
-        ui::nextDraft(drawn_, quality_.draft(rest, windowPx()), averages());
+        ui::nextDraft(drawn_, quality_.draft(rest, windowPx(), leastDetail), averages());
     if (!next) return;
     const render::FrameInputs inputs = inputsOf(*next);
     render::FrameStats stats;

@@ -21,12 +21,13 @@ int scaled(int whole, double share, int least) {
 }
 
 /// Sizes come in rungs: textures of a size seen before come cheap.
-Draft share(double work, glm::ivec2 windowPx, int step) {
+Draft share(double work, glm::ivec2 windowPx, int step, double leastDetail) {
     if (work >= 0.9) return {windowPx, 1.0, kFullStep};
-    const double rung = std::ceil(-std::log(std::cbrt(work)) / std::log(kRung) - 1e-9);
-    const double side = std::pow(kRung, -rung);
-    return {
-        {scaled(windowPx.x, side, kMinSidePx), scaled(windowPx.y, side, kMinSidePx)}, side, step};
+    const double ideal = std::sqrt(work / std::max(leastDetail, std::cbrt(work)));
+    const double side = std::pow(kRung, -std::ceil(-std::log(ideal) / std::log(kRung) - 1e-9));
+    return {{scaled(windowPx.x, side, kMinSidePx), scaled(windowPx.y, side, kMinSidePx)},
+            std::max(leastDetail, side),
+            step};
 }
 
 double workOf(const Draft& draft, glm::ivec2 windowPx) {
@@ -36,7 +37,7 @@ double workOf(const Draft& draft, glm::ivec2 windowPx) {
 
 }  // namespace
 
-Draft QualityControl::draft(double restS, glm::ivec2 windowPx) const {
+Draft QualityControl::draft(double restS, glm::ivec2 windowPx, double leastDetail) const {
     const Draft full{windowPx, 1.0, kFullStep};
     double work = motionShare_;
     int step = 0;
@@ -46,7 +47,7 @@ Draft QualityControl::draft(double restS, glm::ivec2 windowPx) const {
         work = std::max(work, refinement.draftMs / fullMs_);
         ++step;
     }
-    return restS >= kFullS ? full : share(work, windowPx, step);
+    return restS >= kFullS ? full : share(work, windowPx, step, leastDetail);
 }
 
 void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx) {

@@ -34,8 +34,9 @@ struct Draft {
 
 class QualityControl {
   public:
-    /// What to draw when nothing has changed for `restS` seconds.
-    Draft draft(double restS, glm::ivec2 windowPx) const;
+    /// What to draw when nothing has changed for `restS` seconds; of the planes or steps at least a
+    /// share of `leastDetail`.
+    Draft draft(double restS, glm::ivec2 windowPx, double leastDetail = 0.0) const;
 
     /// Tells how long a draft of a full picture of `windowPx` took; without preparation, which a
     /// coarser picture needs as well and a refinement does not repeat.

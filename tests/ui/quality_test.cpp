@@ -109,6 +109,17 @@ TEST_CASE("Drafts stay within the window and the planes, whatever their size") {
     CHECK(ui::planesOf({kWindowPx, 1.0, ui::kFullStep}, 512) == 512);
 }
 
+TEST_CASE("Where steps are not to be thinned any further, pixels are") {
+    ui::QualityControl quality;
+    const Machine machine{2000.0, 2.0};
+    const ui::Draft even = drag(quality, machine);
+    CHECK(even.detail < 0.5);
+    const ui::Draft finer = quality.draft(0.0, kWindowPx, 0.5);
+    CHECK(finer.detail == 0.5);
+    CHECK(finer.sizePx.x < even.sizePx.x);
+    CHECK(machine.pictureMs(finer) + machine.panelsMs <= 1000.0 / 30.0);
+}
+
 TEST_CASE("A full picture at rest is averaged with others until there are sixteen") {
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
     std::optional<ui::Draft> shown;
