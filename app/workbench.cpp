@@ -132,6 +132,7 @@ render::FrameInputs Workbench::inputsOf(const ui::Draft& draft) const {
     inputs.look = session_.document.look;
     inputs.sizePx = draft.sizePx;
     inputs.sample = draft.sample;
+    inputs.draftLight = draft.step == 0;
     inputs.profile = ui_.showProfile;
     if (inputs.look.engine == Engine::slicing) {
         inputs.planes = ui::planesOf(draft, inputs.look.planes);

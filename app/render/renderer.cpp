@@ -73,12 +73,15 @@ void checkSize(glm::ivec2 sizePx) {
 Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
     if (mediumStale) return Stage::medium;
     const bool slices = inputs.look.engine == Engine::slicing;
+    const bool finer = !slices && lightIsDraft && !inputs.draftLight;
     // A picture that gave way leaves the march's light as it was.
     if (!last && lit && !slices) {
-        return std::min(Stage::eye, firstDifference(*lit, inputs.look).value_or(Stage::eye));
+        return std::min(finer ? Stage::light : Stage::eye,
+                        firstDifference(*lit, inputs.look).value_or(Stage::eye));
     }
     if (!last) return Stage::medium;
     const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
+    if (finer) return std::min(Stage::light, changed);
     const bool moved = !sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
                        last->planes != inputs.planes;
     if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
@@ -119,6 +122,7 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress
         lit.reset();
         march.light(inputs, *volume, packed, detail, programs, progress, timer);
         lit = inputs.look;
+        lightIsDraft = inputs.draftLight;
     }
     timer.pass("eye");
     march.eye(inputs, volume->grid, packed, detail, programs, linear, progress);
@@ -192,7 +196,6 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     }
     impl_->timer.pass("resolve");
     impl_->resolve(inputs);
-    if (stage <= Stage::light) impl_->lightIsDraft = inputs.draftLight;
     impl_->last = inputs;
     glFinish();
     impl_->describe(inputs, stage, stats);

@@ -85,3 +85,24 @@ TEST_CASE("A further sample that gave way can be asked for again, and the pictur
     CHECK(ofOne > 0.0);
     CHECK(meanDifference(given, through) < 0.25 * ofOne);
 }
+
+TEST_CASE("Light of a first picture is computed in full for the next one") {
+    test::needContext();
+    render::Renderer renderer(std::string(NEPH_TEST_SOURCE_DIR) + "/shaders");
+    const SpeciesVolume volume = test::blobs();
+    renderer.setVolume(volume);
+    render::FrameInputs inputs = marchFrame(volume);
+    renderer.render(inputs);
+    const ImageF full = renderer.readLinear();
+    inputs.draftLight = true;
+    CHECK_FALSE(renderer.render(inputs).marchedLight);  // what is finer stays
+    inputs.look.sunElevationDeg += 10.0f;
+    CHECK(renderer.render(inputs).marchedLight);
+    inputs = marchFrame(volume);
+    inputs.draftLight = true;
+    CHECK(renderer.render(inputs).marchedLight);
+    CHECK(meanDifference(renderer.readLinear(), full) > 0.0);
+    inputs.draftLight = false;
+    CHECK(renderer.render(inputs).marchedLight);
+    CHECK(meanDifference(renderer.readLinear(), full) == 0.0);
+}
