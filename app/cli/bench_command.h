@@ -1,5 +1,5 @@
-// bench_command.h: `nephoscope bench`: frame times of the modes of [Riley03] table 4, and of
-// opening.
+// bench_command.h: `nephoscope bench`: what it takes to open data, to draw the modes of [Riley03]
+// table 4, to follow a change, to grow, and to follow the hand.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,11 +9,18 @@ namespace neph {
 struct BenchOptions {
     std::vector<std::string> files;    ///< none: the bundled storm
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
-    std::string json;                  ///< file for the result; empty: stdout
-    bool openOnly = false;             ///< opening and the first picture alone
+    std::vector<std::string> sections{"modes", "changes"};  ///< of modes, changes, growth, window
+    std::vector<std::string> sizes;                         ///< WxH; none: each section's own
+    std::vector<std::string> grids{"128"};                  ///< N or XxYxZ cells
+    std::string engine = "both";                            ///< march, slicing or both
+    int steps = 128;        ///< or slices, along the diagonal of what is occupied; [Riley03] §5
+    int frames = 12;        ///< measured of each row, evenly round the storm
+    int growthTo = 256;     ///< cells along the longest side of the largest grid of `growth`
+    std::string json;       ///< file for the result; empty: stdout
+    bool openOnly = false;  ///< opening and the first picture alone
 };
 
-/// A table on stderr, JSON to the file or stdout. Returns 0; throws Error.
+/// Tables on stderr, JSON to the file or stdout. Returns 0; throws Error or UsageError.
 int runBench(const BenchOptions& options);
 
 }  // namespace neph

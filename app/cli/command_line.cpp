@@ -121,11 +121,40 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     addReaderOption(info, arguments.info.readers);
     CLI::App& readers = *app.add_subcommand("readers", "List reader plugins");
     addReaderOption(readers, arguments.readers);
-    CLI::App& bench = *app.add_subcommand("bench", "Measure frame times");
-    bench.add_option("FILE", arguments.bench.files, "Data; none: the bundled storm");
-    bench.add_option("--json", arguments.bench.json, "File for the result; none: stdout");
-    bench.add_flag("--open", arguments.bench.openOnly, "Opening and the first picture alone");
-    addReaderOption(bench, arguments.bench.readers);
+}
+
+void addBench(CLI::App& app, BenchOptions& options) {
+    CLI::App& command = *app.add_subcommand("bench", "Measure frame times, beside a floor");
+    command.add_option("FILE", options.files, "Data; none: the bundled storm");
+    command.add_option("--section", options.sections, "What to measure; may be a list")
+        ->type_name("modes|changes|growth|window")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"modes", "changes", "growth", "window"}))
+        ->capture_default_str();
+    command.add_option("--size", options.sizes, "In pixels; none: each section's own")
+        ->type_name("WxH")
+        ->allow_extra_args(false);
+    command.add_option("--grid", options.grids, "Cells, no coarser than the data; may be repeated")
+        ->type_name("LONGEST|XxYxZ")
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    command.add_option("--engine", options.engine, "Whose frames; changes, growth: the first")
+        ->check(CLI::IsMember({"march", "slicing", "both"}))
+        ->capture_default_str();
+    command.add_option("--steps", options.steps, "Or slices, of modes and of growth's first grid")
+        ->check(CLI::Range(16, 2048))
+        ->capture_default_str();
+    command.add_option("--frames", options.frames, "Measured of each row")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_option("--growth-to", options.growthTo, "Longest side of the last grid of growth")
+        ->type_name("CELLS")
+        ->check(CLI::Range(1, 2048))
+        ->capture_default_str();
+    command.add_option("--json", options.json, "File for the result; none: stdout");
+    command.add_flag("--open", options.openOnly, "Opening and the first picture alone");
+    addReaderOption(command, options.readers);
 }
 
 int runPresets(const CLI::App& command, const Arguments& arguments) {
@@ -188,6 +217,7 @@ int parseAndRun(int argc, char** argv) {
     addRender(app, arguments.render);
     addPresets(app, arguments);
     addOthers(app, arguments);
+    addBench(app, arguments.bench);
     app.footer(std::string(kExamples));  // after the commands, which would take it over
     try {
         app.parse(argc, argv);
