@@ -28,7 +28,7 @@ std::size_t bytesPerTexel(GLenum format) {
         case GL_RG8:
         case GL_RG8UI:
             return 2;
-        case GL_R8UI:
+        case GL_R8:
             return 1;
         default:
             break;
@@ -39,7 +39,7 @@ std::size_t bytesPerTexel(GLenum format) {
 
 }  // namespace
 
-Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size) {
+Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size, int levels) {
     Texture texture;
     glCreateTextures(target, 1, &texture.name_);
     texture.target_ = target;
@@ -48,9 +48,9 @@ Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size) {
     texture.bytes_ = bytesPerTexel(format) * static_cast<std::size_t>(size.x) *
                      static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
     if (target == GL_TEXTURE_2D) {
-        glTextureStorage2D(texture.name_, 1, format, size.x, size.y);
+        glTextureStorage2D(texture.name_, levels, format, size.x, size.y);
     } else {
-        glTextureStorage3D(texture.name_, 1, format, size.x, size.y, size.z);
+        glTextureStorage3D(texture.name_, levels, format, size.x, size.y, size.z);
     }
     if (glGetError() == GL_OUT_OF_MEMORY) {
         throw Error({.what = "the GPU has no room for a texture",
@@ -67,13 +67,13 @@ Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size) {
 }
 
 Texture Texture::make2D(GLenum format, glm::ivec2 size) {
-    return make(GL_TEXTURE_2D, format, {size, 1});
+    return make(GL_TEXTURE_2D, format, {size, 1}, 1);
 }
 Texture Texture::make2DArray(GLenum format, glm::ivec2 size, int layers) {
-    return make(GL_TEXTURE_2D_ARRAY, format, {size, layers});
+    return make(GL_TEXTURE_2D_ARRAY, format, {size, layers}, 1);
 }
-Texture Texture::make3D(GLenum format, glm::ivec3 size) {
-    return make(GL_TEXTURE_3D, format, size);
+Texture Texture::make3D(GLenum format, glm::ivec3 size, int levels) {
+    return make(GL_TEXTURE_3D, format, size, levels);
 }
 
 Texture& Texture::operator=(Texture&& other) noexcept {
@@ -104,6 +104,11 @@ void Texture::setRepeat() {
     }
 }
 
+void Texture::makeLevels() {
+    glGenerateTextureMipmap(name_);
+    glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+}
+
 void Texture::upload(GLenum pixelFormat, GLenum type, const void* data) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (target_ == GL_TEXTURE_2D) {
@@ -115,30 +120,6 @@ void Texture::upload(GLenum pixelFormat, GLenum type, const void* data) {
 
 void Texture::bindImage(GLuint unit, GLenum access) const {
     glBindImageTexture(unit, name_, 0, GL_TRUE, 0, access, format_);
-}
-
-Sampler Sampler::nearestRepeat() {
-    Sampler sampler;
-    glCreateSamplers(1, &sampler.name_);
-    glSamplerParameteri(sampler.name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler.name_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-        glSamplerParameteri(sampler.name_, axis, GL_REPEAT);
-    }
-    return sampler;
-}
-
-Sampler& Sampler::operator=(Sampler&& other) noexcept {
-    if (this != &other) {
-        release();
-        name_ = std::exchange(other.name_, 0);
-    }
-    return *this;
-}
-
-void Sampler::release() {
-    if (name_ != 0) glDeleteSamplers(1, &name_);
-    name_ = 0;
 }
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {

@@ -15,7 +15,7 @@ class Texture {
     Texture() = default;
     static Texture make2D(GLenum format, glm::ivec2 size);
     static Texture make2DArray(GLenum format, glm::ivec2 size, int layers);
-    static Texture make3D(GLenum format, glm::ivec3 size);
+    static Texture make3D(GLenum format, glm::ivec3 size, int levels = 1);
     ~Texture() { release(); }
     Texture(Texture&& other) noexcept { *this = std::move(other); }
     Texture& operator=(Texture&& other) noexcept;
@@ -29,41 +29,21 @@ class Texture {
 
     void setLinear();
     void setRepeat();
+    /// Fills the levels below the first; reads go to the nearest texel of the nearest level.
+    void makeLevels();
     /// Replaces everything; `data` is tightly packed.
     void upload(GLenum pixelFormat, GLenum type, const void* data);
     void bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
     void bindImage(GLuint unit, GLenum access) const;
 
   private:
-    static Texture make(GLenum target, GLenum format, glm::ivec3 size);
+    static Texture make(GLenum target, GLenum format, glm::ivec3 size, int levels);
     void release();
 
     GLuint name_ = 0;
     GLenum target_ = 0, format_ = 0;
     glm::ivec3 size_{0};
     std::size_t bytes_ = 0;
-};
-
-/// How to read a texture where that differs from the texture's own way.
-class Sampler {
-  public:
-    Sampler() = default;
-    /// Nearest texel, repeating.
-    static Sampler nearestRepeat();
-    ~Sampler() { release(); }
-    Sampler(Sampler&& other) noexcept { *this = std::move(other); }
-    Sampler& operator=(Sampler&& other) noexcept;
-    Sampler(const Sampler&) = delete;
-    Sampler& operator=(const Sampler&) = delete;
-
-    explicit operator bool() const { return name_ != 0; }
-    void bind(GLuint unit) const { glBindSampler(unit, name_); }
-    static void unbind(GLuint unit) { glBindSampler(unit, 0); }
-
-  private:
-    void release();
-
-    GLuint name_ = 0;
 };
 
 class Buffer {

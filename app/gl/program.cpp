@@ -79,12 +79,12 @@ void Program::dispatch(glm::ivec3 items) const {
                       static_cast<GLuint>(groups.z));
 }
 
-void Program::dispatchGroups(int count) const {
+void Program::dispatchGroups(int count, int first) const {
     constexpr int kMostGroups = 65535;  // in one direction, on every driver
     glUseProgram(name_);
-    for (int first = 0; first < count; first += kMostGroups) {
+    for (const int end = first + count; first < end; first += kMostGroups) {
         setInt(kFirstGroupLocation, first);
-        glDispatchCompute(static_cast<GLuint>(std::min(kMostGroups, count - first)), 1, 1);
+        glDispatchCompute(static_cast<GLuint>(std::min(kMostGroups, end - first)), 1, 1);
     }
 }
 

@@ -23,10 +23,10 @@ class Program {
 
     /// Runs enough work groups of `groupSize` to cover `items`.
     void dispatch(glm::ivec3 items) const;
-    /// Runs `count` work groups in a row. Drivers take 65535 at a time: the number of the first
-    /// is in the uniform at this location.
+    /// Runs work groups `first` to `first + count` in a row. Drivers take 65535 at a time: the
+    /// number of the first is in the uniform at this location.
     static constexpr int kFirstGroupLocation = 20;
-    void dispatchGroups(int count) const;
+    void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
 

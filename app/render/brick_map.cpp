@@ -11,10 +11,6 @@ namespace {
 
 using Bytes = Array3<std::uint8_t>;
 
-/// Bricks whose densest voxel could not dim a ray through the whole domain by more than this are
-/// empty.
-constexpr double kInvisibleOpticalDepth = 1e-4;
-
 /// Chebyshev distance to the nearest occupied brick, by a forward and a backward sweep over the 13
 /// earlier neighbours.
 Bytes distances(const Array3f& bricks, float threshold) {
@@ -93,10 +89,9 @@ SliceBox boundsOf(const Bytes& distance, glm::dvec3 brickM, glm::dvec3 extentM) 
 
 }  // namespace
 
-BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid) {
+BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth) {
     const double diagonalM = glm::length(grid.extentM());
-    const Bytes distance =
-        distances(maximumPerM, static_cast<float>(kInvisibleOpticalDepth / diagonalM));
+    const Bytes distance = distances(maximumPerM, static_cast<float>(invisibleDepth / diagonalM));
     const Bytes levels = levelsOf(maximumPerM);
     std::vector<std::uint8_t> texels;
     texels.reserve(2 * distance.values.size());

@@ -11,8 +11,9 @@ namespace neph::render {
 /// kLevelsPerOctave) per metre, rounded up; 0 is nothing. As shaders/pass/bricks.glsl reads it.
 inline constexpr int kLevelOfOne = 240, kLevelsPerOctave = 8;
 
-/// Voxels along the edge of a brick, the unit in which emptiness is known.
-inline constexpr int kBrickVoxels = 8;
+/// Voxels along the edge of a brick, the unit in which emptiness is known: small, so that few
+/// samples fall where nothing is.
+inline constexpr int kBrickVoxels = 4;
 
 struct BrickMap {
     /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level of
@@ -24,7 +25,12 @@ struct BrickMap {
     bool empty() const { return occupied.lowerM == occupied.upperM; }
 };
 
-/// `maximumPerM`: the largest extinction that interpolation can give in each brick.
-BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid);
+/// `maximumPerM`: the largest extinction that interpolation can give in each brick. Bricks that
+/// would not give a ray through the whole domain `invisibleDepth` are empty.
+BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth);
+
+inline glm::ivec3 brickCount(glm::ivec3 voxels) {
+    return (voxels + kBrickVoxels - 1) / kBrickVoxels;
+}
 
 }  // namespace neph::render

@@ -6,6 +6,8 @@
 namespace neph::render {
 namespace {
 
+constexpr double kInvisibleDepth = 1e-4;  // nobody sees; the slices are compared to 1e-3
+
 std::vector<std::string> defines(const MediumTextures& medium) {
     return {"PACKED 0", fmt::format("CLASS_TEXTURES {}", medium.textureCount())};
 }
@@ -70,9 +72,9 @@ void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::Progra
     bakeSkylight(volume, programs, out);
     out.first.bind(0);
     if (out.second) out.second.bind(1);
-    out.bricks = mapBricks(
-        readBrickMaxima(programs.get("pass/brick_maximum.comp", defines(out)), volume.brickCount()),
-        volume.grid);
+    out.bricks = mapBricks(readBrickMaxima(programs.get("pass/brick_maximum.comp", defines(out)),
+                                           brickCount(volume.grid.size)),
+                           volume.grid, kInvisibleDepth);
 }
 
 }  // namespace neph::render

@@ -2,14 +2,32 @@
 #include "app/render/noise_texture.h"
 
 namespace neph::render {
+namespace {
 
-gl::Texture bakeNoiseTexture(gl::ProgramCache& programs) {
-    gl::Texture noise = gl::Texture::make3D(GL_RG16, glm::ivec3(kNoiseSize));
-    noise.setLinear();
+constexpr int kLevels = 6;  // down to 4 texels a side: less than one for the largest features
+
+gl::Texture bake(gl::ProgramCache& programs, GLenum format, glm::ivec3 size, int levels,
+                 const char* stacked) {
+    gl::Texture noise = gl::Texture::make3D(format, size, levels);
     noise.setRepeat();
     noise.bindImage(0, GL_WRITE_ONLY);
-    programs.get("pass/bake_noise.comp").dispatch(noise.size());
+    programs.get("pass/bake_noise.comp", {stacked}).dispatch(size);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    return noise;
+}
+
+}  // namespace
+
+gl::Texture bakeNoise(gl::ProgramCache& programs) {
+    gl::Texture noise = bake(programs, GL_RG16, glm::ivec3(kNoiseSize), 1, "STACKED 0");
+    noise.setLinear();
+    return noise;
+}
+
+gl::Texture bakeStackedNoise(gl::ProgramCache& programs) {
+    gl::Texture noise =
+        bake(programs, GL_R8, {kNoiseSize, kNoiseSize, 2 * kNoiseSize}, kLevels, "STACKED 1");
+    noise.makeLevels();
     return noise;
 }
 

@@ -1,4 +1,4 @@
-// noise_texture.h: the detail noises of shaders/lib/noise.glsl as a texture.
+// noise_texture.h: the detail noises of shaders/lib/noise.glsl as a texture; either repeats.
 #pragma once
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
@@ -8,7 +8,11 @@ namespace neph::render {
 /// Texels a side of the tile.
 inline constexpr int kNoiseSize = 128;
 
-/// RG16, repeating. r: billow, g: wisp.
-gl::Texture bakeNoiseTexture(gl::ProgramCache& programs);
+/// RG16, filtered. r: billow, g: wisp. As half-angle slicing reads it.
+gl::Texture bakeNoise(gl::ProgramCache& programs);
+
+/// R8, nearest, with levels of half the size each: a tile of billow and upon it one of wisp. As the
+/// march reads it: few bytes, so that more of it stays in caches.
+gl::Texture bakeStackedNoise(gl::ProgramCache& programs);
 
 }  // namespace neph::render

@@ -8,6 +8,10 @@
 namespace neph::render {
 namespace {
 
+// What would dim a ray through the whole domain by less is not there: an eighth of a step of 8
+// bits of a path that no cloud is as long as.
+constexpr double kInvisibleDepth = 2e-3;
+
 /// A new volume may have other candidates, so what lies outside of them starts empty.
 void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
     const glm::ivec3 cells = (volume.grid.size + 1) / 2;
@@ -39,9 +43,9 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const gl::
 void packExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
     const gl::Program& program = programs.get("pass/pack_extinction.comp");
     setSpecies(volume, out.plan, program);
-    volume.candidates.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
     out.extinction.bindImage(0, GL_WRITE_ONLY);
-    program.dispatchGroups(static_cast<int>(volume.candidateBricks.size()));
+    program.dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
@@ -73,8 +77,8 @@ void packMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::Progra
     out.extinction.bind(0);
     out.bricks = mapBricks(
         readBrickMaxima(programs.get("pass/brick_maximum.comp", {"PACKED 1", "CLASS_TEXTURES 1"}),
-                        volume.brickCount()),
-        volume.grid);
+                        brickCount(volume.grid.size)),
+        volume.grid, kInvisibleDepth);
 }
 
 }  // namespace neph::render

@@ -12,6 +12,7 @@
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
+#include "app/render/engines/frame_block.h"
 #include "app/render/engines/march.h"
 #include "app/render/engines/slicing.h"
 #include "app/render/medium_bake.h"
@@ -26,9 +27,11 @@ struct Renderer::Impl {
 
     gl::ProgramCache programs;
     std::optional<VolumeTextures> volume;
-    MediumTextures medium;  ///< of slicing; made when it is first wanted
-    PackedMedium packed;    ///< of the march; likewise
-    gl::Texture noise, linear, display;
+    MediumTextures medium;     ///< of slicing; made when it is first wanted
+    PackedMedium packed;       ///< of the march; likewise
+    gl::Texture noise;         ///< of slicing
+    gl::Texture stackedNoise;  ///< of the march
+    gl::Texture linear, display;
     SlicingEngine slicing;
     MarchEngine march;
     gl::PassTimer timer;
@@ -90,10 +93,10 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
 
 void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
     const MediumPlan plan = planMedium(inputs.look, volume->holdings);
-    for (const MediumClass& c : plan.classes) {
-        if (c.noiseAmount > 0.0f && !noise) noise = bakeNoiseTexture(programs);
-    }
     const bool slices = inputs.look.engine == Engine::slicing;
+    gl::Texture& detail = slices ? noise : stackedNoise;
+    if (isNoisy(plan) && !detail)
+        detail = slices ? bakeNoise(programs) : bakeStackedNoise(programs);
     const bool made =
         slices ? static_cast<bool>(medium.first) : static_cast<bool>(packed.extinction);
     if (!mediumStale && made && plan == (slices ? medium.plan : packed.plan)) return;
@@ -112,9 +115,11 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
 }
 
 void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress) {
-    const gl::Texture* detail = noise ? &noise : nullptr;
-    if (inputs.look.engine == Engine::slicing) {
-        slicing.render(inputs, volume->grid, medium, detail, programs, linear, stage == Stage::eye,
+    const bool slices = inputs.look.engine == Engine::slicing;
+    const gl::Texture& made = slices ? noise : stackedNoise;
+    const gl::Texture* detail = made ? &made : nullptr;
+    if (slices) {
+        slicing.render(inputs, *volume, medium, detail, programs, linear, stage == Stage::eye,
                        progress, timer);
         return;
     }
@@ -263,7 +268,7 @@ std::vector<MemoryUse> Renderer::memory() const {
     return {{"species", impl_->volume->bytes()},
             {"medium", impl_->packed.bytes() + impl_->medium.bytes()},
             {"light", light},
-            {"noise", impl_->noise.bytes()},
+            {"noise", impl_->noise.bytes() + impl_->stackedNoise.bytes()},
             {"pictures", impl_->linear.bytes() + impl_->display.bytes() + impl_->slicing.bytes() +
                              impl_->march.bytes() - light}};
 }
@@ -286,6 +291,7 @@ void Renderer::reloadChangedShaders() {
     if (impl_->programs.generation() == before) return;
     impl_->mediumStale = true;
     impl_->noise = {};
+    impl_->stackedNoise = {};
 }
 
 }  // namespace neph::render

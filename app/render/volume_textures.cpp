@@ -1,4 +1,4 @@
-// volume_textures.cpp: upload as halves, and the list of bricks that any bake has to visit.
+// volume_textures.cpp: upload as halves, and the list of blocks that any bake has to visit.
 #include "app/render/volume_textures.h"
 
 #include <algorithm>
@@ -31,49 +31,49 @@ float uploadHalves(const Array3f& held, gl::ProgramCache& programs, gl::Texture&
     return perTexel;
 }
 
-/// Marks the bricks that hold anything of `held`.
-void mark(const Array3f& held, Array3<std::uint8_t>& bricks) {
+/// Marks the blocks that hold anything of `held`.
+void mark(const Array3f& held, Array3<std::uint8_t>& blocks) {
     const float* value = held.values.data();
     for (int z = 0; z < held.size.z; ++z) {
         for (int y = 0; y < held.size.y; ++y) {
-            for (int x = 0; x < held.size.x; x += kBrickVoxels) {
-                const int end = std::min(kBrickVoxels, held.size.x - x);
+            for (int x = 0; x < held.size.x; x += kBlockVoxels) {
+                const int end = std::min(kBlockVoxels, held.size.x - x);
                 const bool any = std::any_of(value, value + end, [](float v) { return v > 0.0f; });
                 value += end;
-                if (any) bricks.at(x / kBrickVoxels, y / kBrickVoxels, z / kBrickVoxels) = 1;
+                if (any) blocks.at(x / kBlockVoxels, y / kBlockVoxels, z / kBlockVoxels) = 1;
             }
         }
     }
 }
 
-/// Interpolation carries what a voxel holds into the next brick.
-bool bordersOnAny(const Array3<std::uint8_t>& bricks, glm::ivec3 p) {
+/// Interpolation carries what a voxel holds into the next block.
+bool bordersOnAny(const Array3<std::uint8_t>& marked, glm::ivec3 p) {
     const glm::ivec3 lower = glm::max(p - 1, glm::ivec3(0));
-    const glm::ivec3 upper = glm::min(p + 1, bricks.size - 1);
+    const glm::ivec3 upper = glm::min(p + 1, marked.size - 1);
     for (int z = lower.z; z <= upper.z; ++z)
         for (int y = lower.y; y <= upper.y; ++y)
             for (int x = lower.x; x <= upper.x; ++x)
-                if (bricks.at(x, y, z) != 0) return true;
+                if (marked.at(x, y, z) != 0) return true;
     return false;
 }
 
-void listCandidates(const Array3<std::uint8_t>& bricks, VolumeTextures& out) {
+void listBlocks(const Array3<std::uint8_t>& marked, VolumeTextures& out) {
     std::vector<glm::ivec4> list;
-    for (int z = 0; z < bricks.size.z; ++z)
-        for (int y = 0; y < bricks.size.y; ++y)
-            for (int x = 0; x < bricks.size.x; ++x)
-                if (bordersOnAny(bricks, {x, y, z})) {
+    for (int z = 0; z < marked.size.z; ++z)
+        for (int y = 0; y < marked.size.y; ++y)
+            for (int x = 0; x < marked.size.x; ++x)
+                if (bordersOnAny(marked, {x, y, z})) {
                     list.emplace_back(x, y, z, 0);
-                    out.candidateBricks.emplace_back(x, y, z);
+                    out.blocks.emplace_back(x, y, z);
                 }
     if (list.empty()) list.emplace_back(0);  // a buffer that is bound must have a size
-    out.candidates.write(list.data(), list.size() * sizeof(glm::ivec4));
+    out.blockList.write(list.data(), list.size() * sizeof(glm::ivec4));
 }
 
 }  // namespace
 
 std::size_t VolumeTextures::bytes() const {
-    std::size_t sum = candidates.bytes();
+    std::size_t sum = blockList.bytes();
     for (const gl::Texture& texture : held) sum += texture.bytes();
     return sum;
 }
@@ -82,7 +82,7 @@ VolumeTextures uploadVolume(const SpeciesVolume& volume, gl::ProgramCache& progr
     VolumeTextures textures;
     textures.grid = volume.grid;
     textures.holdings = volume.holdings();
-    Array3<std::uint8_t> bricks(textures.brickCount(), 0);
+    Array3<std::uint8_t> blocks((volume.grid.size + kBlockVoxels - 1) / kBlockVoxels, 0);
     for (std::size_t s = 0; s < textures.held.size(); ++s) {
         const auto species = static_cast<Species>(s);
         const Array3f& held =
@@ -92,9 +92,9 @@ VolumeTextures uploadVolume(const SpeciesVolume& volume, gl::ProgramCache& progr
             continue;
         }
         textures.perTexel[s] = uploadHalves(held, programs, textures.held[s]);
-        mark(held, bricks);
+        mark(held, blocks);
     }
-    listCandidates(bricks, textures);
+    listBlocks(blocks, textures);
     return textures;
 }
 

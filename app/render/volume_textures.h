@@ -5,10 +5,12 @@
 
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
-#include "app/render/brick_map.h"
 #include "core/species.h"
 
 namespace neph::render {
+
+/// Voxels along the edge of a block, the unit in which the bakes visit the volume.
+inline constexpr int kBlockVoxels = 8;
 
 /// Mass contents or extinctions as R16F, each species scaled so that its largest value is near the
 /// top of the range: 11 bits of precision over nine decades. Absent species have one empty voxel.
@@ -17,11 +19,10 @@ struct VolumeTextures {
     std::array<gl::Texture, kSpeciesCount> held;
     std::array<float, kSpeciesCount> perTexel{};  ///< held value = texel × perTexel
     std::array<Holding, kSpeciesCount> holdings{};
-    /// Lower corners, in bricks, of all bricks that hold or border on anything: ivec4 (xyz, 0).
-    gl::Buffer candidates;
-    std::vector<glm::ivec3> candidateBricks;  ///< the same
+    /// Lower corners, in blocks, of all blocks that hold or border on anything.
+    std::vector<glm::ivec3> blocks;
+    gl::Buffer blockList;  ///< the same: ivec4 (xyz, 0)
 
-    glm::ivec3 brickCount() const { return (grid.size + kBrickVoxels - 1) / kBrickVoxels; }
     std::size_t bytes() const;
 };
 

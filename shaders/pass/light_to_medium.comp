@@ -1,5 +1,5 @@
 // light_to_medium.comp: the share of sunlight that arrives at each voxel of the march's medium. One
-// work group a brick that may hold anything.
+// work group a block that may hold anything.
 //
 // Layer k of the light lies on the plane between slices k - 1 and k. The layers of one batch of
 // slices are held; voxels before or behind are left to other batches.
@@ -9,8 +9,8 @@ layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(rg16f, binding = 0) uniform image3D io_extinction;
-layout(std430, binding = 1) readonly buffer Candidates {
-    ivec4 candidates[];
+layout(std430, binding = 1) readonly buffer Blocks {
+    ivec4 blocks[];
 };
 layout(location = 20) uniform int firstGroup;
 
@@ -29,8 +29,7 @@ float lightAt(vec3 positionM, float layer) {
 }
 
 void main() {
-    ivec3 voxel =
-        8 * candidates[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
+    ivec3 voxel = 8 * blocks[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
     ivec3 size = imageSize(io_extinction);
     vec3 cellM = u_.gridExtentM.xyz / vec3(size);
     for (int z = 0; z < 8; ++z, ++voxel.z) {

@@ -92,22 +92,6 @@ uint leap(Path path, inout float atM, inout uint skipped) {
     }
 }
 
-#if NOISE
-/// What the extinction is multiplied by at a point: the detail of one class, drawn by `u` with the
-/// classes' shares, from the nearest texel to a place that is jittered within one texel. On average
-/// over u and jitter this is every class's detail, interpolated linearly, by its share.
-float detailAt(vec3 positionM, vec3 jitter, float u, Mixture mixture) {
-    vec4 noise = u_.classes[0].noise;
-    float edge = mixture.share[0];
-    for (int i = 1; i < CLASSES; ++i) {
-        if (u >= edge) noise = u_.classes[i].noise;
-        edge += mixture.share[i];
-    }
-    vec2 texel = textureLod(t_noise, positionM * noise.y + jitter, 0.0).rg;
-    return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
-}
-#endif
-
 #if FLOOR
 void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     for (int i = 0; i < kRun; ++i) {
@@ -122,7 +106,6 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     vec3 middleM = path.ray.originM + (atM + 0.5 * float(kRun) * h) * path.ray.dir;
     Mixture mixture = mixtureAt(middleM);
 #if NOISE
-    vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / NOISE_SIZE;
     float draw = path.place * 19.0;
 #endif
     float lit = 0.0;
@@ -134,7 +117,7 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
         float depth = kLog2E * medium.r * clamp(path.endM - startM, 0.0, h);
 #if NOISE
         float u = fract(draw + float(i) / float(kRun));  // spread over the run
-        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, u, mixture);
+        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, h, path.place, u, mixture);
 #endif
         float through = eye.through * exp2(-depth);
         lit += (eye.through - through) * medium.g;

@@ -4,7 +4,7 @@
 // Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and
 // writes layer k + 1. Either engine's medium is read, by the same names.
 #version 450 core
-layout(local_size_x = 32, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;  // a tile
 #include "../lib/optics.glsl"
 // A file is included once, on whichever side of an #if: what both sides need comes before it.
 #include "../lib/noise.glsl"
@@ -18,12 +18,22 @@ layout(local_size_x = 32, local_size_y = 8) in;
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(LIGHT_FORMAT, binding = 0) writeonly uniform image2DArray o_light;
 layout(location = 0) uniform int layer;
+layout(location = 20) uniform int firstGroup;
+layout(std430, binding = 3) readonly buffer Tiles {
+    ivec2 tiles[];  // of the light buffer, that pass through anything
+};
 
 /// Where the light ray of a texel meets the slice.
 vec3 positionOnSlice(vec2 across, float planeM) {
     vec3 base = u_.lightU.xyz * across.x + u_.lightV.xyz * across.y;
     float along = (planeM - dot(u_.normal.xyz, base)) / dot(u_.normal.xyz, u_.towardsSun.xyz);
     return base + along * u_.towardsSun.xyz;
+}
+
+/// In [0, 1): other for each texel and layer, spread evenly. The constants are the reciprocals of
+/// the plastic and the golden ratio. [Roberts18]
+float scattered(ivec2 texel) {
+    return fract(dot(vec3(texel, u_.slices.y + layer), vec3(0.75487767, 0.56984029, 0.61803399)));
 }
 
 #if TRANSLUCENT
@@ -46,8 +56,8 @@ float meanAlbedo(MediumSample s, float extinctionPerM) {
 }
 #endif
 
-float lightBeyond(vec2 at, float centre, vec3 positionM) {
-    MediumSample s = sampleMedium(positionM);
+float lightBeyond(ivec2 texel, vec2 at, float centre, vec3 positionM) {
+    MediumSample s = sampleMedium(positionM, scattered(texel));
     float extinctionPerM = totalExtinctionPerM(s);
     float opticalDepth = extinctionPerM * u_.towardsSun.w;
 #if !TRANSLUCENT
@@ -62,7 +72,7 @@ float lightBeyond(vec2 at, float centre, vec3 positionM) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = 16 * tiles[firstGroup + int(gl_WorkGroupID.x)] + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(texel, u_.picture.zw))) return;
     vec2 at = (vec2(texel) + 0.5) / vec2(u_.picture.zw);
     vec2 across = at / u_.lightScale.xy + vec2(u_.lightU.w, u_.lightV.w);
@@ -72,6 +82,6 @@ void main() {
     float light = texelFetch(t_light, ivec3(texel, layer), 0).r;
     bool inside = all(greaterThanEqual(positionM, u_.boxLowerM.xyz)) &&
                   all(lessThanEqual(positionM, u_.boxUpperM.xyz));
-    if (inside && emptiness(positionM) == 0) light = lightBeyond(at, light, positionM);
+    if (inside && emptiness(positionM) == 0) light = lightBeyond(texel, at, light, positionM);
     imageStore(o_light, ivec3(texel, layer + 1), vec4(light, 0.0, 0.0, 0.0));
 }

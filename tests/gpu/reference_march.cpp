@@ -18,7 +18,7 @@ namespace {
 using glm::dvec2, glm::dvec3, glm::dvec4, glm::ivec2, glm::ivec3;
 using Classes = std::array<double, kSpeciesCount>;
 
-constexpr int kBrick = 8;  // as the engine: voxels of an occupancy brick
+constexpr int kBrick = 4;  // as the engine: voxels of an occupancy brick
 constexpr double kNothing =
     1e-4;  // as the engine: optical depth across the domain that nobody sees
 constexpr double kGroundShare = 0.2, kHazeM = 90e3;

@@ -3,6 +3,7 @@
 #pragma once
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
+#include "app/render/engines/light_tiles.h"
 #include "app/render/engines/slice_plan.h"
 #include "core/progress.h"
 
@@ -14,15 +15,18 @@ class LightLayers {
     void resize(glm::ivec2 sizePx, int layers, GLenum format);
     /// Layer 0 takes over from another layer, or full light (-1).
     void open(int fromLayer);
-    /// Fills layers 1 to `slices`. Throws Cancelled.
-    void march(const gl::Program& program, int slices, const Progress& progress);
+    /// Fills the layers after the first, one for each slice of `tiles`. Throws Cancelled.
+    void march(const gl::Program& program, const LightTiles& tiles, const Progress& progress);
 
     void bind(GLuint unit) const { layers_.bind(unit); }
     glm::ivec3 size() const { return layers_.size(); }
-    std::size_t bytes() const { return layers_.bytes(); }
+    std::size_t bytes() const { return layers_.bytes() + tiles_.bytes(); }
 
   private:
+    void copy(int from, int to);
+
     gl::Texture layers_;
+    gl::Buffer tiles_;
     GLenum format_ = 0;
 };
 

@@ -17,11 +17,10 @@
 namespace neph::render {
 namespace {
 
-constexpr GLuint kNoiseUnit = 3;
 constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
 // Size of a light texel in voxels, and in a draft.
 constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
-constexpr int kLightBatch = 32;  // layers held at a time
+constexpr int kLightBatch = 16;  // layers held at a time
 // Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
 constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
 
@@ -34,36 +33,39 @@ SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
                                  : medium.bricks.occupied;
 }
 
-/// The bricks that may hold anything, by the layers of light that pass through them.
-class BrickOrder {
+/// The blocks that may hold anything, by the layers of light that pass through them.
+class BlockOrder {
   public:
-    BrickOrder(const VolumeTextures& volume, const SlicePlan& plan) {
-        const glm::dvec3 brickM = volume.grid.spacingM * static_cast<double>(kBrickVoxels);
-        // Half the extent of a brick along the light.
-        const double reachM = 0.5 * glm::dot(glm::abs(plan.normal), brickM);
-        for (const glm::ivec3 brick : volume.candidateBricks) {
-            const glm::dvec3 middleM = (glm::dvec3(brick) + 0.5) * brickM;
+    BlockOrder(const VolumeTextures& volume, const SlicePlan& plan) {
+        const glm::dvec3 blockM = volume.grid.spacingM * static_cast<double>(kBlockVoxels);
+        // Half the extent of a block along the light.
+        const double reachM = 0.5 * glm::dot(glm::abs(plan.normal), blockM);
+        for (const glm::ivec3 block : volume.blocks) {
+            const glm::dvec3 middleM = (glm::dvec3(block) + 0.5) * blockM;
             const double alongM = glm::dot(plan.normal, middleM) - plan.firstM;
-            bricks_.push_back({glm::ivec4(brick, 0), (alongM - reachM) / plan.spacingM,
-                               (alongM + reachM) / plan.spacingM});
+            const auto layer = [&](double m) {  // what lies before or behind all has an end's light
+                return std::clamp(m / plan.spacingM, 0.0, static_cast<double>(plan.count));
+            };
+            blocks_.push_back(
+                {glm::ivec4(block, 0), layer(alongM - reachM), layer(alongM + reachM)});
         }
     }
 
     /// Those that lie between layers `first` and `first + slices`, if only in part.
     std::vector<glm::ivec4> within(int first, int slices) const {
         std::vector<glm::ivec4> found;
-        for (const Spanned& brick : bricks_) {
-            if (brick.last >= first && brick.first <= first + slices) found.push_back(brick.brick);
+        for (const Spanned& each : blocks_) {
+            if (each.last >= first && each.first <= first + slices) found.push_back(each.block);
         }
         return found;
     }
 
   private:
     struct Spanned {
-        glm::ivec4 brick;
+        glm::ivec4 block;
         double first, last;  ///< layers
     };
-    std::vector<Spanned> bricks_;
+    std::vector<Spanned> blocks_;
 };
 
 std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
@@ -110,7 +112,7 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
     medium.extinction.bind(0);
     medium.first.bind(1);
     medium.bricks.map.bind(2);
-    if (noise) noise->bind(kNoiseUnit);
+    if (noise) noise->bind(3);
     light_.bind(4);
     if (medium.second) medium.second.bind(5);
 }
@@ -127,38 +129,38 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
     light_.resize(plan_.lightSizePx, std::min(kLightBatch, plan_.count) + 1, GL_R16);
     light_.open(-1);
     lastLayer_ = 0;
-    const BrickOrder bricks(volume, plan_);
+    const BlockOrder blocks(volume, plan_);
     const auto names = defines(inputs.look, medium);
     for (int first = 0; first < plan_.count; first += kLightBatch) {
         const int slices = std::min(kLightBatch, plan_.count - first);
         if (first > 0) light_.open(lastLayer_);
         bind(inputs, grid, medium, noise, {first, slices});
         timer.pass("light");
-        light_.march(programs.get("pass/slice_light.comp", names), slices, progress);
+        light_.march(
+            programs.get("pass/slice_light.comp", names),
+            tilesOf(volume.blocks, volume.grid.spacingM * static_cast<double>(kBlockVoxels), plan_,
+                    first, slices),
+            progress);
         timer.pass("light to medium");
-        lightToMedium(bricks.within(first, slices), medium, programs);
+        lightToMedium(blocks.within(first, slices), medium, programs);
         lastLayer_ = slices;
     }
 }
 
 /// What arrived within the batch of layers that is held.
-void MarchEngine::lightToMedium(const std::vector<glm::ivec4>& bricks, const PackedMedium& medium,
+void MarchEngine::lightToMedium(const std::vector<glm::ivec4>& blocks, const PackedMedium& medium,
                                 gl::ProgramCache& programs) {
-    if (bricks.empty()) return;
-    bricks_.write(bricks.data(), bricks.size() * sizeof(glm::ivec4));
-    bricks_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    if (blocks.empty()) return;
+    blocks_.write(blocks.data(), blocks.size() * sizeof(glm::ivec4));
+    blocks_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     medium.extinction.bindImage(0, GL_READ_WRITE);
-    programs.get("pass/light_to_medium.comp").dispatchGroups(static_cast<int>(bricks.size()));
+    programs.get("pass/light_to_medium.comp").dispatchGroups(static_cast<int>(blocks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
                         const gl::Texture& linear, const Progress& progress) {
-    if (!blueNoise_) {
-        blueNoise_ = uploadBlueNoise();
-        nearest_ = gl::Sampler::nearestRepeat();
-    }
-    nearest_.bind(kNoiseUnit);
+    if (!blueNoise_) blueNoise_ = uploadBlueNoise();
     blueNoise_.bind(6);
     phases_.bind();
     linear.bindImage(0, GL_READ_WRITE);
@@ -169,7 +171,6 @@ void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
         program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-    gl::Sampler::unbind(kNoiseUnit);
 }
 
 void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,

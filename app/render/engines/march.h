@@ -43,7 +43,7 @@ class MarchEngine {
   private:
     void bind(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
               const gl::Texture* noise, glm::ivec2 batch);
-    void lightToMedium(const std::vector<glm::ivec4>& bricks, const PackedMedium& medium,
+    void lightToMedium(const std::vector<glm::ivec4>& blocks, const PackedMedium& medium,
                        gl::ProgramCache& programs);
     void march(const FrameInputs& inputs, const gl::Program& program, const gl::Texture& linear,
                const Progress& progress);
@@ -53,11 +53,10 @@ class MarchEngine {
     LightLayers light_;
     PhaseTexture phases_;
     int lastLayer_ = 0;  ///< of the light that is held: what is left behind the last slice
-    gl::Buffer block_, counts_, bricks_;
+    gl::Buffer block_, counts_, blocks_;
     gl::Texture blueNoise_;
-    gl::Sampler nearest_;  ///< of the detail noise
-    gl::Texture floor_;    ///< RGBA16; only to measure
-    gl::Texture taken_;    ///< R32UI: samples of each pixel; only when profiled
+    gl::Texture floor_;  ///< RGBA16; only to measure
+    gl::Texture taken_;  ///< R32UI: samples of each pixel; only when profiled
 };
 
 }  // namespace neph::render

@@ -56,10 +56,11 @@ void SlicingEngine::marchEye(const FrameInputs& inputs, const gl::Program& progr
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
+void SlicingEngine::render(const FrameInputs& inputs, const VolumeTextures& volume,
                            const MediumTextures& medium, const gl::Texture* noise,
                            gl::ProgramCache& programs, const gl::Texture& linear, bool lightIsValid,
                            const Progress& progress, gl::PassTimer& timer) {
+    const RegularGrid& grid = volume.grid;
     const bool empty = medium.bricks.empty();
     const SliceBox box = empty ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
     const double voxelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
@@ -93,8 +94,13 @@ void SlicingEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
         upload(first, slices);
         timer.pass("light");
         light_.open(lastLayer);
-        if (!keepLight)
-            light_.march(programs.get("pass/slice_light.comp", names), slices, progress);
+        if (!keepLight) {
+            light_.march(
+                programs.get("pass/slice_light.comp", names),
+                tilesOf(volume.blocks, volume.grid.spacingM * static_cast<double>(kBlockVoxels),
+                        plan_, first, slices),
+                progress);
+        }
         timer.pass("eye");
         marchEye(inputs, programs.get("pass/slice_eye.comp", names), progress);
         lastLayer = slices;

@@ -21,9 +21,10 @@ class SlicingEngine {
     /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
     /// transmittance). `lightIsValid` says that nothing but what the eye sees has changed since the
     /// last whole frame. Asks `progress` between bands of slices and of rows; throws Cancelled.
-    void render(const FrameInputs& inputs, const RegularGrid& grid, const MediumTextures& medium,
-                const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear,
-                bool lightIsValid, const Progress& progress, gl::PassTimer& timer);
+    void render(const FrameInputs& inputs, const VolumeTextures& volume,
+                const MediumTextures& medium, const gl::Texture* noise, gl::ProgramCache& programs,
+                const gl::Texture& linear, bool lightIsValid, const Progress& progress,
+                gl::PassTimer& timer);
 
     const SlicePlan& plan() const { return plan_; }
     std::size_t bytes() const { return light_.bytes() + eye_.bytes() + phases_.bytes(); }
