@@ -106,7 +106,6 @@ void Texture::setRepeat() {
 
 void Texture::makeLevels() {
     glGenerateTextureMipmap(name_);
-    glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
 }
 
 void Texture::upload(GLenum pixelFormat, GLenum type, const void* data) {

@@ -29,7 +29,7 @@ class Texture {
 
     void setLinear();
     void setRepeat();
-    /// Fills the levels below the first; reads go to the nearest texel of the nearest level.
+    /// Fills the levels below the first, for texelFetch.
     void makeLevels();
     /// Replaces everything; `data` is tightly packed.
     void upload(GLenum pixelFormat, GLenum type, const void* data);

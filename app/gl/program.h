@@ -29,6 +29,9 @@ class Program {
     void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
+    void setVec3(int location, glm::vec3 value) const {
+        glProgramUniform3f(name_, location, value.x, value.y, value.z);
+    }
 
     /// Newest change of the files it was made of: when they were compiled, and now.
     std::filesystem::file_time_type newest() const { return newest_; }

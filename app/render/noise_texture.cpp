@@ -4,8 +4,6 @@
 namespace neph::render {
 namespace {
 
-constexpr int kLevels = 6;  // down to 4 texels a side: less than one for the largest features
-
 gl::Texture bake(gl::ProgramCache& programs, GLenum format, glm::ivec3 size, int levels,
                  const char* stacked) {
     gl::Texture noise = gl::Texture::make3D(format, size, levels);
@@ -26,7 +24,7 @@ gl::Texture bakeNoise(gl::ProgramCache& programs) {
 
 gl::Texture bakeStackedNoise(gl::ProgramCache& programs) {
     gl::Texture noise =
-        bake(programs, GL_R8, {kNoiseSize, kNoiseSize, 2 * kNoiseSize}, kLevels, "STACKED 1");
+        bake(programs, GL_R8, {kNoiseSize, kNoiseSize, 2 * kNoiseSize}, kNoiseLevels, "STACKED 1");
     noise.makeLevels();
     return noise;
 }

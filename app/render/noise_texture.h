@@ -7,6 +7,8 @@ namespace neph::render {
 
 /// Texels a side of the tile.
 inline constexpr int kNoiseSize = 128;
+/// Levels of the stacked noise: down to 4 texels a side, less than one for the largest features.
+inline constexpr int kNoiseLevels = 6;
 
 /// RG16, filtered. r: billow, g: wisp. As half-angle slicing reads it.
 gl::Texture bakeNoise(gl::ProgramCache& programs);

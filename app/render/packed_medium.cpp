@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "app/render/medium_bake.h"
+#include "app/render/noise_texture.h"
+#include "shaders/lib/glsl_cpp.h"
 
 namespace neph::render {
 namespace {
@@ -12,7 +14,6 @@ namespace {
 // bits of a path that no cloud is as long as.
 constexpr double kInvisibleDepth = 2e-3;
 
-/// A new volume may have other candidates, so what lies outside of them starts empty.
 void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
     const glm::ivec3 cells = (volume.grid.size + 1) / 2;
     const auto make = [](GLenum format, glm::ivec3 size) {
@@ -23,12 +24,12 @@ void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& 
     if (!out.extinction || out.extinction.size() != volume.grid.size) {
         out = {};
         out.extinction = make(GL_RG16F, volume.grid.size);
+        glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
         out.first = make(GL_RGBA8, cells);
     }
     if (needsSecond != static_cast<bool>(out.second)) {
         out.second = needsSecond ? make(GL_RGBA8, cells) : gl::Texture();
     }
-    glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
 }
 
 /// Uniforms that both passes have: what a texel of each species is worth.
@@ -40,11 +41,35 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const gl::
     }
 }
 
-void packExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
-    const gl::Program& program = programs.get("pass/pack_extinction.comp");
+std::vector<std::string> extinctionDefines(bool detailed) {
+    return {fmt::format("DETAIL {}", detailed ? 1 : 0), fmt::format("NOISE_SIZE {}", kNoiseSize),
+            fmt::format("NOISE_LEVELS {}", kNoiseLevels)};
+}
+
+/// Uniforms of the detail, by species.
+void setDetail(const VolumeTextures& volume, const Look& look, const gl::Program& program) {
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
+        const float tileM = glsl::kDetailFeaturesPerTile * field.noiseScaleM;
+        program.setFloat(30 + s, field.noiseAmount);
+        program.setFloat(36 + s, static_cast<float>(kNoiseSize) / tileM);
+        program.setFloat(42 + s, field.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
+    }
+    program.setVec3(48, glm::vec3(volume.grid.spacingM));
+}
+
+void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
+                    gl::ProgramCache& programs, PackedMedium& out) {
+    const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
+    const gl::Program& program =
+        programs.get("pass/pack_extinction.comp", extinctionDefines(detailed));
     setSpecies(volume, out.plan, program);
+    if (detailed) {
+        setDetail(volume, look, program);
+        noise->bind(6);
+    }
     volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    out.extinction.bindImage(0, GL_WRITE_ONLY);
+    out.extinction.bindImage(0, GL_READ_WRITE);
     program.dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
@@ -68,17 +93,31 @@ void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, Packe
 
 }  // namespace
 
-void packMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
-                PackedMedium& out) {
-    makeTextures(volume, plan.classes.size() > 3, out);
-    out.plan = plan;
-    packExtinction(volume, programs, out);
-    packMixture(volume, programs, out);
+void packMedium(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
+                gl::ProgramCache& programs, PackedMedium& out) {
+    if (out.extinction) {  // a new volume may have other blocks: outside of them nothing is
+        glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
+    }
+    repackMedium(volume, look, PackedDetail::voxels, noise, programs, out);
     out.extinction.bind(0);
     out.bricks = mapBricks(
         readBrickMaxima(programs.get("pass/brick_maximum.comp", {"PACKED 1", "CLASS_TEXTURES 1"}),
                         brickCount(volume.grid.size)),
         volume.grid, kInvisibleDepth);
+}
+
+void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail detail,
+                  const gl::Texture* noise, gl::ProgramCache& programs, PackedMedium& out) {
+    Look plain = look;
+    plain.noise = false;
+    const MediumPlan plan =
+        planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings);
+    makeTextures(volume, plan.classes.size() > 3, out);
+    out.look = planMedium(look, volume.holdings);
+    out.plan = plan;
+    out.detail = detail;
+    packExtinction(volume, look, noise, programs, out);
+    packMixture(volume, programs, out);
 }
 
 }  // namespace neph::render

@@ -43,6 +43,8 @@ struct Renderer::Impl {
 
     Stage stageFor(const FrameInputs& inputs) const;
     void bake(const FrameInputs& inputs, FrameStats& stats);
+    const gl::Texture* stacked() const { return stackedNoise ? &stackedNoise : nullptr; }
+    void repack(const FrameInputs& inputs, PackedDetail wanted);
     void draw(const FrameInputs& inputs, Stage stage, const Progress& progress);
     void resolve(const FrameInputs& inputs);
     void describe(const FrameInputs& inputs, Stage stage, FrameStats& stats);
@@ -95,11 +97,13 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
     const MediumPlan plan = planMedium(inputs.look, volume->holdings);
     const bool slices = inputs.look.engine == Engine::slicing;
     gl::Texture& detail = slices ? noise : stackedNoise;
-    if (isNoisy(plan) && !detail)
+    if (isNoisy(plan) && !detail) {
+        timer.pass("noise");
         detail = slices ? bakeNoise(programs) : bakeStackedNoise(programs);
+    }
     const bool made =
         slices ? static_cast<bool>(medium.first) : static_cast<bool>(packed.extinction);
-    if (!mediumStale && made && plan == (slices ? medium.plan : packed.plan)) return;
+    if (!mediumStale && made && plan == (slices ? medium.plan : packed.look)) return;
     timer.pass("bake medium");
     lit.reset();
     // The other engine's medium would be stale, and two would be held for nothing.
@@ -108,29 +112,35 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
         bakeMedium(*volume, plan, programs, medium);
     } else {
         medium = {};
-        packMedium(*volume, plan, programs, packed);
+        packMedium(*volume, inputs.look, stacked(), programs, packed);
     }
     mediumStale = false;
     stats.bakedMedium = true;
 }
 
+/// Has the march's medium hold the detail that is wanted.
+void Renderer::Impl::repack(const FrameInputs& inputs, PackedDetail wanted) {
+    if (packed.detail == wanted) return;
+    timer.pass("bake detail");
+    repackMedium(*volume, inputs.look, wanted, stacked(), programs, packed);
+}
+
 void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress) {
-    const bool slices = inputs.look.engine == Engine::slicing;
-    const gl::Texture& made = slices ? noise : stackedNoise;
-    const gl::Texture* detail = made ? &made : nullptr;
-    if (slices) {
-        slicing.render(inputs, *volume, medium, detail, programs, linear, stage == Stage::eye,
-                       progress, timer);
+    if (inputs.look.engine == Engine::slicing) {
+        slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, linear,
+                       stage == Stage::eye, progress, timer);
         return;
     }
     if (stage <= Stage::light) {
         lit.reset();
-        march.light(inputs, *volume, packed, detail, programs, progress, timer);
+        repack(inputs, PackedDetail::voxels);
+        march.light(inputs, *volume, packed, programs, progress, timer);
         lit = inputs.look;
         lightIsDraft = inputs.draftLight;
     }
+    repack(inputs, MarchEngine::detailFor(inputs, volume->grid, packed));
     timer.pass("eye");
-    march.eye(inputs, volume->grid, packed, detail, programs, linear, progress);
+    march.eye(inputs, volume->grid, packed, stacked(), programs, linear, progress);
 }
 
 void Renderer::Impl::resolve(const FrameInputs& inputs) {

@@ -7,6 +7,7 @@
 // else, to measure against. docs/performance.md
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "../lib/noise.glsl"
 #include "backdrop.glsl"
 #include "packed_sample.glsl"
 #include "phases.glsl"
@@ -16,6 +17,12 @@ layout(location = 0) uniform int firstRow;  // of the band of rows that is drawn
 layout(location = 1) uniform float blend;   // of this picture in the mean: 1 for the first
 layout(rgba32f, binding = 0) uniform image2D io_linear;
 layout(binding = 6) uniform sampler2D t_blueNoise;
+#if NOISE
+layout(binding = 3) uniform sampler3D t_noise;  // a tile of billow, and of wisp upon it; nearest
+// Classes with detail of one scale and character share a kind.
+const int kKindOfClass[CLASSES] = KIND_OF_CLASS;
+const int kClassOfKind[KINDS] = CLASS_OF_KIND;
+#endif
 #if PROFILE
 layout(r32ui, binding = 1) writeonly uniform uimage2D o_taken;
 layout(std430, binding = 2) buffer Counts {
@@ -92,6 +99,42 @@ uint leap(Path path, inout float atM, inout uint skipped) {
     }
 }
 
+#if NOISE
+/// Shares of the kinds of detail in a mixture, and shares times amounts.
+struct Detail {
+    float share[KINDS];
+    float amount[KINDS];
+};
+
+Detail detailOf(Mixture mixture) {
+    Detail detail;
+    for (int k = 0; k < KINDS; ++k) {
+        detail.share[k] = 0.0;
+        detail.amount[k] = 0.0;
+    }
+    for (int i = 0; i < CLASSES; ++i) {
+        detail.share[kKindOfClass[i]] += mixture.share[i];
+        detail.amount[kKindOfClass[i]] += mixture.share[i] * u_.classes[i].noise.x;
+    }
+    return detail;
+}
+
+/// What the extinction is multiplied by at a point. The noise is that of the nearest texel to a
+/// place that is jittered within one texel: on average this is linear interpolation, at an eighth
+/// of its fetches.
+float detailAt(vec3 positionM, vec3 jitter, Detail detail) {
+    float factor = 0.0;
+    for (int k = 0; k < KINDS; ++k) {
+        vec4 kind = u_.classes[kClassOfKind[k]].noise;
+        vec3 at = positionM * kind.y + jitter;
+        at.z = 0.5 * (fract(at.z) + kind.z);
+        float noise = textureLod(t_noise, at, 0.0).r / kDetailMean - 1.0;
+        factor += max(0.0, detail.share[k] + detail.amount[k] * noise);
+    }
+    return factor;
+}
+#endif
+
 #if FLOOR
 void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     for (int i = 0; i < kRun; ++i) {
@@ -106,7 +149,8 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     vec3 middleM = path.ray.originM + (atM + 0.5 * float(kRun) * h) * path.ray.dir;
     Mixture mixture = mixtureAt(middleM);
 #if NOISE
-    float draw = path.place * 19.0;
+    Detail detail = detailOf(mixture);
+    vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / NOISE_SIZE;
 #endif
     float lit = 0.0;
     float before = eye.through;
@@ -116,8 +160,7 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
         vec2 medium = textureLod(t_extinction, path.at + sampleM * path.atPerM, 0.0).rg;
         float depth = kLog2E * medium.r * clamp(path.endM - startM, 0.0, h);
 #if NOISE
-        float u = fract(draw + float(i) / float(kRun));  // spread over the run
-        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, h, path.place, u, mixture);
+        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, detail);
 #endif
         float through = eye.through * exp2(-depth);
         lit += (eye.through - through) * medium.g;

@@ -25,8 +25,8 @@ float detail(vec3 positionM, int index) {
 }
 #endif
 
-/// Extinction of each class at a point of grid space. Nothing is drawn: `random` is the march's.
-MediumSample sampleMedium(vec3 positionM, float random) {
+/// Extinction of each class at a point of grid space.
+MediumSample sampleMedium(vec3 positionM) {
     MediumSample s;
     vec3 at = positionM / u_.gridExtentM.xyz;
     vec4 first = textureLod(t_medium0, at, 0.0);

@@ -1,7 +1,6 @@
 // packed_sample.glsl: reading the medium of the march at a point: extinction from one texture,
 // what it is a mixture of from another at half the resolution.
 #pragma once
-#include "../lib/noise.glsl"
 #include "bricks.glsl"
 #include "frame.glsl"
 
@@ -10,10 +9,6 @@ layout(binding = 1) uniform sampler3D t_mixture0;    // r: skylight, gba: classe
 #if MIXTURE_TEXTURES > 1
 layout(binding = 5) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
 #endif
-#if NOISE
-layout(binding = 3) uniform sampler3D t_noise;  // a tile of billow, and of wisp upon it; nearest
-#endif
-
 struct Mixture {
     float skylight;
     float share[CLASSES];  ///< of the extinction; they add to 1
@@ -37,43 +32,20 @@ Mixture mixtureAt(vec3 positionM) {
     return mixture;
 }
 
-#if NOISE
-/// What the extinction is multiplied by at a point: the detail of one class, drawn by `u` with the
-/// classes' shares, from the nearest texel to a place that is jittered within one texel by
-/// `random`. On average this is every class's detail, interpolated linearly, by its share. Detail
-/// finer than half of `stepM` could not be followed and is left out.
-float detailAt(vec3 positionM, float stepM, float random, float u, Mixture mixture) {
-    vec4 noise = u_.classes[0].noise;
-    float edge = mixture.share[0];
-    for (int i = 1; i < CLASSES; ++i) {
-        if (u >= edge) noise = u_.classes[i].noise;
-        edge += mixture.share[i];
-    }
-    float texels = max(1.0, 0.5 * NOISE_SIZE * noise.y * stepM);  // in half a step
-    vec3 jitter = (fract(random * vec3(5.0, 37.0, 91.0)) - 0.5) * texels / NOISE_SIZE;
-    vec3 at = positionM * noise.y + jitter;
-    at.z = 0.5 * (fract(at.z) + noise.z);
-    return detailFactor(textureLod(t_noise, at, log2(texels)).r, noise.x);
-}
-#endif
-
 struct MediumSample {
     float extinctionPerM[CLASSES];
 };
 
 /// As the light pass reads it.
-MediumSample sampleMedium(vec3 positionM, float random) {
+MediumSample sampleMedium(vec3 positionM) {
     float extinctionPerM = textureLod(t_extinction, positionM / u_.gridExtentM.xyz, 0.0).r;
     MediumSample s;
 #if CLASSES > 1
     Mixture mixture = mixtureAt(positionM);
-#else
-    Mixture mixture = Mixture(0.0, float[1](1.0));
-#endif
-#if NOISE
-    extinctionPerM *= detailAt(positionM, u_.towardsSun.w, random, fract(19.0 * random), mixture);
-#endif
     for (int i = 0; i < CLASSES; ++i) s.extinctionPerM[i] = extinctionPerM * mixture.share[i];
+#else
+    s.extinctionPerM[0] = extinctionPerM;
+#endif
     return s;
 }
 

@@ -46,7 +46,7 @@ vec4 marchBatch(Ray ray) {
             slice += forward * max(1, int(ceil(skipM / segmentM)));
             continue;
         }
-        MediumSample s = sampleMedium(positionM, 0.0);
+        MediumSample s = sampleMedium(positionM);
         float extinctionPerM = totalExtinctionPerM(s);
         if (extinctionPerM > 0.0) {
             float light =

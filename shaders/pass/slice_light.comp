@@ -30,12 +30,6 @@ vec3 positionOnSlice(vec2 across, float planeM) {
     return base + along * u_.towardsSun.xyz;
 }
 
-/// In [0, 1): other for each texel and layer, spread evenly. The constants are the reciprocals of
-/// the plastic and the golden ratio. [Roberts18]
-float scattered(ivec2 texel) {
-    return fract(dot(vec3(texel, u_.slices.y + layer), vec3(0.75487767, 0.56984029, 0.61803399)));
-}
-
 #if TRANSLUCENT
 float ringMean(vec2 at) {
     vec2 step = u_.lightScale.w * u_.lightScale.xy;
@@ -56,8 +50,8 @@ float meanAlbedo(MediumSample s, float extinctionPerM) {
 }
 #endif
 
-float lightBeyond(ivec2 texel, vec2 at, float centre, vec3 positionM) {
-    MediumSample s = sampleMedium(positionM, scattered(texel));
+float lightBeyond(vec2 at, float centre, vec3 positionM) {
+    MediumSample s = sampleMedium(positionM);
     float extinctionPerM = totalExtinctionPerM(s);
     float opticalDepth = extinctionPerM * u_.towardsSun.w;
 #if !TRANSLUCENT
@@ -82,6 +76,6 @@ void main() {
     float light = texelFetch(t_light, ivec3(texel, layer), 0).r;
     bool inside = all(greaterThanEqual(positionM, u_.boxLowerM.xyz)) &&
                   all(lessThanEqual(positionM, u_.boxUpperM.xyz));
-    if (inside && emptiness(positionM) == 0) light = lightBeyond(texel, at, light, positionM);
+    if (inside && emptiness(positionM) == 0) light = lightBeyond(at, light, positionM);
     imageStore(o_light, ivec3(texel, layer + 1), vec4(light, 0.0, 0.0, 0.0));
 }

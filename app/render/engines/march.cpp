@@ -20,6 +20,8 @@ namespace {
 constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
 // Size of a light texel in voxels, and in a draft.
 constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
+// Steps shorter than this many voxels can show detail finer than a voxel.
+constexpr double kFineSteps = 1.05;
 constexpr int kLightBatch = 16;  // layers held at a time
 // Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
 constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
@@ -73,8 +75,30 @@ std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     names.push_back("PACKED 1");
     names.push_back("LIGHT_FORMAT r16");
     names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
-    names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
     return names;
+}
+
+/// Classes with detail of one scale and character read it once.
+struct Kinds {
+    std::vector<int> ofClass, classOf;
+};
+
+Kinds kindsOf(const MediumPlan& plan) {
+    Kinds kinds;
+    for (std::size_t c = 0; c < plan.classes.size(); ++c) {
+        const MediumClass& mine = plan.classes[c];
+        const auto same = [&](int other) {
+            const MediumClass& theirs = plan.classes[static_cast<std::size_t>(other)];
+            return mine.noiseAmount == 0.0f || (theirs.noiseScaleM == mine.noiseScaleM &&
+                                                theirs.noiseCharacter == mine.noiseCharacter);
+        };
+        auto found = std::find_if(kinds.classOf.begin(), kinds.classOf.end(), same);
+        if (found == kinds.classOf.end()) {
+            found = kinds.classOf.insert(found, static_cast<int>(c));
+        }
+        kinds.ofClass.push_back(static_cast<int>(found - kinds.classOf.begin()));
+    }
+    return kinds;
 }
 
 std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMedium& medium,
@@ -83,7 +107,22 @@ std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMediu
     names.push_back(fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize));
     names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
     names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
+    if (!isNoisy(medium.plan)) return names;
+    const Kinds kinds = kindsOf(medium.plan);
+    names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
+    names.push_back(fmt::format("KINDS {}", kinds.classOf.size()));
+    names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.ofClass, ", ")));
+    names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.classOf, ", ")));
     return names;
+}
+
+double diagonalOf(const SliceBox& box) {
+    return glm::length(box.upperM - box.lowerM);
+}
+
+double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium) {
+    return inputs.planes > 0 ? diagonalOf(boxOf(medium, grid)) / inputs.planes
+                             : voxelM(grid) / static_cast<double>(inputs.look.quality);
 }
 
 gl::Texture uploadBlueNoise() {
@@ -94,10 +133,15 @@ gl::Texture uploadBlueNoise() {
 
 }  // namespace
 
+PackedDetail MarchEngine::detailFor(const FrameInputs& inputs, const RegularGrid& grid,
+                                    const PackedMedium& medium) {
+    const bool fine = baseStepM(inputs, grid, medium) < kFineSteps * voxelM(grid);
+    return fine && isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels;
+}
+
 void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
                        const PackedMedium& medium, const gl::Texture* noise, glm::ivec2 batch) {
-    const SliceBox box = boxOf(medium, grid);
-    const double diagonalM = glm::length(box.upperM - box.lowerM);
+    const double diagonalM = diagonalOf(boxOf(medium, grid));
     const bool fixed = inputs.planes > 0;
     const double stepM =
         fixed ? diagonalM / inputs.planes : voxelM(grid) / static_cast<double>(inputs.look.quality);
@@ -118,8 +162,8 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
 }
 
 void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
-                        PackedMedium& medium, const gl::Texture* noise, gl::ProgramCache& programs,
-                        const Progress& progress, gl::PassTimer& timer) {
+                        PackedMedium& medium, gl::ProgramCache& programs, const Progress& progress,
+                        gl::PassTimer& timer) {
     timer.pass("light");
     const RegularGrid& grid = volume.grid;
     plan_ = planSunSlices(
@@ -134,7 +178,7 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
     for (int first = 0; first < plan_.count; first += kLightBatch) {
         const int slices = std::min(kLightBatch, plan_.count - first);
         if (first > 0) light_.open(lastLayer_);
-        bind(inputs, grid, medium, noise, {first, slices});
+        bind(inputs, grid, medium, nullptr, {first, slices});
         timer.pass("light");
         light_.march(
             programs.get("pass/slice_light.comp", names),

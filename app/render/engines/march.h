@@ -15,10 +15,15 @@ namespace neph::render {
 
 class MarchEngine {
   public:
+    /// How much of the detail the medium should hold for a picture: steps that are too long to show
+    /// more than the voxels' need none of their own.
+    static PackedDetail detailFor(const FrameInputs& inputs, const RegularGrid& grid,
+                                  const PackedMedium& medium);
+
     /// Carries sunlight through the medium and leaves it there, at every voxel. Throws Cancelled.
+    /// The medium holds the voxels' detail.
     void light(const FrameInputs& inputs, const VolumeTextures& volume, PackedMedium& medium,
-               const gl::Texture* noise, gl::ProgramCache& programs, const Progress& progress,
-               gl::PassTimer& timer);
+               gl::ProgramCache& programs, const Progress& progress, gl::PassTimer& timer);
 
     /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
     /// transmittance), or averages it with what is there where inputs.sample says so. Throws
