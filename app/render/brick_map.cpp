@@ -107,4 +107,12 @@ BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double i
     return bricks;
 }
 
+Array3f readBack(const gl::Texture& texture) {
+    Array3f values(texture.size());
+    glGetTextureImage(texture.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(values.values.size() * sizeof(float)),
+                      values.values.data());
+    return values;
+}
+
 }  // namespace neph::render

@@ -29,6 +29,9 @@ struct BrickMap {
 /// would not give a ray through the whole domain `invisibleDepth` are empty.
 BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth);
 
+/// An R32F texture in the machine's memory; waits for it.
+Array3f readBack(const gl::Texture& texture);
+
 inline glm::ivec3 brickCount(glm::ivec3 voxels) {
     return (voxels + kBrickVoxels - 1) / kBrickVoxels;
 }

@@ -51,7 +51,7 @@ struct SampleCounts {
 /// What the last frame did, for the status line, the profile and `bench`.
 struct FrameStats {
     std::optional<Stage> redone;  ///< earliest stage that was redone; none: nothing but a copy
-    bool bakedMedium = false;
+    bool bakedMedium = false;  ///< or put other detail into it, as the march does
     bool marchedLight = false;
     bool marchedEye = false;
     int planes = 0;                ///< slices, or steps along the diagonal

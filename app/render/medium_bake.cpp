@@ -9,7 +9,7 @@ namespace {
 constexpr double kInvisibleDepth = 1e-4;  // nobody sees; the slices are compared to 1e-3
 
 std::vector<std::string> defines(const MediumTextures& medium) {
-    return {"PACKED 0", fmt::format("CLASS_TEXTURES {}", medium.textureCount())};
+    return {fmt::format("CLASS_TEXTURES {}", medium.textureCount())};
 }
 
 void bakeExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, MediumTextures& out) {
@@ -45,19 +45,6 @@ gl::Texture makeMediumTexture(glm::ivec3 size) {
 
 }  // namespace
 
-Array3f readBrickMaxima(const gl::Program& program, glm::ivec3 bricks) {
-    const gl::Texture maximum = gl::Texture::make3D(GL_R32F, bricks);
-    maximum.bindImage(0, GL_WRITE_ONLY);
-    program.setInt(0, kBrickVoxels);
-    program.dispatch(bricks);
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    Array3f values(bricks);
-    glGetTextureImage(maximum.name(), 0, GL_RED, GL_FLOAT,
-                      static_cast<GLsizei>(values.values.size() * sizeof(float)),
-                      values.values.data());
-    return values;
-}
-
 void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
                 MediumTextures& out) {
     const bool sameSize = out.first && out.first.size() == volume.grid.size;
@@ -72,9 +59,13 @@ void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::Progra
     bakeSkylight(volume, programs, out);
     out.first.bind(0);
     if (out.second) out.second.bind(1);
-    out.bricks = mapBricks(readBrickMaxima(programs.get("pass/brick_maximum.comp", defines(out)),
-                                           brickCount(volume.grid.size)),
-                           volume.grid, kInvisibleDepth);
+    const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
+    maxima.bindImage(0, GL_WRITE_ONLY);
+    const gl::Program& program = programs.get("pass/brick_maximum.comp", defines(out));
+    program.setInt(0, kBrickVoxels);
+    program.dispatch(maxima.size());
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
 }
 
 }  // namespace neph::render

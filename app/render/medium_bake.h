@@ -1,6 +1,7 @@
 // medium_bake.h: the medium of half-angle slicing: one extinction per optical class, as the look
 // has it.
 #pragma once
+#include "app/gl/program.h"
 #include "app/render/brick_map.h"
 #include "app/render/volume_textures.h"
 #include "core/medium.h"
@@ -24,8 +25,5 @@ inline constexpr float kGroundShare = 0.2f;
 /// Bakes on the GPU; waits for a small read-back of the bricks.
 void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
                 MediumTextures& out);
-
-/// Largest extinction of each brick, read back; the pass has its textures bound.
-Array3f readBrickMaxima(const gl::Program& program, glm::ivec3 bricks);
 
 }  // namespace neph::render

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "app/render/medium_bake.h"
 #include "app/render/noise_texture.h"
 #include "shaders/lib/glsl_cpp.h"
@@ -32,28 +36,67 @@ void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& 
     }
 }
 
-/// Uniforms that both passes have: what a texel of each species is worth.
-void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const gl::Program& program) {
+/// The species that both passes read, in the order of their textures, and their classes.
+struct Visible {
+    std::vector<int> species, classes;
+};
+
+Visible visibleIn(const MediumPlan& plan) {
+    Visible visible;
     for (int s = 0; s < kSpeciesCount; ++s) {
-        const auto i = static_cast<std::size_t>(s);
-        volume.held[i].bind(static_cast<GLuint>(s));
-        program.setFloat(s, plan.extinctionPerHeld[i] * volume.perTexel[i]);
+        const int c = plan.classOf[static_cast<std::size_t>(s)];
+        if (c < 0) continue;
+        visible.species.push_back(s);
+        visible.classes.push_back(c);
+    }
+    if (visible.species.empty()) return {{0}, {0}};  // one that has no extinction
+    return visible;
+}
+
+/// What a texel of each species is worth.
+void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visible& visible,
+                const gl::Program& program) {
+    for (std::size_t i = 0; i < visible.species.size(); ++i) {
+        const auto s = static_cast<std::size_t>(visible.species[i]);
+        volume.held[s].bind(static_cast<GLuint>(i));
+        program.setFloat(static_cast<int>(i), plan.extinctionPerHeld[s] * volume.perTexel[s]);
     }
 }
 
-std::vector<std::string> extinctionDefines(bool detailed) {
-    return {fmt::format("DETAIL {}", detailed ? 1 : 0), fmt::format("NOISE_SIZE {}", kNoiseSize),
-            fmt::format("NOISE_LEVELS {}", kNoiseLevels)};
+/// Species with detail of one scale and character read it once.
+struct DetailKinds {
+    std::vector<int> ofSpecies;      ///< of each that is visible
+    std::vector<SpeciesLook> kinds;  ///< one species of each
+};
+
+DetailKinds kindsOf(const Look& look, const Visible& visible) {
+    DetailKinds out;
+    for (const int s : visible.species) {
+        const SpeciesLook& mine = look.species[static_cast<std::size_t>(s)];
+        const auto same = [&](const SpeciesLook& theirs) {
+            return mine.noiseAmount == 0.0f || (theirs.noiseScaleM == mine.noiseScaleM &&
+                                                theirs.noiseCharacter == mine.noiseCharacter);
+        };
+        auto found = std::find_if(out.kinds.begin(), out.kinds.end(), same);
+        if (found == out.kinds.end()) found = out.kinds.insert(found, mine);
+        out.ofSpecies.push_back(static_cast<int>(found - out.kinds.begin()));
+    }
+    return out;
 }
 
-/// Uniforms of the detail, by species.
-void setDetail(const VolumeTextures& volume, const Look& look, const gl::Program& program) {
-    for (int s = 0; s < kSpeciesCount; ++s) {
-        const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
+/// Uniforms of the detail.
+void setDetail(const VolumeTextures& volume, const Look& look, const Visible& visible,
+               const DetailKinds& kinds, const gl::Program& program) {
+    for (std::size_t i = 0; i < visible.species.size(); ++i) {
+        const SpeciesLook& field = look.species[static_cast<std::size_t>(visible.species[i])];
+        program.setFloat(30 + static_cast<int>(i), field.noiseAmount);
+    }
+    for (std::size_t k = 0; k < kinds.kinds.size(); ++k) {
+        const SpeciesLook& field = kinds.kinds[k];
         const float tileM = glsl::kDetailFeaturesPerTile * field.noiseScaleM;
-        program.setFloat(30 + s, field.noiseAmount);
-        program.setFloat(36 + s, static_cast<float>(kNoiseSize) / tileM);
-        program.setFloat(42 + s, field.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
+        const bool billow = field.noiseCharacter == NoiseCharacter::billow;
+        program.setFloat(36 + static_cast<int>(k), static_cast<float>(kNoiseSize) / tileM);
+        program.setFloat(42 + static_cast<int>(k), billow ? 0.0f : 1.0f);
     }
     program.setVec3(48, glm::vec3(volume.grid.spacingM));
 }
@@ -61,11 +104,20 @@ void setDetail(const VolumeTextures& volume, const Look& look, const gl::Program
 void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
                     gl::ProgramCache& programs, PackedMedium& out) {
     const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
-    const gl::Program& program =
-        programs.get("pass/pack_extinction.comp", extinctionDefines(detailed));
-    setSpecies(volume, out.plan, program);
+    const Visible visible = visibleIn(out.plan);
+    const DetailKinds kinds = kindsOf(look, visible);
+    std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
+                                   fmt::format("DETAIL {}", detailed ? 1 : 0)};
     if (detailed) {
-        setDetail(volume, look, program);
+        names.push_back(fmt::format("NOISE_SIZE {}", kNoiseSize));
+        names.push_back(fmt::format("NOISE_LEVELS {}", kNoiseLevels));
+        names.push_back(fmt::format("KINDS {}", kinds.kinds.size()));
+        names.push_back(fmt::format("KIND_OF_SPECIES int[]({})", fmt::join(kinds.ofSpecies, ", ")));
+    }
+    const gl::Program& program = programs.get("pass/pack_extinction.comp", names);
+    setSpecies(volume, out.plan, visible, program);
+    if (detailed) {
+        setDetail(volume, look, visible, kinds, program);
         noise->bind(6);
     }
     volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
@@ -75,12 +127,13 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
 }
 
 void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
-    const gl::Program& program = programs.get(
-        "pass/pack_mixture.comp", {fmt::format("MIXTURE_TEXTURES {}", out.mixtureCount())});
-    setSpecies(volume, out.plan, program);
-    for (int s = 0; s < kSpeciesCount; ++s) {
-        program.setInt(kSpeciesCount + s, out.plan.classOf[static_cast<std::size_t>(s)]);
-    }
+    const Visible visible = visibleIn(out.plan);
+    const gl::Program& program =
+        programs.get("pass/pack_mixture.comp",
+                     {fmt::format("MIXTURE_TEXTURES {}", out.mixtureCount()),
+                      fmt::format("SPECIES {}", visible.species.size()),
+                      fmt::format("CLASS_OF_SPECIES int[]({})", fmt::join(visible.classes, ", "))});
+    setSpecies(volume, out.plan, visible, program);
     program.setFloat(12, static_cast<float>(volume.grid.spacingM.z));
     program.setFloat(13, kSkylightAsymmetry);
     program.setFloat(14, kGroundShare);
@@ -100,10 +153,14 @@ void packMedium(const VolumeTextures& volume, const Look& look, const gl::Textur
     }
     repackMedium(volume, look, PackedDetail::voxels, noise, programs, out);
     out.extinction.bind(0);
-    out.bricks = mapBricks(
-        readBrickMaxima(programs.get("pass/brick_maximum.comp", {"PACKED 1", "CLASS_TEXTURES 1"}),
-                        brickCount(volume.grid.size)),
-        volume.grid, kInvisibleDepth);
+    const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
+    glClearTexImage(maxima.name(), 0, GL_RED, GL_FLOAT, nullptr);
+    maxima.bindImage(0, GL_WRITE_ONLY);
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    programs.get("pass/brick_maximum_packed.comp")
+        .dispatchGroups(static_cast<int>(volume.blocks.size()));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
 }
 
 void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail detail,

@@ -1,5 +1,6 @@
 // packed_medium.h: the medium of the march: two textures, whatever the number of species.
 #pragma once
+#include "app/gl/program.h"
 #include "app/render/brick_map.h"
 #include "app/render/volume_textures.h"
 #include "core/medium.h"

@@ -44,8 +44,8 @@ struct Renderer::Impl {
     Stage stageFor(const FrameInputs& inputs) const;
     void bake(const FrameInputs& inputs, FrameStats& stats);
     const gl::Texture* stacked() const { return stackedNoise ? &stackedNoise : nullptr; }
-    void repack(const FrameInputs& inputs, PackedDetail wanted);
-    void draw(const FrameInputs& inputs, Stage stage, const Progress& progress);
+    void repack(const FrameInputs& inputs, PackedDetail wanted, FrameStats& stats);
+    void draw(const FrameInputs& inputs, Stage stage, const Progress& progress, FrameStats& stats);
     void resolve(const FrameInputs& inputs);
     void describe(const FrameInputs& inputs, Stage stage, FrameStats& stats);
 };
@@ -119,13 +119,15 @@ void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
 }
 
 /// Has the march's medium hold the detail that is wanted.
-void Renderer::Impl::repack(const FrameInputs& inputs, PackedDetail wanted) {
+void Renderer::Impl::repack(const FrameInputs& inputs, PackedDetail wanted, FrameStats& stats) {
     if (packed.detail == wanted) return;
     timer.pass("bake detail");
     repackMedium(*volume, inputs.look, wanted, stacked(), programs, packed);
+    stats.bakedMedium = true;
 }
 
-void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress) {
+void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress,
+                          FrameStats& stats) {
     if (inputs.look.engine == Engine::slicing) {
         slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, linear,
                        stage == Stage::eye, progress, timer);
@@ -133,12 +135,12 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress
     }
     if (stage <= Stage::light) {
         lit.reset();
-        repack(inputs, PackedDetail::voxels);
+        repack(inputs, PackedDetail::voxels, stats);
         march.light(inputs, *volume, packed, programs, progress, timer);
         lit = inputs.look;
         lightIsDraft = inputs.draftLight;
     }
-    repack(inputs, MarchEngine::detailFor(inputs, volume->grid, packed));
+    repack(inputs, MarchEngine::detailFor(inputs, volume->grid, packed), stats);
     timer.pass("eye");
     march.eye(inputs, volume->grid, packed, stacked(), programs, linear, progress);
 }
@@ -183,7 +185,7 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
                      .found = fmt::format("{} x {} x {} cells", size.x, size.y, size.z),
                      .expected = fmt::format("at most {} cells a side", most)});
     }
-    impl_->volume = uploadVolume(volume, impl_->programs);
+    impl_->volume = uploadVolume(volume);
     impl_->mediumStale = true;
 }
 
@@ -201,7 +203,7 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
         impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
     }
     if (stage <= Stage::eye) {
-        impl_->draw(inputs, stage, progress);
+        impl_->draw(inputs, stage, progress, stats);
         stats.marchedLight = stage <= Stage::light;
         stats.marchedEye = true;
     }

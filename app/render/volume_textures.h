@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/gl/objects.h"
-#include "app/gl/program.h"
 #include "core/species.h"
 
 namespace neph::render {
@@ -26,6 +25,7 @@ struct VolumeTextures {
     std::size_t bytes() const;
 };
 
-VolumeTextures uploadVolume(const SpeciesVolume& volume, gl::ProgramCache& programs);
+/// Converts with a few threads.
+VolumeTextures uploadVolume(const SpeciesVolume& volume);
 
 }  // namespace neph::render

@@ -14,9 +14,7 @@ layout(location = 0) uniform int brickVoxels;
 
 float extinctionAt(ivec3 voxel) {
     vec4 first = texelFetch(t_medium0, voxel, 0);
-#if PACKED
-    return first.x;
-#elif CLASS_TEXTURES > 1
+#if CLASS_TEXTURES > 1
     return dot(first, vec4(1.0)) + dot(texelFetch(t_medium1, voxel, 0).xyz, vec3(1.0));
 #else
     return first.x + first.y + first.z;

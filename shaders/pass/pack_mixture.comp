@@ -7,15 +7,14 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/optics.glsl"
 
-const int kSpeciesCount = 6;
-layout(binding = 0) uniform sampler3D t_held[kSpeciesCount];
+layout(binding = 0) uniform sampler3D t_held[SPECIES];  // those that are visible
+const int kClassOfSpecies[SPECIES] = CLASS_OF_SPECIES;
 layout(binding = 6) uniform sampler3D t_extinction;
 layout(rgba8, binding = 0) writeonly uniform image3D o_mixture0;
 #if MIXTURE_TEXTURES > 1
 layout(rgba8, binding = 1) writeonly uniform image3D o_mixture1;
 #endif
-layout(location = 0) uniform float extinctionPerTexel[kSpeciesCount];  // 0 when absent
-layout(location = 6) uniform int classOf[kSpeciesCount];
+layout(location = 0) uniform float extinctionPerTexel[SPECIES];
 layout(location = 12) uniform float layerM;  // height of a voxel
 layout(location = 13) uniform float asymmetry;
 layout(location = 14) uniform float groundShare;
@@ -32,10 +31,9 @@ float presence(float extinctionPerM) {
 void storeShares(ivec3 cell, float skylight) {
     float shares[6] = float[6](0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float total = 0.0;
-    for (int s = 0; s < kSpeciesCount; ++s) {
-        if (classOf[s] < 0) continue;
+    for (int s = 0; s < SPECIES; ++s) {
         float e = extinctionPerTexel[s] * textureLod(t_held[s], cornerOf(cell), 0.0).r;
-        shares[classOf[s]] += e;
+        shares[kClassOfSpecies[s]] += e;
         total += e;
     }
     float scale = total > 0.0 ? presence(total) / total : 0.0;
