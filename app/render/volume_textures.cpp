@@ -4,6 +4,8 @@
 #include <Imath/half.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +15,9 @@ namespace neph::render {
 namespace {
 
 constexpr float kLargestHalf = 32768.0f;  // a power of two below the top of the range
-constexpr std::size_t kMostWorkers = 8;   // memory is busy with fewer
+constexpr float kLeastShare = 1e-6f;      // of the largest value, below which nothing shows
+constexpr std::size_t kChunk = 1 << 16;
+constexpr std::size_t kMostWorkers = 8;  // memory is busy with fewer
 
 using Blocks = Array3<std::uint8_t>;
 
@@ -26,30 +30,77 @@ void overLayers(glm::ivec3 size, const Work& work) {
         [&](std::size_t layer, std::size_t, const Progress&) { work(static_cast<int>(layer)); });
 }
 
-/// Largest value of a layer of blocks; marks those that hold anything.
-float scan(const Array3f& held, int layer, Blocks& blocks) {
-    float largest = 0.0f;
-    const int end = std::min((layer + 1) * kBlockVoxels, held.size.z);
-    for (int z = layer * kBlockVoxels; z < end; ++z) {
-        for (int y = 0; y < held.size.y; ++y) {
-            const float* row = &held.at(0, y, z);
-            for (int x = 0; x < held.size.x; x += kBlockVoxels) {
-                const int stop = std::min(x + kBlockVoxels, held.size.x);
-                const float most = *std::max_element(row + x, row + stop);
-                if (most > 0.0f) blocks.at(x / kBlockVoxels, y / kBlockVoxels, layer) = 1;
-                largest = std::max(largest, most);
-            }
-        }
-    }
-    return largest;
+float largestOf(const Array3f& held) {
+    std::vector<float> largest(held.values.size() / kChunk + 1, 0.0f);
+    shareOut(
+        largest.size(), workerCount(kMostWorkers),
+        [&](std::size_t chunk, std::size_t, const Progress&) {
+            const auto first = held.values.begin() + static_cast<std::ptrdiff_t>(chunk * kChunk);
+            const auto end = first + std::min<std::ptrdiff_t>(kChunk, held.values.end() - first);
+            if (first != end) largest[chunk] = *std::max_element(first, end);
+        });
+    return *std::max_element(largest.begin(), largest.end());
 }
 
-float largestOf(const Array3f& held, Blocks& blocks) {
-    std::vector<float> largest(static_cast<std::size_t>(blocks.size.z), 0.0f);
-    overLayers(held.size, [&](int layer) {
-        largest[static_cast<std::size_t>(layer)] = scan(held, layer, blocks);
+/// Which thirds of a block hold anything, along each axis: its first voxel, its inside, its last.
+struct Thirds {
+    std::array<std::array<bool, 3>, 3> any{};
+    void mark(int axis, int voxel) {
+        any[static_cast<std::size_t>(axis)][voxel == 0                  ? 0
+                                            : voxel == kBlockVoxels - 1 ? 2
+                                                                        : 1] = true;
+    }
+};
+
+/// Marks a block that holds anything, and neighbours into which interpolation carries it.
+void markAround(glm::ivec3 block, const Thirds& thirds, Blocks& blocks) {
+    for (int k = 0; k < 27; ++k) {
+        const glm::ivec3 step{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        bool reached = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto& any = thirds.any[static_cast<std::size_t>(axis)];
+            reached = reached && (step[axis] == 0 || any[step[axis] < 0 ? 0 : 2]);
+        }
+        const glm::ivec3 p = block + step;
+        const bool inside = glm::all(glm::greaterThanEqual(p, glm::ivec3(0))) &&
+                            glm::all(glm::lessThan(p, blocks.size));
+        if (reached && inside) blocks.at(p.x, p.y, p.z) = 1;
+    }
+}
+
+Thirds thirdsOf(const Array3f& held, glm::ivec3 block, float least) {
+    const glm::ivec3 lower = block * kBlockVoxels;
+    const glm::ivec3 upper = glm::min(lower + kBlockVoxels, held.size);
+    Thirds thirds;
+    for (int z = lower.z; z < upper.z; ++z)
+        for (int y = lower.y; y < upper.y; ++y) {
+            const float* row = &held.at(0, y, z);
+            for (int x = lower.x; x < upper.x; ++x) {
+                if (row[x] <= least) continue;
+                thirds.mark(0, x - lower.x);
+                thirds.mark(1, y - lower.y);
+                thirds.mark(2, z - lower.z);
+            }
+        }
+    return thirds;
+}
+
+/// Marks the blocks in which any of `held` shows.
+void mark(const Array3f& held, float largest, Blocks& blocks) {
+    const float least = kLeastShare * largest;
+    Array3<Thirds> thirds(blocks.size, {});
+    overLayers(held.size, [&](int z) {
+        for (int y = 0; y < blocks.size.y; ++y)
+            for (int x = 0; x < blocks.size.x; ++x)
+                thirds.at(x, y, z) = thirdsOf(held, {x, y, z}, least);
     });
-    return *std::max_element(largest.begin(), largest.end());
+    for (int z = 0; z < blocks.size.z; ++z)
+        for (int y = 0; y < blocks.size.y; ++y)
+            for (int x = 0; x < blocks.size.x; ++x) {
+                const Thirds& here = thirds.at(x, y, z);
+                const bool any = here.any[0][0] || here.any[0][1] || here.any[0][2];
+                if (any) markAround({x, y, z}, here, blocks);
+            }
 }
 
 /// Uploads as halves times a scale; returns what a texel is worth.
@@ -71,23 +122,12 @@ float uploadHalves(const Array3f& held, float largest, gl::Texture& out) {
     return perTexel;
 }
 
-/// Interpolation carries what a voxel holds into the next block.
-bool bordersOnAny(const Blocks& marked, glm::ivec3 p) {
-    const glm::ivec3 lower = glm::max(p - 1, glm::ivec3(0));
-    const glm::ivec3 upper = glm::min(p + 1, marked.size - 1);
-    for (int z = lower.z; z <= upper.z; ++z)
-        for (int y = lower.y; y <= upper.y; ++y)
-            for (int x = lower.x; x <= upper.x; ++x)
-                if (marked.at(x, y, z) != 0) return true;
-    return false;
-}
-
 void listBlocks(const Blocks& marked, VolumeTextures& out) {
     std::vector<glm::ivec4> list;
     for (int z = 0; z < marked.size.z; ++z)
         for (int y = 0; y < marked.size.y; ++y)
             for (int x = 0; x < marked.size.x; ++x)
-                if (bordersOnAny(marked, {x, y, z})) {
+                if (marked.at(x, y, z) != 0) {
                     list.emplace_back(x, y, z, 0);
                     out.blocks.emplace_back(x, y, z);
                 }
@@ -116,7 +156,9 @@ VolumeTextures uploadVolume(const SpeciesVolume& volume) {
             uploadHalves(Array3f(glm::ivec3(1), 0.0f), 0.0f, textures.held[s]);
             continue;
         }
-        textures.perTexel[s] = uploadHalves(held, largestOf(held, blocks), textures.held[s]);
+        const float largest = largestOf(held);
+        textures.perTexel[s] = uploadHalves(held, largest, textures.held[s]);
+        mark(held, largest, blocks);
     }
     listBlocks(blocks, textures);
     return textures;
