@@ -14,8 +14,8 @@
 namespace neph::render {
 namespace {
 
-// What would dim a ray through the whole domain by less is not there: an eighth of a step of 8
-// bits of a path that no cloud is as long as.
+// What would dim a ray through the whole domain by less is not there: half a step of 8 bits, and
+// no cloud is as long.
 constexpr double kInvisibleDepth = 2e-3;
 
 void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {

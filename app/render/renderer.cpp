@@ -90,7 +90,8 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
     const bool moved = !sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
                        last->planes != inputs.planes;
     if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
-    return last->sample != inputs.sample ? std::min(Stage::eye, changed) : changed;
+    const bool other = last->sample != inputs.sample || (inputs.profile && !last->profile);
+    return other ? std::min(Stage::eye, changed) : changed;
 }
 
 void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
