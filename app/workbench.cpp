@@ -30,8 +30,6 @@ constexpr double kIdleWaitS = 0.25;   // between looks when nothing happens: too
 constexpr double kBusyWaitS = 0.05;   // while data load or the picture waits to be refined
 constexpr double kCommitS = 0.4;      // at rest for so long: the gesture is over, one step of undo
 constexpr int kFramesAfterInput = 3;  // ImGui needs a frame or two to settle after input
-// With fewer of its steps the march is grainy, which is worse to look at than fewer pixels.
-constexpr double kLeastDetailOfMarch = 0.5;
 
 bool isPresetFile(const std::filesystem::path& path) {
     return path.extension() == ".json";
@@ -57,9 +55,7 @@ class Workbench {
         return !interacting_ && session_.document.look.engine == Engine::march;
     }
     double restS() const { return std::chrono::duration<double>(Clock::now() - changed_).count(); }
-    glm::ivec2 windowPx() const {
-        return {std::max(1, window_.framebufferWidth()), std::max(1, window_.framebufferHeight())};
-    }
+    glm::ivec2 picturePx() const { return ui::pictureBox(ui_).size(); }
 
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
@@ -119,10 +115,10 @@ void Workbench::takeData() {
 
 /// Notices what the panels changed, and makes a step of the history when the hand rests.
 void Workbench::noteChanges() {
-    const bool moved = session_.document != seen_ || windowPx() != seenPx_;
+    const bool moved = session_.document != seen_ || picturePx() != seenPx_;
     if (moved) changed_ = Clock::now();
     seen_ = session_.document;
-    seenPx_ = windowPx();
+    seenPx_ = picturePx();
     if (!interacting_ && restS() > kCommitS) session_.history.commit(session_.document);
     if (moved) drawn_.reset();
 }
@@ -140,7 +136,7 @@ render::FrameInputs Workbench::inputsOf(const ui::Draft& draft) const {
         inputs.look.quality *= static_cast<float>(draft.detail);
     }
     inputs.camera = placeCamera(session_.document.camera, session_.shown()->grid,
-                                static_cast<double>(windowPx().x) / windowPx().y);
+                                static_cast<double>(picturePx().x) / picturePx().y);
     return inputs;
 }
 
@@ -149,9 +145,8 @@ void Workbench::drawPicture() {
     const Engine engine = session_.document.look.engine;
     // A button held still is still motion: the next move must find the machine ready.
     const double rest = interacting_ ? 0.0 : restS();
-    const double leastDetail = engine == Engine::march ? kLeastDetailOfMarch : 0.0;
-    const std::optional<ui::Draft> next =
-        ui::nextDraft(drawn_, quality_.draft(rest, windowPx(), leastDetail), averages());
+    const std::optional<ui::Draft> next = ui::nextDraft(
+        drawn_, quality_.draft(rest, picturePx(), ui::leastDetailOf(engine)), averages());
     if (!next) return;
     const render::FrameInputs inputs = inputsOf(*next);
     render::FrameStats stats;
@@ -164,12 +159,11 @@ void Workbench::drawPicture() {
     }
     // What the camera does not change is no measure of how finely to draw while it moves.
     const bool prepared = stats.bakedMedium || (engine == Engine::march && stats.marchedLight);
-    if (stats.marchedEye && !prepared) quality_.measured(*next, stats.milliseconds, windowPx());
+    if (stats.marchedEye && !prepared) quality_.measured(*next, stats.milliseconds, picturePx());
     ui_.report = {stats.milliseconds, engine,       stats.planes,
                   next->sample + 1,   next->sizePx, next->step == ui::kFullStep,
                   ui_.report.device};
     if (inputs.profile) ui::update(ui_.profile, profileOf(stats, inputs, renderer_), !drawn_);
-    ui_.picture = renderer_.displayTexture();
     drawn_ = next;
     for (std::string& message : renderer_.takeMessages()) {
         session_.say(Message::Kind::warning, std::move(message));
@@ -215,9 +209,8 @@ void Workbench::drawPanels() {
     const auto start = Clock::now();
     host_.beginFrame();
     ui::draw(ui_);
-    ui::showPicture(ui_);
     interacting_ = host_.interacting();
-    host_.endFrame();
+    host_.endFrame(ui::pictureBox(ui_), renderer_.displayTexture(), ui_.report.sizePx);
     quality_.measuredPanels(
         std::chrono::duration<double, std::milli>(Clock::now() - start).count());
 }

@@ -110,9 +110,13 @@ void WorkbenchHost::holdTappedKeys() {
     held_ = std::exchange(tapped_, {});
 }
 
-void WorkbenchHost::endFrame() {
+/// Panels have the window's own colour: to blend them over a picture that they hide took a CPU that
+/// stands in for a GPU longer than all that is on them.
+void WorkbenchHost::endFrame(const ui::PixelBox& place, unsigned picture, glm::ivec2 sizePx) {
     ImGui::Render();
-    window_.clear(0.05f, 0.055f, 0.06f);
+    const ImVec4& colour = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    window_.clear({colour.x, colour.y, colour.z});
+    if (picture != 0) window_.fill(place.lower, place.upper, picture, sizePx);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     window_.swap();
 }

@@ -6,6 +6,7 @@
 
 #include "app/gl/context.h"
 #include "app/ui/actions.h"
+#include "app/ui/ui.h"
 
 namespace neph {
 
@@ -18,7 +19,9 @@ class WorkbenchHost {
     WorkbenchHost& operator=(const WorkbenchHost&) = delete;
 
     void beginFrame();
-    void endFrame();
+    /// Shows the frame: `picture`, a texture of `sizePx` or 0 for none, in its place below the
+    /// panels.
+    void endFrame(const ui::PixelBox& place, unsigned picture, glm::ivec2 sizePx);
 
     /// Chords pressed and files dropped since the last call.
     std::vector<ui::Chord> takeChords();

@@ -18,8 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr glm::ivec2 kWindowPx{1280, 720};   // of the workbench
-constexpr double kLeastDetailOfMarch = 0.5;  // as the workbench
+constexpr glm::ivec2 kWindowPx{1280, 720};  // of the workbench
 constexpr int kWarmUpFrames = 20, kOrbitFrames = 60;
 constexpr double kTurnDeg = 2.0;                       // a frame, as a hand does
 constexpr auto kWait = std::chrono::milliseconds(50);  // between looks at rest, as the workbench
@@ -42,8 +41,8 @@ class Window {
     /// Draws what the workbench would draw after `restS` seconds without a change, if anything.
     void draw(double turnDeg, double restS) {
         if (restS == 0.0) drawn_.reset();
-        const double least = look_.engine == Engine::march ? kLeastDetailOfMarch : 0.0;
-        const auto next = ui::nextDraft(drawn_, quality_.draft(restS, sizePx_, least), false);
+        const ui::Draft wanted = quality_.draft(restS, sizePx_, ui::leastDetailOf(look_.engine));
+        const auto next = ui::nextDraft(drawn_, wanted, false);
         if (!next) return;
         const render::FrameStats stats = renderer_.render(inputsOf(*next, turnDeg));
         const bool prepared =

@@ -122,10 +122,20 @@ float Window::contentScale() const {
     return scale;
 }
 
-void Window::clear(float r, float g, float b) {
+void Window::clear(const glm::vec3& colour) {
     glViewport(0, 0, framebufferWidth(), framebufferHeight());
-    glClearColor(r, g, b, 1.0f);
+    glClearColor(colour.r, colour.g, colour.b, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx) {
+    GLuint frame = 0;
+    glCreateFramebuffers(1, &frame);
+    glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, texture, 0);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // the texture was written as an image
+    glBlitNamedFramebuffer(frame, 0, 0, 0, sizePx.x, sizePx.y, lowerPx.x, lowerPx.y, upperPx.x,
+                           upperPx.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glDeleteFramebuffers(1, &frame);
 }
 
 DeviceMemory deviceMemory() {

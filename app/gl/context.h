@@ -2,6 +2,7 @@
 // window.
 #pragma once
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 
@@ -38,9 +39,11 @@ class Window {
     int framebufferHeight() const;
     /// Content scale of the monitor, 1 for 96 dpi.
     float contentScale() const;
-    /// Clears the window's framebuffer; the one GL call that the workbench needs before ImGui
-    /// draws.
-    void clear(float r, float g, float b);
+    /// Clears the window's framebuffer.
+    void clear(const glm::vec3& colour);
+    /// Fills a part of the framebuffer with a 2D texture of `sizePx`, interpolated; both have row 0
+    /// at the bottom.
+    void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx);
 
   private:
     GLFWwindow* window_ = nullptr;

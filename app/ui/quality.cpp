@@ -9,7 +9,10 @@ namespace {
 
 constexpr double kMinShare = 0.004;  // a sixth in each direction; coarser shows nothing useful
 constexpr double kLargeShare = 0.1;  // a picture that tells what a full one costs
-constexpr double kRung = 1.25;       // from one size to the next
+constexpr double kFullShare = 0.9;   // from here on the full picture is drawn
+constexpr double kRung = 1.15;       // from one size to the next
+constexpr double kStayAbove = 0.95;  // a size is kept while the aim is so many times its work
+constexpr double kStayBelow = 1.45;  // or more: a tenth above what the next size needs
 constexpr int kMinPlanes = 24;
 constexpr int kMinSidePx = 15;
 constexpr double kMargin = 0.9;     // of the time there is: frames of one size differ a little
@@ -22,12 +25,17 @@ int scaled(int whole, double share, int least) {
 
 /// Sizes come in rungs: textures of a size seen before come cheap.
 Draft share(double work, glm::ivec2 windowPx, int step, double leastDetail) {
-    if (work >= 0.9) return {windowPx, 1.0, kFullStep};
+    if (work >= kFullShare) return {windowPx, 1.0, kFullStep};
     const double ideal = std::sqrt(work / std::max(leastDetail, std::cbrt(work)));
     const double side = std::pow(kRung, -std::ceil(-std::log(ideal) / std::log(kRung) - 1e-9));
     return {{scaled(windowPx.x, side, kMinSidePx), scaled(windowPx.y, side, kMinSidePx)},
             std::max(leastDetail, side),
             step};
+}
+
+/// Time for the picture in motion.
+double aimMs(double panelsMs) {
+    return std::max(kMinAimMs, kMargin * (kFrameMs - panelsMs));
 }
 
 double workOf(const Draft& draft, glm::ivec2 windowPx) {
@@ -53,17 +61,35 @@ Draft QualityControl::draft(double restS, glm::ivec2 windowPx, double leastDetai
 void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx) {
     if (milliseconds <= 0.0) return;
     const double work = workOf(draft, windowPx);
-    fullMs_ = milliseconds / work;
+    double costMs = milliseconds / work;
+    // At rest a picture tells how to move only where it is quick enough to move with.
+    if (draft.step == 0 || motionShare_ >= kFullShare || milliseconds <= aimMs(panelsMs_)) {
+        costsMs_[measured_++ % kRemembered] = costMs;
+        costMs = medianCostMs();
+        aim(work, costMs);
+    }
     // Part of a picture's cost does not shrink with it. How much is learned where a large one
-    // follows small ones; and the aim is approached step by step.
+    // follows small ones.
+    fullMs_ = work < kLargeShare ? costMs * ratio_ : costMs;
     if (work < kLargeShare) {
-        coarseMs_ = fullMs_;
-        fullMs_ *= ratio_;
+        coarseMs_ = costMs;
     } else if (coarseMs_ > 0.0) {
         ratio_ = std::min(1.0, fullMs_ / coarseMs_);
     }
-    const double aimMs = std::max(kMinAimMs, kMargin * (kFrameMs - panelsMs_));
-    const double ideal = work * aimMs / milliseconds;
+}
+
+double QualityControl::medianCostMs() const {
+    auto costs = costsMs_;
+    const auto end = costs.begin() + static_cast<std::ptrdiff_t>(std::min(measured_, kRemembered));
+    const auto middle = costs.begin() + (end - costs.begin()) / 2;
+    std::nth_element(costs.begin(), middle, end);
+    return *middle;
+}
+
+/// Approaches the aim step by step, and leaves a size that fits: one that goes to and fro flickers.
+void QualityControl::aim(double work, double costMs) {
+    const double ideal = aimMs(panelsMs_) / costMs;
+    if (ideal > kStayAbove * work && ideal < kStayBelow * work) return;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);
     motionShare_ = std::clamp(motionShare_, kMinShare, 1.0);
 }

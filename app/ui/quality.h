@@ -5,8 +5,11 @@
 // averages kSamples pictures. Work is the share of pixels x steps of the full picture.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <optional>
+
+#include "core/look.h"
 
 namespace neph::ui {
 
@@ -22,6 +25,12 @@ inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
 inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
 inline constexpr double kFrameMs = 1000.0 / 30.0;  // of a whole frame in motion
 inline constexpr int kSamples = 16;                // averaged at rest; more show no difference
+
+/// Least share of planes or steps in motion. With fewer steps the march is grainy, which is worse
+/// to look at than fewer pixels; fewer slices are not.
+constexpr double leastDetailOf(Engine engine) {
+    return engine == Engine::march ? 0.5 : 0.0;
+}
 
 /// One picture to draw.
 struct Draft {
@@ -46,11 +55,17 @@ class QualityControl {
     void measuredPanels(double milliseconds);
 
   private:
+    static constexpr std::size_t kRemembered = 5;  // pictures in motion; one slow one is no reason
+    double medianCostMs() const;
+    void aim(double work, double costMs);
+
     double motionShare_ = 0.02;  // of the full work; a guess for a slow machine
     double fullMs_ = 2000.0;     // of a full picture, from the last measurement; likewise
     double coarseMs_ = 0.0;      // of as much work as a full picture, in small ones; 0: unknown
     double ratio_ = 1.0;         // of what work costs in large pictures and in small ones
     double panelsMs_ = 10.0;     // of panels and window; likewise
+    std::array<double, kRemembered> costsMs_{};  // of as much work as a full picture, in motion
+    std::size_t measured_ = 0;                   // of them, since the start
 };
 
 /// What to draw, if anything, while nothing changes: `wanted` where it is finer than what is shown;

@@ -6,12 +6,17 @@
 
 namespace neph::ui {
 
+float timeBarHeight(const Session& session) {
+    const DatasetInfo* info = session.info();
+    return info == nullptr || info->times.size() < 2 ? 0.0f : 2.6f * ImGui::GetFontSize();
+}
+
 void drawTimeBar(Ui& ui) {
+    const float height = timeBarHeight(ui.session);
+    if (height == 0.0f) return;
     const DatasetInfo* info = ui.session.info();
-    if (info == nullptr || info->times.size() < 2) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float left = columnWidth();
-    const float height = 2.6f * ImGui::GetFontSize();
     int& time = ui.session.document.time;
     const int last = static_cast<int>(info->times.size()) - 1;
     if (beginFixed("##time", {left, display.y - statusHeight() - height},

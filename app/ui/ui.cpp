@@ -41,9 +41,21 @@ bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
     ImGui::SetNextWindowSize({size.x, size.y});
     return ImGui::Begin(name, nullptr,
                         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                            ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                            ImGuiWindowFlags_NoBringToFrontOnFocus);
+                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoCollapse |
+                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+PixelBox pictureBox(const Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    glm::vec2 lower{0.0f}, upper{io.DisplaySize.x, io.DisplaySize.y};
+    if (ui.showPanels) {
+        lower = {columnWidth(), statusHeight() + timeBarHeight(ui.session)};
+        upper.x -= columnWidth();
+    }
+    const glm::vec2 scale{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
+    const glm::ivec2 corner{glm::round(lower * scale)};
+    return {corner, glm::max(corner + 1, glm::ivec2(glm::round(upper * scale)))};
 }
 
 void draw(Ui& ui) {

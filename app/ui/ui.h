@@ -1,8 +1,8 @@
 // ui.h: what the panels share: the session they edit, what the last frame was, and what they ask of
 // the window.
 //
-// Panels see core and ImGui; a picture is an opaque texture id. Requests are plain flags that the
-// workbench carries out after the frame.
+// Panels see core and ImGui, and leave room for the picture, which the window draws itself.
+// Requests are plain flags that the workbench carries out after the frame.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -40,7 +40,6 @@ struct Ui {
     explicit Ui(Session& edited) : session(edited) {}
 
     Session& session;
-    std::uintptr_t picture = 0;  ///< texture, row 0 at the bottom; 0 for none
     FrameReport report;
     Profile profile;  ///< kept up to date while it is shown
     Requests requests;
@@ -65,11 +64,18 @@ struct Ui {
 /// Render.
 void draw(Ui& ui);
 
-/// Puts ui.picture behind the panels; after draw(), so that it may be drawn in between.
-void showPicture(const Ui& ui);
+/// A part of the window, pixels of its framebuffer, row 0 at the bottom.
+struct PixelBox {
+    glm::ivec2 lower{0}, upper{1};  ///< corners; `upper` is outside
+    glm::ivec2 size() const { return upper - lower; }
+};
+/// Where the picture is: all that the panels leave. At least a pixel.
+PixelBox pictureBox(const Ui& ui);
 
-/// Width of a side column and height of the status line, pixels.
+/// Width of a side column, heights of the status line and of the time bar, 0 where there is but one
+/// time; pixels.
 float columnWidth();
 float statusHeight();
+float timeBarHeight(const Session& session);
 
 }  // namespace neph::ui

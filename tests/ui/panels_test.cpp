@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <thread>
 
@@ -122,6 +123,24 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     CHECK_FALSE(ui::runChord(state, {ui::Key::d}));
     CHECK(ui::runChord(state, {ui::Key::f}));
     CHECK(session.follow);
+}
+
+TEST_CASE("The picture has what the panels leave of the window, and all of it without them") {
+    Headless gui;
+    Session session(noReaders());
+    ui::Ui state(session);
+    gui.frame([&] { ui::draw(state); });
+    const auto [lower, upper] = ui::pictureBox(state);
+    const auto column = static_cast<int>(std::lround(ui::columnWidth()));
+    CHECK(lower == glm::ivec2(column, std::lround(ui::statusHeight())));
+    CHECK(upper == glm::ivec2(1280 - column, 720));
+    state.showPanels = false;
+    CHECK(ui::pictureBox(state).size() == glm::ivec2(1280, 720));
+    ImGui::GetIO().DisplayFramebufferScale = {2.0f, 2.0f};
+    CHECK(ui::pictureBox(state).size() == glm::ivec2(2560, 1440));
+    ImGui::GetIO().DisplaySize = {30.0f, 10.0f};
+    state.showPanels = true;
+    CHECK(ui::pictureBox(state).size() == glm::ivec2(1, 1));
 }
 
 TEST_CASE("A drag on the picture orbits, with shift it pans, and the wheel comes nearer") {

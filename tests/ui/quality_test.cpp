@@ -47,6 +47,44 @@ TEST_CASE("The time that panels leave is used: cheaper panels, a finer picture")
     CHECK(alone.detail > beside.detail);
 }
 
+TEST_CASE(
+    "A frame that the machine was late with changes nothing, and sizes do not go to and fro") {
+    ui::QualityControl quality;
+    const Machine machine{700.0, 4.0};
+    const ui::Draft settled = drag(quality, machine);
+    for (int i = 0; i < 200; ++i) {
+        const ui::Draft draft = quality.draft(0.0, kWindowPx);
+        CHECK(draft == settled);
+        // Every seventh picture takes four times as long, the others vary by a twentieth.
+        const double late = i % 7 == 0 ? 4.0 : i % 2 == 0 ? 0.95 : 1.05;
+        quality.measured(draft, late * machine.pictureMs(draft), kWindowPx);
+        quality.measuredPanels(machine.panelsMs);
+    }
+}
+
+TEST_CASE("A machine that becomes slower while the hand moves is followed within half a second") {
+    ui::QualityControl quality;
+    drag(quality, {200.0, 2.0});
+    const Machine slower{1200.0, 2.0};
+    double spentMs = 0.0;
+    while (slower.pictureMs(quality.draft(0.0, kWindowPx)) + slower.panelsMs > 1000.0 / 30.0) {
+        const ui::Draft draft = quality.draft(0.0, kWindowPx);
+        quality.measured(draft, slower.pictureMs(draft), kWindowPx);
+        spentMs += slower.pictureMs(draft) + slower.panelsMs;
+        REQUIRE(spentMs < 500.0);
+    }
+}
+
+TEST_CASE("Pictures in motion have no side that is a power of two") {
+    for (const double fullMs : {100.0, 300.0, 900.0, 2700.0, 8100.0}) {
+        CAPTURE(fullMs);
+        ui::QualityControl quality;
+        const ui::Draft draft = drag(quality, {fullMs, 2.0});
+        CHECK((draft.sizePx.x & (draft.sizePx.x - 1)) != 0);
+        CHECK((draft.sizePx.y & (draft.sizePx.y - 1)) != 0);
+    }
+}
+
 TEST_CASE("A fast machine draws in full all the time") {
     ui::QualityControl quality;
     CHECK(drag(quality, {15.0, 1.0}) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});

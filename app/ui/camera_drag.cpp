@@ -1,7 +1,7 @@
-// picture.cpp: the rendered picture behind the panels, and the camera under the mouse.
+// camera_drag.cpp: the camera under the mouse.
 //
 // As in F3D: left drag orbits, middle drag or shift with left drag pans, right drag and wheel move
-// nearer and farther. Rates are shares of the window's height, tuned by eye.
+// nearer and farther. Rates are shares of the picture's height, tuned by eye.
 #include <imgui.h>
 
 #include <cmath>
@@ -33,7 +33,8 @@ bool dragging(ImGuiMouseButton button) {
 void moveCamera(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     CameraPose& pose = ui.session.document.camera;
-    const float dx = io.MouseDelta.x / io.DisplaySize.y, dy = io.MouseDelta.y / io.DisplaySize.y;
+    const float height = static_cast<float>(pictureBox(ui).size().y) / io.DisplayFramebufferScale.y;
+    const float dx = io.MouseDelta.x / height, dy = io.MouseDelta.y / height;
     const bool left = dragging(ImGuiMouseButton_Left);
     const bool moved = dx != 0.0f || dy != 0.0f;
     if (moved && (dragging(ImGuiMouseButton_Middle) || (left && io.KeyShift))) {
@@ -46,15 +47,6 @@ void moveCamera(Ui& ui) {
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse) {
         dolly(pose, std::pow(kDollyPerNotch, io.MouseWheel));
     }
-}
-
-void showPicture(const Ui& ui) {
-    if (ui.picture == 0) return;
-    // ImGui's OpenGL backend takes the name of a texture for its pointer.
-    auto* const texture =
-        reinterpret_cast<ImTextureID>(ui.picture);  // NOLINT(performance-no-int-to-ptr)
-    ImGui::GetBackgroundDrawList()->AddImage(texture, {0.0f, 0.0f}, ImGui::GetIO().DisplaySize,
-                                             {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
 }  // namespace neph::ui
