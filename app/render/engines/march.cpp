@@ -22,7 +22,10 @@ constexpr int kBandRows = 32;  // between two questions to `progress`; whole gro
 constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
 // Steps shorter than this many voxels can show detail finer than a voxel.
 constexpr double kFineSteps = 1.05;
-constexpr int kLightBatch = 16;  // layers held at a time
+// Layers of light held at a time; fewer where they would take more than three quarters of a byte a
+// voxel, as in flat domains, and more than what is little on any machine.
+constexpr int kLightBatch = 16;
+constexpr std::size_t kLittleBytes = std::size_t{512} << 10;
 // Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
 constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
 
@@ -33,6 +36,13 @@ double voxelM(const RegularGrid& grid) {
 SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
     return medium.bricks.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()}
                                  : medium.bricks.occupied;
+}
+
+/// Slices that are marched before their light goes to the medium.
+int batchOf(const SlicePlan& plan, const RegularGrid& grid) {
+    const std::size_t mostBytes = std::max(kLittleBytes, grid.cellCount() / 4 * 3);
+    const int layers = layersThatFit(plan.lightSizePx, sizeof(std::uint16_t), mostBytes);
+    return std::min({kLightBatch, plan.count, layers - 1});
 }
 
 /// The blocks that may hold anything, by the layers of light that pass through them.
@@ -170,13 +180,14 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
         sunDirWorld(inputs.look), boxOf(medium, grid),
         (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid));
     if (medium.bricks.empty()) plan_.count = 0;
-    light_.resize(plan_.lightSizePx, std::min(kLightBatch, plan_.count) + 1, GL_R16);
+    const int batch = batchOf(plan_, grid);
+    light_.resize(plan_.lightSizePx, batch + 1, GL_R16);
     light_.open(-1);
     lastLayer_ = 0;
     const BlockOrder blocks(volume, plan_);
     const auto names = defines(inputs.look, medium);
-    for (int first = 0; first < plan_.count; first += kLightBatch) {
-        const int slices = std::min(kLightBatch, plan_.count - first);
+    for (int first = 0; first < plan_.count; first += batch) {
+        const int slices = std::min(batch, plan_.count - first);
         if (first > 0) light_.open(lastLayer_);
         bind(inputs, grid, medium, nullptr, {first, slices});
         timer.pass("light");
