@@ -62,6 +62,58 @@ inline std::vector<View> views() {
             {"from above", {{0.5f, 0.5f, 0.5f}, 1.5f, 0.0f, 90.0f, 40.0f}}};
 }
 
+/// One phase function, no noise, no skylight.
+inline Look plainLook() {
+    Look look;
+    look.noise = false;
+    look.phaseMode = PhaseMode::uniform;
+    look.skylight = 0.0f;
+    return look;
+}
+
+struct Mode {
+    const char* name;
+    Transport transport;
+    PhaseMode phase;
+    bool noise;
+    ExtinctionMode extinction;
+    ColourMode colour;
+    LightForm form;
+};
+
+/// The first four are those of [Riley03] table 4.
+inline constexpr Mode kModes[] = {
+    {"uniform low-albedo", Transport::lowAlbedo, PhaseMode::uniform, false,
+     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
+    {"uniform translucent", Transport::translucent, PhaseMode::uniform, false,
+     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
+    {"per-field translucent", Transport::translucent, PhaseMode::perField, false,
+     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
+    {"per-field noise translucent", Transport::translucent, PhaseMode::perField, true,
+     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
+    {"step-consistent", Transport::translucent, PhaseMode::perField, false,
+     ExtinctionMode::physical, ColourMode::natural, LightForm::consistent},
+    {"equal extinction, field colours", Transport::lowAlbedo, PhaseMode::perField, false,
+     ExtinctionMode::equal, ColourMode::fields, LightForm::printed},
+    {"field colours, noise, consistent", Transport::translucent, PhaseMode::perField, true,
+     ExtinctionMode::physical, ColourMode::fields, LightForm::consistent}};
+
+/// A look in which the mode shows; the sun stands in the south-west at 40°.
+inline Look lookOf(const Mode& mode) {
+    Look look;
+    look.transport = mode.transport;
+    look.phaseMode = mode.phase;
+    look.noise = mode.noise;
+    look.extinction = mode.extinction;
+    look.colour = mode.colour;
+    look.lightForm = mode.form;
+    look.sunAzimuthDeg = 225.0f;
+    look.sunElevationDeg = 40.0f;
+    look.of(Species::graupel).albedo = 0.8f;
+    for (SpeciesLook& field : look.species) field.noiseScaleM = 1500.0f;
+    return look;
+}
+
 inline render::FrameInputs frame(const SpeciesVolume& volume, const Look& look,
                                  const CameraPose& pose, glm::ivec2 sizePx, int planes) {
     render::FrameInputs inputs;

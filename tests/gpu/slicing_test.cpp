@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/render/renderer.h"
 #include "core/error.h"
-#include "tests/gpu/context.h"
+#include "tests/gpu/pictures.h"
 #include "tests/gpu/reference_march.h"
 #include "tests/gpu/scenes.h"
 
@@ -17,76 +16,11 @@ using namespace neph::test;
 
 namespace {
 
-render::Renderer& renderer() {
-    needContext();
-    static render::Renderer instance{NEPH_TEST_SOURCE_DIR "/shaders"};
-    return instance;
-}
-
-ImageF renderOn(const SpeciesVolume& volume, const render::FrameInputs& inputs) {
-    renderer().setVolume(volume);
-    renderer().render(inputs);
-    return renderer().readLinear();
-}
-
-float worstDifference(const ImageF& a, const ImageF& b) {
-    REQUIRE(a.size == b.size);
-    float worst = 0.0f;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::vec4 d = glm::abs(a.pixels[i] - b.pixels[i]);
-        if (!std::isfinite(d.x + d.y + d.z + d.w)) return INFINITY;
-        worst = std::max({worst, d.x, d.y, d.z, d.w});
-    }
-    return worst;
-}
-
-Look plainLook() {
-    Look look;
-    look.noise = false;
-    look.phaseMode = PhaseMode::uniform;
-    look.skylight = 0.0f;
-    return look;
-}
-
-struct Mode {
-    const char* name;
-    Transport transport;
-    PhaseMode phase;
-    bool noise;
-    ExtinctionMode extinction;
-    ColourMode colour;
-    LightForm form;
-};
-
-constexpr Mode kModes[] = {
-    {"uniform low-albedo", Transport::lowAlbedo, PhaseMode::uniform, false,
-     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
-    {"uniform translucent", Transport::translucent, PhaseMode::uniform, false,
-     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
-    {"per-field translucent", Transport::translucent, PhaseMode::perField, false,
-     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
-    {"per-field noise translucent", Transport::translucent, PhaseMode::perField, true,
-     ExtinctionMode::physical, ColourMode::natural, LightForm::printed},
-    {"step-consistent", Transport::translucent, PhaseMode::perField, false,
-     ExtinctionMode::physical, ColourMode::natural, LightForm::consistent},
-    {"equal extinction, field colours", Transport::lowAlbedo, PhaseMode::perField, false,
-     ExtinctionMode::equal, ColourMode::fields, LightForm::printed},
-    {"field colours, noise, consistent", Transport::translucent, PhaseMode::perField, true,
-     ExtinctionMode::physical, ColourMode::fields, LightForm::consistent}};
-
-Look lookOf(const Mode& mode) {
-    Look look;
-    look.transport = mode.transport;
-    look.phaseMode = mode.phase;
-    look.noise = mode.noise;
-    look.extinction = mode.extinction;
-    look.colour = mode.colour;
-    look.lightForm = mode.form;
-    look.sunAzimuthDeg = 225.0f;
-    look.sunElevationDeg = 40.0f;
-    look.of(Species::graupel).albedo = 0.8f;
-    for (SpeciesLook& field : look.species) field.noiseScaleM = 1500.0f;
-    return look;
+render::FrameInputs slicedFrame(const SpeciesVolume& volume, const Look& look,
+                                const CameraPose& pose, glm::ivec2 sizePx, int planes) {
+    render::FrameInputs inputs = frame(volume, look, pose, sizePx, planes);
+    inputs.look.engine = Engine::slicing;
+    return inputs;
 }
 
 }  // namespace
@@ -95,7 +29,7 @@ TEST_CASE("The GPU agrees with a double-precision march to 1e-3 in every mode") 
     const SpeciesVolume volume = blobs();
     for (const Mode& mode : kModes) {
         CAPTURE(std::string(mode.name));
-        const auto inputs = frame(volume, lookOf(mode), views()[0].pose, {40, 30}, 48);
+        const auto inputs = slicedFrame(volume, lookOf(mode), views()[0].pose, {40, 30}, 48);
         const float worst =
             worstDifference(renderOn(volume, inputs), referenceMarch(volume, inputs));
         CHECK(worst < 1e-3f);
@@ -106,7 +40,7 @@ TEST_CASE("The GPU agrees with a double-precision march to 1e-3 from every side"
     const SpeciesVolume volume = blobs();
     for (const View& view : views()) {
         CAPTURE(view.name);
-        const auto inputs = frame(volume, lookOf(kModes[2]), view.pose, {40, 30}, 48);
+        const auto inputs = slicedFrame(volume, lookOf(kModes[2]), view.pose, {40, 30}, 48);
         const ImageF seen = renderOn(volume, inputs);
         CHECK(worstDifference(seen, referenceMarch(volume, inputs)) < 1e-3f);
         const bool anyCloud = std::any_of(seen.pixels.begin(), seen.pixels.end(),
@@ -122,7 +56,7 @@ TEST_CASE("A species held as extinction is seen as one held as the mass that has
     sized.extinctionPerM[ice] = Array3f();
     std::swap(sized.extinctionPerM[ice], sized.contentKgPerM3[ice]);
     for (float& value : sized.extinctionPerM[ice].values) value *= 1.5f / (917.0f * 1e-3f);
-    auto inputs = frame(mass, lookOf(kModes[2]), views()[0].pose, {40, 30}, 48);
+    auto inputs = slicedFrame(mass, lookOf(kModes[2]), views()[0].pose, {40, 30}, 48);
     inputs.look.of(Species::ice).mixingScale = 3.0f;
     const ImageF seen = renderOn(sized, inputs);
     CHECK(worstDifference(seen, referenceMarch(sized, inputs)) < 1e-3f);
@@ -139,7 +73,7 @@ TEST_CASE("A homogeneous box dims what is behind it by Beer-Lambert, for any num
     for (const int planes : {16, 100, 333}) {
         Look look = plainLook();
         look.groundVisible = false;
-        const ImageF seen = renderOn(volume, frame(volume, look, pose, {9, 9}, planes));
+        const ImageF seen = renderOn(volume, slicedFrame(volume, look, pose, {9, 9}, planes));
         CHECK(seen.pixels[40].a ==
               doctest::Approx(1.0 - std::exp(-3.0)).epsilon(2e-2 * 16 / planes));
     }
@@ -158,7 +92,7 @@ TEST_CASE("Single scattering of an isotropic layer has the closed form of a slab
     look.groundVisible = false;
     look.skyIntensity = 0.0f;
     const CameraPose pose{{0.5f, 0.5f, 0.5f}, 8.0f, 0.0f, 90.0f, 5.0f};
-    const ImageF seen = renderOn(volume, frame(volume, look, pose, {9, 9}, 400));
+    const ImageF seen = renderOn(volume, slicedFrame(volume, look, pose, {9, 9}, 400));
     CHECK(seen.pixels[40].r == doctest::Approx((1.0 - std::exp(-0.2)) / 2.0).epsilon(5e-3));
 }
 
@@ -176,7 +110,7 @@ TEST_CASE("Step-consistent light does not depend on the number of planes, the pr
         look.skyIntensity = 0.0f;
         look.of(Species::cloud).albedo = 1.0f;
         const CameraPose below{{0.5f, 0.5f, 0.0f}, 1e-3f, 0.0f, 90.0f, 5.0f};
-        const auto inputs = frame(volume, look, below, {9, 9}, planes);
+        const auto inputs = slicedFrame(volume, look, below, {9, 9}, planes);
         return static_cast<double>(renderOn(volume, inputs).pixels[40].r);
     };
     const double expected = std::exp(-(1.0 - 0.37859480) * 5.0);
@@ -191,7 +125,7 @@ TEST_CASE("Nothing visible leaves sky and ground") {
     const SpeciesVolume volume = blobs();
     Look look;
     for (SpeciesLook& field : look.species) field.visible = false;
-    const auto inputs = frame(volume, look, views()[0].pose, {40, 30}, 48);
+    const auto inputs = slicedFrame(volume, look, views()[0].pose, {40, 30}, 48);
     const ImageF seen = renderOn(volume, inputs);
     CHECK(worstDifference(seen, referenceMarch(volume, inputs)) < 1e-4f);
     for (const glm::vec4& pixel : seen.pixels) CHECK(pixel.a == 0.0f);
@@ -199,7 +133,7 @@ TEST_CASE("Nothing visible leaves sky and ground") {
 
 TEST_CASE("A change redoes no more than it touches") {
     const SpeciesVolume volume = blobs();
-    auto inputs = frame(volume, Look(), views()[0].pose, {40, 30}, 48);
+    auto inputs = slicedFrame(volume, Look(), views()[0].pose, {40, 30}, 48);
     renderer().setVolume(volume);
     CHECK(renderer().render(inputs).bakedMedium);
     CHECK_FALSE(renderer().render(inputs).marchedEye);
@@ -223,7 +157,7 @@ TEST_CASE("More slices than light layers fit are marched in batches, in either o
     for (const View& view : {views()[0], views()[1]}) {
         CAPTURE(view.name);
         // Software drivers hold 2048 layers.
-        const auto inputs = frame(volume, lookOf(kModes[2]), view.pose, {8, 6}, 2300);
+        const auto inputs = slicedFrame(volume, lookOf(kModes[2]), view.pose, {8, 6}, 2300);
         CHECK(worstDifference(renderOn(volume, inputs), referenceMarch(volume, inputs)) < 1e-3f);
     }
 }
@@ -231,16 +165,16 @@ TEST_CASE("More slices than light layers fit are marched in batches, in either o
 TEST_CASE("A picture larger than the GPU takes is an error that names the limit") {
     const SpeciesVolume volume = blobs();
     renderer().setVolume(volume);
-    const auto tooLarge = frame(volume, Look(), views()[0].pose, {1 << 20, 4}, 16);
+    const auto tooLarge = slicedFrame(volume, Look(), views()[0].pose, {1 << 20, 4}, 16);
     CHECK_THROWS_WITH_AS(renderer().render(tooLarge), doctest::Contains("1048576 x 4 px"), Error);
 }
 
 TEST_CASE("A cancelled frame leaves the last whole picture, and the next frame is right") {
     const SpeciesVolume volume = blobs();
-    const auto before = frame(volume, Look(), views()[0].pose, {40, 30}, 48);
+    const auto before = slicedFrame(volume, Look(), views()[0].pose, {40, 30}, 48);
     const ImageF whole = renderOn(volume, before);
     const Image8 shown = renderer().readDisplay();
-    auto turned = frame(volume, Look(), views()[4].pose, {40, 30}, 48);
+    auto turned = slicedFrame(volume, Look(), views()[4].pose, {40, 30}, 48);
     CHECK_THROWS_AS(renderer().render(turned, [](double) { return false; }), Cancelled);
     renderer().render(before);
     CHECK(worstDifference(renderer().readLinear(), whole) == 0.0f);
