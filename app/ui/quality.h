@@ -18,9 +18,9 @@ struct Refinement {
     double draftMs;  ///< a picture that is expected to take so long,
     double fullMs;   ///< or the full one, when that takes no longer than this
 };
-/// A picture that takes up to 0.8 s is there in full a second after the hand rests.
-inline constexpr std::array kRefinements{Refinement{0.1, 300.0, 800.0},
-                                         Refinement{0.6, 1500.0, 1500.0}};
+/// A picture that takes up to 0.85 s is there in full a second after the hand rests.
+inline constexpr std::array kRefinements{Refinement{0.1, 250.0, 850.0},
+                                         Refinement{0.4, 1500.0, 1500.0}};
 inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
 inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
 inline constexpr double kFrameMs = 1000.0 / 30.0;  // of a whole frame in motion
