@@ -157,7 +157,9 @@ void packMedium(const VolumeTextures& volume, const Look& look, const gl::Textur
     glClearTexImage(maxima.name(), 0, GL_RED, GL_FLOAT, nullptr);
     maxima.bindImage(0, GL_WRITE_ONLY);
     volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    programs.get("pass/brick_maximum_packed.comp")
+    programs
+        .get("pass/brick_maximum_packed.comp", {fmt::format("BLOCK_VOXELS {}", kBlockVoxels),
+                                                fmt::format("BRICK_VOXELS {}", kBrickVoxels)})
         .dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
