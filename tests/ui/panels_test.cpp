@@ -130,10 +130,10 @@ TEST_CASE("The picture has what the panels leave of the window, and all of it wi
     Session session(noReaders());
     ui::Ui state(session);
     gui.frame([&] { ui::draw(state); });
-    const auto [lower, upper] = ui::pictureBox(state);
+    const ui::PixelBox box = ui::pictureBox(state);
     const auto column = static_cast<int>(std::lround(ui::columnWidth()));
-    CHECK(lower == glm::ivec2(column, std::lround(ui::statusHeight())));
-    CHECK(upper == glm::ivec2(1280 - column, 720));
+    CHECK(box.lower == glm::ivec2(column, std::lround(ui::statusHeight())));
+    CHECK(box.upper == glm::ivec2(1280 - column, 720));
     state.showPanels = false;
     CHECK(ui::pictureBox(state).size() == glm::ivec2(1280, 720));
     ImGui::GetIO().DisplayFramebufferScale = {2.0f, 2.0f};
