@@ -16,8 +16,7 @@ constexpr std::array<std::string_view, 5> kStages{"data", "medium", "light", "ey
 
 /// The stage and all that follow from it.
 std::string redoneText(const render::FrameStats& stats) {
-    if (!stats.redone) return "nothing";
-    const auto first = static_cast<std::size_t>(*stats.redone);
+    const auto first = static_cast<std::size_t>(stats.redone);
     return fmt::format("{}", fmt::join(kStages.begin() + first, kStages.end(), " > "));
 }
 

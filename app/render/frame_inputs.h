@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -50,8 +49,8 @@ struct SampleCounts {
 
 /// What the last frame did, for the status line, the profile and `bench`.
 struct FrameStats {
-    std::optional<Stage> redone;  ///< earliest stage that was redone; none: nothing but a copy
-    bool bakedMedium = false;  ///< or put other detail into it, as the march does
+    Stage redone = Stage::resolve;  ///< earliest stage that was redone, with all after it
+    bool bakedMedium = false;       ///< or put other detail into it, as the march does
     bool marchedLight = false;
     bool marchedEye = false;
     int planes = 0;                ///< slices, or steps along the diagonal

@@ -15,7 +15,7 @@ namespace neph::render {
 namespace {
 
 constexpr float kLargestHalf = 32768.0f;  // a power of two below the top of the range
-constexpr float kLeastShare = 1e-6f;      // of the largest value, below which nothing shows
+constexpr float kLeastShare = 1e-8f;      // of the largest value, below which nothing shows
 constexpr std::size_t kChunk = 1 << 16;
 constexpr std::size_t kMostWorkers = 8;  // memory is busy with fewer
 
