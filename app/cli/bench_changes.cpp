@@ -16,8 +16,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr glm::ivec2 kSizePx{1280, 720};
-// A draft of the workbench on two cores without a GPU: 480 x 270 of 1280 x 720, 96 steps.
-constexpr int kDraftNumerator = 3, kDraftDenominator = 8, kDraftSteps = 96;
+// A draft of the workbench on two cores without a GPU: 320 x 180 of 1280 x 720, 96 steps.
+constexpr int kDraftDivisor = 4, kDraftSteps = 96;
 constexpr float kScaleStep = 0.8f, kSunStepDeg = 10.0f;
 
 enum class Change { mixingScale, sun, time };
@@ -48,7 +48,7 @@ class Screen {
 
     render::FrameInputs draft() const {
         render::FrameInputs draft = full_;
-        draft.sizePx = glm::max(full_.sizePx * kDraftNumerator / kDraftDenominator, glm::ivec2(1));
+        draft.sizePx = glm::max(full_.sizePx / kDraftDivisor, glm::ivec2(1));
         draft.planes = kDraftSteps;
         draft.draftLight = true;
         return draft;

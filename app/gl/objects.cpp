@@ -104,16 +104,13 @@ void Texture::setRepeat() {
     }
 }
 
-void Texture::makeLevels() {
-    glGenerateTextureMipmap(name_);
-}
-
-void Texture::upload(GLenum pixelFormat, GLenum type, const void* data) {
+void Texture::upload(GLenum pixelFormat, GLenum type, const void* data, int level) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const glm::ivec3 size = glm::max(size_ >> level, glm::ivec3(1));
     if (target_ == GL_TEXTURE_2D) {
-        glTextureSubImage2D(name_, 0, 0, 0, size_.x, size_.y, pixelFormat, type, data);
+        glTextureSubImage2D(name_, level, 0, 0, size.x, size.y, pixelFormat, type, data);
     } else {
-        glTextureSubImage3D(name_, 0, 0, 0, 0, size_.x, size_.y, size_.z, pixelFormat, type, data);
+        glTextureSubImage3D(name_, level, 0, 0, 0, size.x, size.y, size.z, pixelFormat, type, data);
     }
 }
 

@@ -29,10 +29,8 @@ class Texture {
 
     void setLinear();
     void setRepeat();
-    /// Fills the levels below the first, for texelFetch.
-    void makeLevels();
-    /// Replaces everything; `data` is tightly packed.
-    void upload(GLenum pixelFormat, GLenum type, const void* data);
+    /// Replaces everything of one level, half the size of the one above; `data` is tightly packed.
+    void upload(GLenum pixelFormat, GLenum type, const void* data, int level = 0);
     void bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
     void bindImage(GLuint unit, GLenum access) const;
 

@@ -52,6 +52,8 @@ class ProgramCache {
     /// Throws Error when it has never compiled.
     const Program& get(const std::string& file, const std::vector<std::string>& defines = {});
 
+    const std::filesystem::path& root() const { return root_; }
+
     /// Recompiles what changed on disk; returns the error messages of those that fail, which stay
     /// as they were. Programs obtained before are invalid afterwards.
     std::vector<std::string> reload();
