@@ -213,14 +213,18 @@ TEST_CASE("A phase function shows the parameters that it has, and no others") {
     CHECK(acting(PhaseKind::roughAggregate) == Ids{"cloud.phase_radius"});
 }
 
-TEST_CASE("What is no parameter of a phase function always acts") {
-    const Look look;
+TEST_CASE("What is no parameter of a phase function always acts, with the engine that it is of") {
+    Look look;
     for (const Parameter& row : lookTable()) {
+        look.engine = row.engine.value_or(Engine::march);
         const bool ofPhase = row.id.find("phase_") != std::string::npos &&
                              row.id.find(".phase_truncation") == std::string::npos &&
                              row.id.find(".phase_display") == std::string::npos;
         CAPTURE(row.id);
         if (!ofPhase) CHECK(applies(row, look));
+        if (!row.engine) continue;
+        look.engine = *row.engine == Engine::march ? Engine::slicing : Engine::march;
+        CHECK_FALSE(applies(row, look));
     }
 }
 
