@@ -101,7 +101,7 @@ TEST_CASE("Bench tells the first and the full picture after each kind of change"
     const Json changes = bench("--section changes --grid 16")["changes"];
     CHECK(changes["engine"] == "march");
     CHECK(changes["full_size"] == Json{20, 16});
-    CHECK(changes["first_size"] == Json{7, 6});
+    CHECK(changes["first_size"] == Json{5, 4});
     REQUIRE(changes["rows"].size() == 3);
     const std::vector<std::string> names{"mixing-scale", "sun-azimuth", "time"};
     for (std::size_t i = 0; i < 3; ++i) {
