@@ -26,9 +26,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWidthPx = 1280, kHeightPx = 720;
-constexpr double kIdleWaitS = 0.25;   // between looks when nothing happens: tooltips, text cursor
-constexpr double kBusyWaitS = 0.05;   // while data load or the picture waits to be refined
-constexpr double kCommitS = 0.4;      // at rest for so long: the gesture is over, one step of undo
+constexpr double kIdleWaitS = 0.25;  // between looks when nothing happens: tooltips, text cursor
+constexpr double kBusyWaitS = 0.05;  // while data load or the picture waits to be refined
+constexpr double kCommitS = 0.4;     // at rest for so long: the gesture is over, one step of undo
 
 bool isPresetFile(const std::filesystem::path& path) {
     return path.extension() == ".json";

@@ -14,8 +14,8 @@ inline constexpr int kNoiseLevels = 6;
 gl::Texture bakeNoise(gl::ProgramCache& programs);
 
 /// R8, nearest, with levels of half the size each: a tile of billow and upon it one of wisp. As the
-/// march reads it: few bytes, so that more of it stays in caches. Kept as a file of the user's cache, by the text of its
-/// shader, since a processor takes half a second for it.
+/// march reads it: few bytes, so that more of it stays in caches. Kept as a file of the user's
+/// cache, by the text of its shader, since a processor takes half a second for it.
 gl::Texture bakeStackedNoise(gl::ProgramCache& programs);
 
 }  // namespace neph::render
