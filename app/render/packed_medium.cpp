@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/render/detail_kinds.h"
 #include "app/render/medium_bake.h"
 #include "app/render/noise_texture.h"
 #include "shaders/lib/glsl_cpp.h"
@@ -63,38 +64,25 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visi
     }
 }
 
-/// Species with detail of one scale and character read it once.
-struct DetailKinds {
-    std::vector<int> ofSpecies;      ///< of each that is visible
-    std::vector<SpeciesLook> kinds;  ///< one species of each
-};
-
-DetailKinds kindsOf(const Look& look, const Visible& visible) {
-    DetailKinds out;
+std::vector<Detail> detailsOf(const Look& look, const Visible& visible) {
+    std::vector<Detail> details;
     for (const int s : visible.species) {
-        const SpeciesLook& mine = look.species[static_cast<std::size_t>(s)];
-        const auto same = [&](const SpeciesLook& theirs) {
-            return mine.noiseAmount == 0.0f || (theirs.noiseScaleM == mine.noiseScaleM &&
-                                                theirs.noiseCharacter == mine.noiseCharacter);
-        };
-        auto found = std::find_if(out.kinds.begin(), out.kinds.end(), same);
-        if (found == out.kinds.end()) found = out.kinds.insert(found, mine);
-        out.ofSpecies.push_back(static_cast<int>(found - out.kinds.begin()));
+        const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
+        details.push_back({field.noiseAmount, field.noiseScaleM, field.noiseCharacter});
     }
-    return out;
+    return details;
 }
 
 /// Uniforms of the detail.
-void setDetail(const VolumeTextures& volume, const Look& look, const Visible& visible,
+void setDetail(const VolumeTextures& volume, const std::vector<Detail>& details,
                const DetailKinds& kinds, const gl::Program& program) {
-    for (std::size_t i = 0; i < visible.species.size(); ++i) {
-        const SpeciesLook& field = look.species[static_cast<std::size_t>(visible.species[i])];
-        program.setFloat(30 + static_cast<int>(i), field.noiseAmount);
+    for (std::size_t i = 0; i < details.size(); ++i) {
+        program.setFloat(30 + static_cast<int>(i), details[i].amount);
     }
-    for (std::size_t k = 0; k < kinds.kinds.size(); ++k) {
-        const SpeciesLook& field = kinds.kinds[k];
-        const float tileM = glsl::kDetailFeaturesPerTile * field.noiseScaleM;
-        const bool billow = field.noiseCharacter == NoiseCharacter::billow;
+    for (std::size_t k = 0; k < kinds.first.size(); ++k) {
+        const Detail& detail = details[static_cast<std::size_t>(kinds.first[k])];
+        const float tileM = glsl::kDetailFeaturesPerTile * detail.scaleM;
+        const bool billow = detail.character == NoiseCharacter::billow;
         program.setFloat(36 + static_cast<int>(k), static_cast<float>(kNoiseSize) / tileM);
         program.setFloat(42 + static_cast<int>(k), billow ? 0.0f : 1.0f);
     }
@@ -105,19 +93,20 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
                     gl::ProgramCache& programs, PackedMedium& out) {
     const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
     const Visible visible = visibleIn(out.plan);
-    const DetailKinds kinds = kindsOf(look, visible);
+    const std::vector<Detail> details = detailsOf(look, visible);
+    const DetailKinds kinds = kindsOf(details);
     std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
                                    fmt::format("DETAIL {}", detailed ? 1 : 0)};
     if (detailed) {
         names.push_back(fmt::format("NOISE_SIZE {}", kNoiseSize));
         names.push_back(fmt::format("NOISE_LEVELS {}", kNoiseLevels));
-        names.push_back(fmt::format("KINDS {}", kinds.kinds.size()));
-        names.push_back(fmt::format("KIND_OF_SPECIES int[]({})", fmt::join(kinds.ofSpecies, ", ")));
+        names.push_back(fmt::format("KINDS {}", kinds.first.size()));
+        names.push_back(fmt::format("KIND_OF_SPECIES int[]({})", fmt::join(kinds.of, ", ")));
     }
     const gl::Program& program = programs.get("pass/pack_extinction.comp", names);
     setSpecies(volume, out.plan, visible, program);
     if (detailed) {
-        setDetail(volume, look, visible, kinds, program);
+        setDetail(volume, details, kinds, program);
         noise->bind(6);
     }
     volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);

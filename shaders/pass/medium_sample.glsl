@@ -45,12 +45,6 @@ MediumSample sampleMedium(vec3 positionM) {
     return s;
 }
 
-float totalExtinctionPerM(MediumSample s) {
-    float sum = 0.0;
-    for (int i = 0; i < CLASSES; ++i) sum += s.extinctionPerM[i];
-    return sum;
-}
-
 float skylightOf(MediumSample s) {
     return s.extinctionPerM[4 * CLASS_TEXTURES - 1];
 }

@@ -48,9 +48,3 @@ MediumSample sampleMedium(vec3 positionM) {
 #endif
     return s;
 }
-
-float totalExtinctionPerM(MediumSample s) {
-    float sum = 0.0;
-    for (int i = 0; i < CLASSES; ++i) sum += s.extinctionPerM[i];
-    return sum;
-}

@@ -9,6 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "medium_sample.glsl"
 #include "phases.glsl"
 #include "ray_in_box.glsl"
+#include "total_extinction.glsl"
 
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(location = 0) uniform int firstRow;            // of the band of rows that is drawn

@@ -14,6 +14,7 @@ layout(local_size_x = 16, local_size_y = 16) in;  // a tile
 #else
 #include "medium_sample.glsl"
 #endif
+#include "total_extinction.glsl"
 
 layout(binding = 4) uniform sampler2DArray t_light;
 layout(LIGHT_FORMAT, binding = 0) writeonly uniform image2DArray o_light;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/render/detail_kinds.h"
 #include "app/render/engines/frame_block.h"
 #include "app/render/noise_texture.h"
 #include "core/blue_noise.h"
@@ -88,27 +89,12 @@ std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     return names;
 }
 
-/// Classes with detail of one scale and character read it once.
-struct Kinds {
-    std::vector<int> ofClass, classOf;
-};
-
-Kinds kindsOf(const MediumPlan& plan) {
-    Kinds kinds;
-    for (std::size_t c = 0; c < plan.classes.size(); ++c) {
-        const MediumClass& mine = plan.classes[c];
-        const auto same = [&](int other) {
-            const MediumClass& theirs = plan.classes[static_cast<std::size_t>(other)];
-            return mine.noiseAmount == 0.0f || (theirs.noiseScaleM == mine.noiseScaleM &&
-                                                theirs.noiseCharacter == mine.noiseCharacter);
-        };
-        auto found = std::find_if(kinds.classOf.begin(), kinds.classOf.end(), same);
-        if (found == kinds.classOf.end()) {
-            found = kinds.classOf.insert(found, static_cast<int>(c));
-        }
-        kinds.ofClass.push_back(static_cast<int>(found - kinds.classOf.begin()));
+DetailKinds kindsOf(const MediumPlan& plan) {
+    std::vector<Detail> details;
+    for (const MediumClass& c : plan.classes) {
+        details.push_back({c.noiseAmount, c.noiseScaleM, c.noiseCharacter});
     }
-    return kinds;
+    return render::kindsOf(details);
 }
 
 std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMedium& medium,
@@ -118,11 +104,11 @@ std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMediu
     names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
     names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
     if (!isNoisy(medium.plan)) return names;
-    const Kinds kinds = kindsOf(medium.plan);
+    const DetailKinds kinds = kindsOf(medium.plan);
     names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
-    names.push_back(fmt::format("KINDS {}", kinds.classOf.size()));
-    names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.ofClass, ", ")));
-    names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.classOf, ", ")));
+    names.push_back(fmt::format("KINDS {}", kinds.first.size()));
+    names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.of, ", ")));
+    names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.first, ", ")));
     return names;
 }
 
