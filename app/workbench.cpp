@@ -187,7 +187,8 @@ void Workbench::setMemory(const std::string& memory) {
         MemoryBudget budget = session_.budget();
         budget.machine = memoryBudget(memory, budget.gpu).machine;
         session_.setBudget(budget);
-        saveSettings({memory});
+        ui_.settings.memory = memory;
+        saveSettings(ui_.settings);
         session_.say(Message::Kind::note, "Memory: " + memoryText(budget.machine));
     } catch (const Error& error) {
         session_.say(Message::Kind::error, error.message());

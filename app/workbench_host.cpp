@@ -15,27 +15,31 @@
 namespace neph {
 namespace {
 
-/// Letters go by what is printed on the key, so that Ctrl+Z is where the layout has it.
-constexpr std::array<std::pair<char, ui::Key>, 11> kLetters{{{'c', ui::Key::c},
-                                                             {'d', ui::Key::d},
-                                                             {'f', ui::Key::f},
-                                                             {'h', ui::Key::h},
-                                                             {'m', ui::Key::m},
-                                                             {'o', ui::Key::o},
-                                                             {'q', ui::Key::q},
-                                                             {'r', ui::Key::r},
-                                                             {'s', ui::Key::s},
-                                                             {'y', ui::Key::y},
-                                                             {'z', ui::Key::z}}};
-constexpr std::array<std::pair<int, ui::Key>, 9> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
-                                                          {GLFW_KEY_RIGHT, ui::Key::right},
-                                                          {GLFW_KEY_HOME, ui::Key::home},
-                                                          {GLFW_KEY_END, ui::Key::end},
-                                                          {GLFW_KEY_ESCAPE, ui::Key::escape},
-                                                          {GLFW_KEY_TAB, ui::Key::tab},
-                                                          {GLFW_KEY_F3, ui::Key::f3},
-                                                          {GLFW_KEY_F5, ui::Key::f5},
-                                                          {GLFW_KEY_F11, ui::Key::f11}}};
+constexpr std::array<std::pair<int, ui::Key>, 15> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
+                                                           {GLFW_KEY_RIGHT, ui::Key::right},
+                                                           {GLFW_KEY_UP, ui::Key::up},
+                                                           {GLFW_KEY_DOWN, ui::Key::down},
+                                                           {GLFW_KEY_HOME, ui::Key::home},
+                                                           {GLFW_KEY_END, ui::Key::end},
+                                                           {GLFW_KEY_PAGE_UP, ui::Key::pageUp},
+                                                           {GLFW_KEY_PAGE_DOWN, ui::Key::pageDown},
+                                                           {GLFW_KEY_ESCAPE, ui::Key::escape},
+                                                           {GLFW_KEY_TAB, ui::Key::tab},
+                                                           {GLFW_KEY_SPACE, ui::Key::space},
+                                                           {GLFW_KEY_ENTER, ui::Key::enter},
+                                                           {GLFW_KEY_DELETE, ui::Key::remove},
+                                                           {GLFW_KEY_KP_ADD, ui::Key::plus},
+                                                           {GLFW_KEY_KP_SUBTRACT, ui::Key::minus}}};
+constexpr std::array<std::pair<char, ui::Key>, 5> kSigns{{{'?', ui::Key::question},
+                                                          {',', ui::Key::comma},
+                                                          {'.', ui::Key::period},
+                                                          {'+', ui::Key::plus},
+                                                          {'-', ui::Key::minus}}};
+
+/// The key `steps` after `first`, in the order of ui::Key.
+ui::Key after(ui::Key first, int steps) {
+    return static_cast<ui::Key>(static_cast<int>(first) + steps);
+}
 
 constexpr int kMinWidthPx = 900, kMinHeightPx = 480;  // both columns and a picture between them
 
@@ -43,10 +47,16 @@ ui::Key toKey(int key, int scancode) {
     for (const auto& [code, named] : kOthers) {
         if (code == key) return named;
     }
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return after(ui::Key::f1, key - GLFW_KEY_F1);
+    // Letters and signs go by what is printed on the key, so that Ctrl+Z is where the layout has
+    // it.
     const char* name = glfwGetKeyName(key, scancode);
     if (name == nullptr || name[0] == '\0' || name[1] != '\0') return ui::Key::none;
-    for (const auto& [letter, named] : kLetters) {
-        if (letter == name[0]) return named;
+    const char sign = name[0];
+    if (sign >= 'a' && sign <= 'z') return after(ui::Key::a, sign - 'a');
+    if (sign >= '0' && sign <= '9') return after(ui::Key::n0, sign - '0');
+    for (const auto& [printed, named] : kSigns) {
+        if (printed == sign) return named;
     }
     return ui::Key::none;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "core/camera_path.h"
 #include "core/look.h"
 
 namespace neph {
@@ -17,6 +18,8 @@ struct Document {
     Look look;
     CameraPose camera;
     int time = 0;  ///< index into the times of the data set
+    std::vector<Bookmark> bookmarks;
+    CameraPath path;
     bool operator==(const Document&) const = default;
 };
 

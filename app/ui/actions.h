@@ -1,8 +1,10 @@
-// actions.h: everything that a key can do, declared once; shortcuts and the help sheet read it.
+// actions.h: everything that the program can be told to do, declared once: menus, shortcuts, the
+// palette and the cheat sheet read it.
 #pragma once
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/ui/ui.h"
 
@@ -11,26 +13,72 @@ namespace neph::ui {
 /// Keys by what is printed on them; the workbench maps the window system's.
 enum class Key : int {
     none,
+    a,
+    b,
     c,
     d,
+    e,
     f,
+    g,
     h,
+    i,
+    j,
+    k,
+    l,
     m,
+    n,
     o,
+    p,
     q,
     r,
     s,
+    t,
+    u,
+    v,
+    w,
+    x,
     y,
     z,
+    n0,
+    n1,
+    n2,
+    n3,
+    n4,
+    n5,
+    n6,
+    n7,
+    n8,
+    n9,
     left,
     right,
+    up,
+    down,
     home,
     end,
+    pageUp,
+    pageDown,
     escape,
     tab,
+    space,
+    enter,
+    remove,
+    question,
+    comma,
+    period,
+    plus,
+    minus,
+    f1,
+    f2,
     f3,
+    f4,
     f5,
-    f11
+    f6,
+    f7,
+    f8,
+    f9,
+    f10,
+    f11,
+    f12
 };
 
 struct Chord {
@@ -40,17 +88,43 @@ struct Chord {
     bool operator==(const Chord&) const = default;
 };
 
+/// "Ctrl+Shift+S"; empty for none.
+std::string chordText(Chord chord);
+
+enum class Menu : int { file, edit, view, camera, time, compare, output, help };
+inline constexpr int kMenuCount = 8;
+
 struct Action {
-    std::string_view label;
+    std::string_view id;     ///< "file.open"
+    std::string_view label;  ///< "Open data..."
+    Menu menu = Menu::file;
     Chord chord;
-    std::string_view chordText;
-    bool (*enabled)(const Ui&);
-    void (*run)(Ui&);
+    std::string_view help;  ///< one line
+    void (*run)(Ui&) = nullptr;
+    bool (*enabled)(const Ui&) = nullptr;  ///< nullptr: always
+    bool (*checked)(const Ui&) = nullptr;  ///< of a switch; nullptr: none
+    bool separated = false;                ///< a line above it in its menu
 };
 
-std::span<const Action> actions();
+/// Each in the file of its menu; a menu's order is the order of its rows.
+std::span<const Action> fileActions();
+std::span<const Action> editActions();
+std::span<const Action> viewActions();
+std::span<const Action> cameraActions();
+std::span<const Action> timeActions();
+std::span<const Action> compareActions();
+std::span<const Action> outputActions();
+std::span<const Action> helpActions();
 
-/// Runs the action of a chord; false when there is none or it is not enabled.
+/// All of them, menu by menu.
+const std::vector<Action>& actions();
+
+bool isEnabled(const Action& action, const Ui& ui);
+/// nullptr when there is none of that id.
+const Action* findAction(std::string_view id);
+/// Runs it; false when there is none or it is not enabled.
+bool runAction(Ui& ui, std::string_view id);
+/// Runs the action of a chord; likewise.
 bool runChord(Ui& ui, Chord chord);
 
 }  // namespace neph::ui

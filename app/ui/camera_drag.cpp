@@ -32,13 +32,13 @@ bool dragging(ImGuiMouseButton button) {
 
 void moveCamera(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
-    CameraPose& pose = ui.session.document.camera;
+    CameraPose& pose = ui.session().document.camera;
     const float height = static_cast<float>(pictureBox(ui).size().y) / io.DisplayFramebufferScale.y;
     const float dx = io.MouseDelta.x / height, dy = io.MouseDelta.y / height;
     const bool left = dragging(ImGuiMouseButton_Left);
     const bool moved = dx != 0.0f || dy != 0.0f;
     if (moved && (dragging(ImGuiMouseButton_Middle) || (left && io.KeyShift))) {
-        pan(pose, gridOf(ui.session), {dx, -dy});
+        pan(pose, gridOf(ui.session()), {dx, -dy});
     } else if (moved && left) {
         orbit(pose, dx * kOrbitDegPerHeight, dy * kOrbitDegPerHeight);
     } else if (moved && dragging(ImGuiMouseButton_Right)) {

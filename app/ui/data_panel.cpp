@@ -92,7 +92,7 @@ bool editAxis(const char* label, float& lowKm, float& highKm, double leastM, dou
 
 void editRegion(Ui& ui, const DatasetInfo& info, const VolumeSummary& shown) {
     const Region domain = domainOf(info, shown);
-    Region chosen = ui.session.region().value_or(domain);
+    Region chosen = ui.session().region().value_or(domain);
     chosen.lowerM = glm::max(chosen.lowerM, domain.lowerM);
     chosen.upperM = glm::min(chosen.upperM, domain.upperM);
     // While the hand is on it the draft is shown; else what is chosen.
@@ -111,12 +111,12 @@ void editRegion(Ui& ui, const DatasetInfo& info, const VolumeSummary& shown) {
     Region region{glm::dvec3(ui.regionKm[0]) * kMPerKm, glm::dvec3(ui.regionKm[1]) * kMPerKm};
     const glm::dvec3 least = glm::dvec3(info.spacingM, shown.grid.spacingM.z);
     region.upperM = glm::max(region.upperM, region.lowerM + least);
-    ui.session.setRegion(region);
+    ui.session().setRegion(region);
 }
 
 void drawButtons(Ui& ui, const VolumeSummary& shown) {
-    ImGui::BeginDisabled(!ui.session.region());
-    if (ImGui::Button("Whole domain")) ui.session.setRegion({});
+    ImGui::BeginDisabled(!ui.session().region());
+    if (ImGui::Button("Whole domain")) ui.session().setRegion({});
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!shown.clouds);
@@ -129,7 +129,7 @@ void editMemory(Ui& ui) {
     ImGui::TextUnformatted("Memory");
     ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
     ImGui::SetNextItemWidth(-1.0f);
-    const std::string hint = memoryText(ui.session.budget().machine);
+    const std::string hint = memoryText(ui.session().budget().machine);
     if (ImGui::InputTextWithHint("##memory", hint.c_str(), &ui.memory,
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
         ui.requests.memory = ui.memory;
@@ -149,33 +149,33 @@ void drawCache(const Session& session) {
 }  // namespace
 
 void showAroundClouds(Ui& ui) {
-    const VolumeSummary* shown = ui.session.shown();
+    const VolumeSummary* shown = ui.session().shown();
     if (shown == nullptr || !shown->clouds) return;
     Region region = withMargin(*shown->clouds);
-    const Region domain = domainOf(*ui.session.info(), *shown);
+    const Region domain = domainOf(*ui.session().info(), *shown);
     region.lowerM = glm::max(region.lowerM, domain.lowerM);
     region.upperM = glm::min(region.upperM, domain.upperM);
-    ui.session.setRegion(region);
+    ui.session().setRegion(region);
 }
 
 void drawData(Ui& ui) {
     if (!ImGui::CollapsingHeader("Data", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const DatasetInfo* info = ui.session.info();
-    const VolumeSummary* shown = ui.session.shown();
+    const DatasetInfo* info = ui.session().info();
+    const VolumeSummary* shown = ui.session().shown();
     if (info == nullptr || shown == nullptr) {
         ImGui::TextDisabled("None yet");
         return;
     }
     drawDomain(*info);
     ImGui::Spacing();
-    drawPlan(*shown, *info, ui.session.budget());
+    drawPlan(*shown, *info, ui.session().budget());
     ImGui::Spacing();
     editRegion(ui, *info, *shown);
     drawButtons(ui, *shown);
     ImGui::Spacing();
     editMemory(ui);
-    if (info->times.size() > 1) drawCache(ui.session);
-    ImGui::Checkbox("Follow new times", &ui.session.follow);
+    if (info->times.size() > 1) drawCache(ui.session());
+    ImGui::Checkbox("Follow new times", &ui.session().follow);
     tooltip(
         "From the last time to a new last one, as soon as a file that is still being written "
         "has it. New times are noticed in any case.");

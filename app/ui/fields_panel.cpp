@@ -80,7 +80,7 @@ void drawFields(Ui& ui) {
     ImGui::SameLine(ImGui::GetCursorPosX() + 9.0f * em);
     ImGui::TextDisabled("Mixing scale");
     ImGui::Separator();
-    for (int s = 0; s < kSpeciesCount; ++s) field(ui.session, static_cast<Species>(s));
+    for (int s = 0; s < kSpeciesCount; ++s) field(ui.session(), static_cast<Species>(s));
 }
 
 }  // namespace neph::ui

@@ -16,7 +16,7 @@ bool beginGroup(const std::string& group) {
 }  // namespace
 
 void drawGroups(Ui& ui) {
-    Look& look = ui.session.document.look;
+    Look& look = ui.session().document.look;
     std::string group;
     bool open = false;
     for (const Parameter& row : lookTable()) {

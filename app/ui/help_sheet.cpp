@@ -38,7 +38,8 @@ void drawHelp(Ui& ui) {
     if (ImGui::Begin("Mouse and keys", &ui.showHelp, flags) && ImGui::BeginTable("##help", 2)) {
         for (const auto& [what, does] : kMouse) line(what, does);
         for (const Action& action : actions()) {
-            line(std::string(action.chordText).c_str(), std::string(action.label).c_str());
+            if (action.chord.key == Key::none) continue;
+            line(chordText(action.chord).c_str(), std::string(action.label).c_str());
         }
         ImGui::EndTable();
     }

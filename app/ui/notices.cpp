@@ -52,7 +52,7 @@ void drawError(Ui& ui, const std::string& text) {
     if (beginNotice("##error", 0.06f)) {
         ImGui::TextColored({0.95f, 0.55f, 0.45f, 1.0f}, "Error");
         ImGui::TextUnformatted(text.c_str());
-        if (ImGui::Button("Close")) ui.dismissedSerial = ui.session.messages.back().serial;
+        if (ImGui::Button("Close")) ui.dismissedSerial = ui.session().messages.back().serial;
     }
     endNotice();
 }
@@ -64,7 +64,7 @@ void drawText(const char* name, const std::string& text) {
 
 /// What there is to say when there is nothing to see.
 void drawEmpty(Ui& ui) {
-    const Session& session = ui.session;
+    const Session& session = ui.session();
     if (!session.shown()) {
         drawText("##nodata", "No data. Drop model output on the window, or press Ctrl+O.");
     } else if (session.shown()->empty()) {
@@ -73,15 +73,15 @@ void drawEmpty(Ui& ui) {
     } else if (everyFieldOff(session.document.look)) {
         if (beginNotice("##off", 0.45f)) {
             ImGui::TextUnformatted("Every field is switched off.");
-            if (ImGui::Button("Show all fields")) showAllFields(ui.session.document.look);
+            if (ImGui::Button("Show all fields")) showAllFields(ui.session().document.look);
         }
         endNotice();
     }
 }
 
 const std::string* newestError(const Ui& ui) {
-    const std::uint64_t seen = std::max(ui.dismissedSerial, ui.session.settledSerial);
-    const auto& messages = ui.session.messages;
+    const std::uint64_t seen = std::max(ui.dismissedSerial, ui.session().settledSerial);
+    const auto& messages = ui.session().messages;
     const auto found = std::find_if(messages.rbegin(), messages.rend(), [&](const Message& m) {
         return m.kind == Message::Kind::error && m.serial > seen;
     });
@@ -95,7 +95,7 @@ void drawMessages(Ui& ui) {
     if (ImGui::Begin("Messages", &ui.showMessages,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
         ImGui::PushTextWrapPos(0.0f);
-        for (const Message& message : ui.session.messages) {
+        for (const Message& message : ui.session().messages) {
             const char* kind = message.kind == Message::Kind::error     ? "error: "
                                : message.kind == Message::Kind::warning ? "warning: "
                                                                         : "";
@@ -109,8 +109,8 @@ void drawMessages(Ui& ui) {
 }  // namespace
 
 void drawNotices(Ui& ui) {
-    if (ui.session.loading() && !ui.session.shown()) {
-        drawLoading(ui.session);
+    if (ui.session().loading() && !ui.session().shown()) {
+        drawLoading(ui.session());
     } else {
         drawEmpty(ui);
     }

@@ -17,7 +17,7 @@ void drawPathPopup(Ui& ui) {
     ImGui::SetNextItemWidth(36.0f * ImGui::GetFontSize());
     const bool entered = ImGui::InputText("##path", &ui.path, ImGuiInputTextFlags_EnterReturnsTrue);
     if ((ImGui::Button("Open") || entered) && !ui.path.empty()) {
-        ui.session.open(std::array{ui.path});
+        ui.session().open(std::array{ui.path});
         ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();

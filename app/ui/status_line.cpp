@@ -46,19 +46,20 @@ void drawStatus(Ui& ui) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     if (beginFixed("##status", {0.0f, display.y - statusHeight()}, {display.x, statusHeight()})) {
         const std::string frame = frameText(ui.report);
-        const std::string coarsened = coarsenedText(ui.session.shown());
+        const std::string coarsened = coarsenedText(ui.session().shown());
         const float frameWidth = ImGui::CalcTextSize((coarsened + frame).c_str()).x;
         const float at = display.x - frameWidth - ImGui::GetStyle().WindowPadding.x;
         // The message gives way to the frame, not the other way round.
         ImGui::PushClipRect({0.0f, display.y - statusHeight()},
                             {at - ImGui::GetFontSize(), display.y}, true);
-        ImGui::TextUnformatted(dataText(ui.session).c_str());
+        ImGui::TextUnformatted(dataText(ui.session()).c_str());
         if (ImGui::IsItemClicked()) ui.showMessages = !ui.showMessages;
         ImGui::PopClipRect();
         ImGui::SameLine(at);
         ImGui::TextColored({0.95f, 0.80f, 0.45f, 1.0f}, "%s", coarsened.c_str());
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", describe(ui.session.shown()->plan, *ui.session.info()).c_str());
+            ImGui::SetTooltip("%s",
+                              describe(ui.session().shown()->plan, *ui.session().info()).c_str());
         }
         ImGui::SameLine(0.0f, 0.0f);
         ImGui::TextDisabled("%s", frame.c_str());

@@ -12,12 +12,12 @@ float timeBarHeight(const Session& session) {
 }
 
 void drawTimeBar(Ui& ui) {
-    const float height = timeBarHeight(ui.session);
+    const float height = timeBarHeight(ui.session());
     if (height == 0.0f) return;
-    const DatasetInfo* info = ui.session.info();
+    const DatasetInfo* info = ui.session().info();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float left = columnWidth();
-    int& time = ui.session.document.time;
+    int& time = ui.session().document.time;
     const int last = static_cast<int>(info->times.size()) - 1;
     if (beginFixed("##time", {left, display.y - statusHeight() - height},
                    {display.x - 2.0f * left, height})) {

@@ -50,7 +50,7 @@ PixelBox pictureBox(const Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     glm::vec2 lower{0.0f}, upper{io.DisplaySize.x, io.DisplaySize.y};
     if (ui.showPanels) {
-        lower = {columnWidth(), statusHeight() + timeBarHeight(ui.session)};
+        lower = {columnWidth(), statusHeight() + timeBarHeight(ui.session())};
         upper.x -= columnWidth();
     }
     const glm::vec2 scale{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};

@@ -6,14 +6,25 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/ui/camera_tools.h"
+#include "app/ui/compare.h"
+#include "app/ui/fields_state.h"
+#include "app/ui/output_state.h"
+#include "app/ui/palette.h"
+#include "app/ui/playback.h"
+#include "app/ui/preset_browser.h"
 #include "app/ui/profile.h"
-#include "core/preset.h"
+#include "app/ui/session_dialogs.h"
 #include "core/session.h"
+#include "core/session_state.h"
+#include "core/settings.h"
 
 namespace neph::ui {
 
@@ -34,12 +45,33 @@ struct Requests {
     bool reloadShaders = false;
     bool redraw = false;                ///< the picture, though nothing has changed
     std::optional<std::string> memory;  ///< a setting to use and to remember
+    bool restyle = false;               ///< theme or scale are others: before the next frame
+};
+
+/// A picture file as a texture, for thumbnails.
+struct LoadedPicture {
+    unsigned texture = 0;  ///< for ImGui; 0 where the file could not be read
+    glm::ivec2 sizePx{0};
+};
+
+/// What the window does for panels, which know neither GL nor picture files. Empty in tests.
+struct Services {
+    std::function<LoadedPicture(const std::filesystem::path& png)> loadPicture;
+    std::function<void(unsigned texture)> dropPicture;
+    /// What a session file would hold now; panels hand it to what runs beside the program.
+    std::function<SessionState()> state;
+    /// Takes over a session file's state.
+    std::function<void(const SessionState&)> restore;
 };
 
 struct Ui {
-    explicit Ui(Session& edited) : session(edited) {}
+    explicit Ui(Session& edited) : active(&edited) {}
 
-    Session& session;
+    Session* active;  ///< of the slot that panels edit
+    Session& session() const { return *active; }
+
+    Settings settings;  ///< remembered when they change
+    Services services;
     FrameReport report;
     Profile profile;  ///< kept up to date while it is shown
     Requests requests;
@@ -48,12 +80,17 @@ struct Ui {
     bool showMessages = false;
     bool showProfile = false;
     bool askForPath = false;            ///< opens the popup in the next frame
-    bool askForPresetName = false;      ///< moves the keyboard to the preset's name
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
-    std::vector<PresetEntry> presets;   ///< as last listed
-    std::vector<std::string> titles;    ///< of `presets`
-    bool presetsListed = false;
-    std::string presetName;               ///< as typed
+    /// Something moves by itself: set anew in every frame in which it does.
+    bool animates = false;
+    PresetBrowser presets;
+    CameraTools cameraTools;
+    CompareState compare;
+    FieldsState fields;
+    OutputState output;
+    Palette palette;
+    Playback playback;
+    SessionDialogs sessionDialogs;
     std::string path;                     ///< as typed
     std::string memory;                   ///< as typed
     std::array<glm::vec3, 2> regionKm{};  ///< lower and upper corner, as dragged

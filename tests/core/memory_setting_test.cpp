@@ -65,12 +65,12 @@ TEST_CASE("Settings are remembered, and keys of other versions stay") {
     const Environment home("XDG_CONFIG_HOME", folder.path().string());
     std::vector<std::string> warnings;
     CHECK(loadSettings(warnings) == Settings{});
-    saveSettings({"2GiB"});
+    saveSettings({.memory = "2GiB"});
     CHECK(loadSettings(warnings).memory == "2GiB");
     const auto file = folder / "nephoscope" / "settings.json";
     std::ofstream(folder / "nephoscope/settings.json")
         << R"({"type": "nephoscope-settings", "version": 1, "colour": "blue", "memory": "1GiB"})";
-    saveSettings({"50%"});
+    saveSettings({.memory = "50%"});
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     CHECK(contains(text.str(), "blue"));
@@ -93,5 +93,5 @@ TEST_CASE("A file of settings that is wrong is told, not used and not overwritte
         CHECK(contains(warnings[0], "settings.json"));
     }
     std::ofstream(folder / "nephoscope/settings.json") << "{";
-    CHECK_THROWS_AS(saveSettings({"1GiB"}), Error);
+    CHECK_THROWS_AS(saveSettings({.memory = "1GiB"}), Error);
 }

@@ -118,10 +118,10 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     CHECK(session.region()->lowerM.y == 0.0);  // the margin ends at the domain's border
     CHECK(session.region()->upperM.y == 8000.0);
     gui.frame([&] { ui::draw(state); });
-    CHECK(ui::runChord(state, {ui::Key::d}));
+    CHECK(ui::runChord(state, {ui::Key::d, true}));
     CHECK_FALSE(session.region().has_value());
-    CHECK_FALSE(ui::runChord(state, {ui::Key::d}));
-    CHECK(ui::runChord(state, {ui::Key::f}));
+    CHECK_FALSE(ui::runChord(state, {ui::Key::d, true}));
+    CHECK(ui::runChord(state, {ui::Key::f, true}));
     CHECK(session.follow);
 }
 
@@ -193,18 +193,22 @@ TEST_CASE("A drag that begins on a panel leaves the camera alone") {
     CHECK(session.document.camera == start);
 }
 
-TEST_CASE("No two actions share a chord, and each says what it does and how") {
-    std::set<std::string_view> texts;
+TEST_CASE("No two actions share an id or a chord, and each says what it does") {
+    std::set<std::string_view> ids;
+    std::set<std::string> chords;
     for (const ui::Action& action : ui::actions()) {
-        CAPTURE(action.label);
+        CAPTURE(action.id);
+        CHECK(ids.insert(action.id).second);
+        CHECK(action.id.find('.') != std::string_view::npos);
         CHECK_FALSE(action.label.empty());
-        CHECK(texts.insert(action.chordText).second);
-        const auto same = std::count_if(ui::actions().begin(), ui::actions().end(),
-                                        [&](const auto& a) { return a.chord == action.chord; });
-        CHECK(same == 1);
-        CHECK(action.chord.ctrl == (action.chordText.find("Ctrl") != std::string_view::npos));
-        CHECK(action.chord.shift == (action.chordText.find("Shift") != std::string_view::npos));
+        CHECK_FALSE(action.help.empty());
+        REQUIRE((action.run != nullptr));
+        const std::string chord = ui::chordText(action.chord);
+        if (!chord.empty()) CHECK(chords.insert(chord).second);
     }
+    CHECK(ui::chordText({ui::Key::s, true, true}) == "Ctrl+Shift+S");
+    CHECK(ui::chordText({ui::Key::f12}) == "F12");
+    CHECK(ui::chordText({ui::Key::pageDown}) == "Page Down");
 }
 
 TEST_CASE("Chords act where they are enabled and not otherwise") {
