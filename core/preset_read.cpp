@@ -79,7 +79,7 @@ void readLook(const Json& values, Look& look, std::string_view where,
     for (const auto& [key, value] : values.items()) {
         const Parameter* row = findParameter(key);
         if (row == nullptr) {
-            warnings.push_back(unknownKey(where, key, known));
+            warnings.push_back(unknownJsonKey(where, key, known));
             continue;
         }
         const auto read = toValue(*row, value);
@@ -125,7 +125,7 @@ CameraPose readCamera(const Json& values, std::string_view where,
         } else if (row != kCameraKeys.end()) {
             pose.*(row->member) = cameraNumber(value, key, row->lo, row->hi, where);
         } else {
-            warnings.push_back(unknownKey(where, key, known));
+            warnings.push_back(unknownJsonKey(where, key, known));
         }
     }
     return pose;
@@ -146,7 +146,7 @@ LoadedPreset parsePreset(std::string_view content, std::string_view where) {
             loaded.preset.camera =
                 readCamera(jsonObject(value, key, where), where, loaded.warnings);
         } else if (std::find(kTopKeys.begin(), kTopKeys.end(), key) == kTopKeys.end()) {
-            loaded.warnings.push_back(unknownKey(where, key, kTopKeys));
+            loaded.warnings.push_back(unknownJsonKey(where, key, kTopKeys));
         }
     }
     return loaded;

@@ -27,7 +27,7 @@ std::string readJsonText(const std::filesystem::path& file, std::string_view wha
     return text;
 }
 
-std::string unknownKey(std::string_view where, std::string_view key,
+std::string unknownJsonKey(std::string_view where, std::string_view key,
                        std::span<const std::string_view> known) {
     const std::string_view near = nearestName(key, known);
     std::string text = fmt::format("{}: key \"{}\" is not known and was left out", where, key);

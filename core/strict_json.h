@@ -25,7 +25,7 @@ std::string readJsonText(const std::filesystem::path& file, std::string_view wha
                          std::size_t maxBytes);
 
 /// The warning for a key that is passed over.
-std::string unknownKey(std::string_view where, std::string_view key,
+std::string unknownJsonKey(std::string_view where, std::string_view key,
                        std::span<const std::string_view> known);
 
 /// Watches the parser's events: the depth of nesting, and the keys seen in each open object.
