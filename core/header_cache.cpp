@@ -12,6 +12,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/reader_wire.h"
 #include "core/resources.h"
 
@@ -24,13 +25,6 @@ constexpr std::uint32_t kVersion = 2;  // raised with every change of what is wr
 constexpr std::string_view kExtension = ".headers";
 constexpr std::size_t kMostFolders = 64;           // cache files that are kept
 constexpr std::uintmax_t kMostBytes = 32U << 20U;  // of one cache file
-
-/// FNV-1a, 64 bit. [Fowler]
-std::uint64_t hashOf(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    return hash;
-}
 
 /// What a cache file opens with.
 std::string checksumOf(std::string_view body) {

@@ -14,6 +14,7 @@
 
 #include "app/gl/shader_source.h"
 #include "core/atomic_file.h"
+#include "core/hash.h"
 #include "core/resources.h"
 
 namespace neph::render {
@@ -29,13 +30,6 @@ gl::Texture make(GLenum format, glm::ivec3 size, int levels) {
 void bake(gl::ProgramCache& programs, const std::vector<std::string>& defines) {
     programs.get("pass/bake_noise.comp", defines).dispatch(glm::ivec3(kNoiseSize));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-}
-
-/// FNV-1a, 64 bit. [Fowler]
-std::uint64_t hashOf(std::string_view bytes) {
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-    return hash;
 }
 
 std::filesystem::path cacheFile(const gl::ProgramCache& programs) {
