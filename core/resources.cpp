@@ -78,6 +78,10 @@ std::optional<std::filesystem::path> userConfigDir() {
     return userDir("XDG_CONFIG_HOME", ".config");
 }
 
+std::optional<std::filesystem::path> userStateDir() {
+    return userDir("XDG_STATE_HOME", ".local/state");
+}
+
 std::string_view versionText() {
     return NEPHOSCOPE_VERSION;
 }

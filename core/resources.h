@@ -31,6 +31,9 @@ std::optional<std::filesystem::path> userCacheDir();
 /// $XDG_CONFIG_HOME/nephoscope or ~/.config/nephoscope; none without a home.
 std::optional<std::filesystem::path> userConfigDir();
 
+/// $XDG_STATE_HOME/nephoscope or ~/.local/state/nephoscope; none without a home.
+std::optional<std::filesystem::path> userStateDir();
+
 /// For example "0.1.0".
 std::string_view versionText();
 

@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/recent.h"
 #include "core/resources.h"
+#include "core/strict_json.h"
 
 namespace neph {
 namespace {
@@ -18,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kType = "nephoscope-settings";
 constexpr int kVersion = 1;
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;  // paths of what was opened lately
 
 std::optional<std::filesystem::path> settingsFile() {
     const auto folder = userConfigDir();
@@ -27,20 +30,86 @@ std::optional<std::filesystem::path> settingsFile() {
 
 /// The object in the file; none where there is no file. Throws Error where it is none of ours.
 std::optional<Json> readObject(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) return {};
-    Json json = Json::parse(stream, nullptr, false);
-    if (!json.is_object() || json.value("type", Json()) != Json(kType)) {
-        throw Error({file.string(), "is no file of settings", "",
-                     fmt::format("JSON with \"type\": \"{}\"", kType), "remove it to start anew"});
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return {};
+    try {
+        const std::string where = file.string();
+        const auto json = parseStrictJson<Json>(readJsonText(file, "settings", kMaxBytes), where);
+        checkJsonHeader(json, where, "a file of settings", kType, kVersion);
+        return json;
+    } catch (const Error& fault) {
+        ErrorParts parts = fault.parts();
+        parts.hint = "remove it to start anew";
+        throw Error(parts);
     }
-    const Json version = json.value("version", Json());
-    if (!version.is_number_integer() || version.get<int>() != kVersion) {
-        throw Error({file.string(), "is of another version", version.dump(),
-                     std::to_string(kVersion), "remove it to start anew"});
-    }
-    return json;
 }
+
+bool take(const Json& json, std::string& value) {
+    if (json.is_string()) value = json.get<std::string>();
+    return json.is_string();
+}
+bool take(const Json& json, bool& value) {
+    if (json.is_boolean()) value = json.get<bool>();
+    return json.is_boolean();
+}
+template <typename Number>
+bool take(const Json& json, Number& value, double lo, double hi) {
+    const bool fits = json.is_number() && json.get<double>() >= lo && json.get<double>() <= hi;
+    if (fits) value = static_cast<Number>(json.get<double>());
+    return fits;
+}
+bool take(const Json& json, Theme& value) {
+    if (json != "dark" && json != "light") return false;
+    value = json == "light" ? Theme::light : Theme::dark;
+    return true;
+}
+bool take(const Json& json, std::vector<std::string>& value) {
+    if (!json.is_array() || json.size() > kMaxRecent) return false;
+    std::vector<std::string> read(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (!take(json[i], read[i])) return false;
+    }
+    value = std::move(read);
+    return true;
+}
+
+/// The single spelling of a setting.
+struct Row {
+    const char* key;
+    const char* expected;
+    bool (*read)(const Json&, Settings&);
+    Json (*write)(const Settings&);
+};
+
+template <bool Settings::*member>
+constexpr Row switchRow(const char* key) {
+    return {key, "true or false", [](const Json& j, Settings& s) { return take(j, s.*member); },
+            [](const Settings& s) { return Json(s.*member); }};
+}
+
+constexpr std::array kRows{
+    Row{"memory", "text such as \"2GiB\"",
+        [](const Json& j, Settings& s) { return take(j, s.memory); },
+        [](const Settings& s) { return Json(s.memory); }},
+    Row{"theme", "\"dark\" or \"light\"",
+        [](const Json& j, Settings& s) { return take(j, s.theme); },
+        [](const Settings& s) { return Json(s.theme == Theme::light ? "light" : "dark"); }},
+    Row{"text_scale", "a number from 0.5 to 4",
+        [](const Json& j, Settings& s) { return take(j, s.textScale, 0.5, 4.0); },
+        [](const Settings& s) { return Json(asWritten(s.textScale)); }},
+    switchRow<&Settings::accessibleColours>("accessible_colours"),
+    Row{"frames_per_second", "a number from 1 to 240",
+        [](const Json& j, Settings& s) { return take(j, s.framesPerSecond, 1.0, 240.0); },
+        [](const Settings& s) { return Json(s.framesPerSecond); }},
+    switchRow<&Settings::leftColumn>("left_column"),
+    switchRow<&Settings::rightColumn>("right_column"),
+    switchRow<&Settings::scaleBar>("scale_bar"),
+    switchRow<&Settings::compass>("compass"),
+    switchRow<&Settings::heightRuler>("height_ruler"),
+    Row{"recent", "a list of at most 12 names",
+        [](const Json& j, Settings& s) { return take(j, s.recent); },
+        [](const Settings& s) { return Json(s.recent); }},
+};
 
 }  // namespace
 
@@ -50,12 +119,14 @@ Settings loadSettings(std::vector<std::string>& warnings) {
     if (!file) return settings;
     try {
         const auto json = readObject(*file);
-        if (!json || !json->contains("memory")) return settings;
-        const Json& memory = json->at("memory");
-        if (!memory.is_string()) {
-            throw Error({file->string(), "memory is no text", memory.dump(), "\"2GiB\"", ""});
+        for (const Row& row : kRows) {
+            if (!json || !json->contains(row.key) || row.read(json->at(row.key), settings))
+                continue;
+            warnings.push_back(
+                fmt::format("{}: \"{}\" cannot take {}; the default is used instead\n"
+                            "       expected: {}",
+                            file->string(), row.key, excerpt(json->at(row.key)), row.expected));
         }
-        settings.memory = memory.get<std::string>();
     } catch (const Error& error) {
         warnings.push_back(error.message());
     }
@@ -69,10 +140,10 @@ void saveSettings(const Settings& settings) {
                      "set XDG_CONFIG_HOME or HOME"});
     }
     Json json = readObject(*file).value_or(Json{{"type", kType}, {"version", kVersion}});
-    json["memory"] = settings.memory;
+    for (const Row& row : kRows) json[row.key] = row.write(settings);
     std::error_code error;
     std::filesystem::create_directories(file->parent_path(), error);
-    replaceFile(*file, json.dump(2) + "\n");
+    replaceFile(*file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace neph

@@ -2,6 +2,7 @@
 #include "core/strict_json.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -28,11 +29,15 @@ std::string readJsonText(const std::filesystem::path& file, std::string_view wha
 }
 
 std::string unknownJsonKey(std::string_view where, std::string_view key,
-                       std::span<const std::string_view> known) {
+                           std::span<const std::string_view> known) {
     const std::string_view near = nearestName(key, known);
     std::string text = fmt::format("{}: key \"{}\" is not known and was left out", where, key);
     if (!near.empty()) text += fmt::format("; did you mean \"{}\"?", near);
     return text;
+}
+
+double asWritten(float value) {
+    return std::strtod(fmt::format("{}", value).c_str(), nullptr);
 }
 
 }  // namespace neph

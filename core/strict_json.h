@@ -26,7 +26,10 @@ std::string readJsonText(const std::filesystem::path& file, std::string_view wha
 
 /// The warning for a key that is passed over.
 std::string unknownJsonKey(std::string_view where, std::string_view key,
-                       std::span<const std::string_view> known);
+                           std::span<const std::string_view> known);
+
+/// The double that JSON writes with the digits of the float.
+double asWritten(float value);
 
 /// Watches the parser's events: the depth of nesting, and the keys seen in each open object.
 template <typename Json>

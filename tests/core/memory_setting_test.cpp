@@ -59,39 +59,3 @@ TEST_CASE("This machine has some memory free, and a quarter of it is taken unles
     CHECK(memoryText(3145728U) == "3 MiB");
     CHECK(memoryText(3328599654U) == "3.1 GiB");
 }
-
-TEST_CASE("Settings are remembered, and keys of other versions stay") {
-    const TemporaryFolder folder;
-    const Environment home("XDG_CONFIG_HOME", folder.path().string());
-    std::vector<std::string> warnings;
-    CHECK(loadSettings(warnings) == Settings{});
-    saveSettings({.memory = "2GiB"});
-    CHECK(loadSettings(warnings).memory == "2GiB");
-    const auto file = folder / "nephoscope" / "settings.json";
-    std::ofstream(folder / "nephoscope/settings.json")
-        << R"({"type": "nephoscope-settings", "version": 1, "colour": "blue", "memory": "1GiB"})";
-    saveSettings({.memory = "50%"});
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    CHECK(contains(text.str(), "blue"));
-    CHECK(contains(text.str(), "50%"));
-    CHECK(warnings.empty());
-}
-
-TEST_CASE("A file of settings that is wrong is told, not used and not overwritten") {
-    const TemporaryFolder folder;
-    const Environment home("XDG_CONFIG_HOME", folder.path().string());
-    std::filesystem::create_directories(folder / "nephoscope");
-    for (const char* text :
-         {"{", "[]", R"({"type": "other"})", R"({"type": "nephoscope-settings", "version": 2})",
-          R"({"type": "nephoscope-settings", "version": 1, "memory": 3})"}) {
-        CAPTURE(text);
-        std::ofstream(folder / "nephoscope/settings.json") << text;
-        std::vector<std::string> warnings;
-        CHECK(loadSettings(warnings) == Settings{});
-        REQUIRE(warnings.size() == 1);
-        CHECK(contains(warnings[0], "settings.json"));
-    }
-    std::ofstream(folder / "nephoscope/settings.json") << "{";
-    CHECK_THROWS_AS(saveSettings({.memory = "1GiB"}), Error);
-}
