@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/camera_format.h"
 #include "core/error.h"
 #include "core/preset.h"
 #include "core/preset_format.h"
@@ -92,45 +93,6 @@ void readLook(const Json& values, Look& look, std::string_view where,
     }
 }
 
-float cameraNumber(const Json& value, std::string_view key, float lo, float hi,
-                   std::string_view where) {
-    if (value.is_number()) {
-        const auto number = value.get<float>();
-        if (number >= lo && number <= hi) return number;
-    }
-    throw Error({std::string(where), fmt::format("camera \"{}\" cannot take this value", key),
-                 excerpt(value), fmt::format("a number from {} to {}", lo, hi), ""});
-}
-
-glm::vec3 cameraTarget(const Json& value, std::string_view where) {
-    const auto target = toVector(value);
-    bool fits = target.has_value();
-    for (int i = 0; fits && i < 3; ++i) {
-        fits = (*target)[i] >= kMinTarget && (*target)[i] <= kMaxTarget;
-    }
-    if (fits) return *target;
-    throw Error({std::string(where), "camera \"target\" cannot take this value", excerpt(value),
-                 fmt::format("three numbers from {} to {}", kMinTarget, kMaxTarget), ""});
-}
-
-CameraPose readCamera(const Json& values, std::string_view where,
-                      std::vector<std::string>& warnings) {
-    CameraPose pose;
-    std::vector<std::string_view> known{"target"};
-    for (const CameraKey& row : kCameraKeys) known.push_back(row.key);
-    for (const auto& [key, value] : values.items()) {
-        const auto row = std::ranges::find(kCameraKeys, key, &CameraKey::key);
-        if (key == "target") {
-            pose.target = cameraTarget(value, where);
-        } else if (row != kCameraKeys.end()) {
-            pose.*(row->member) = cameraNumber(value, key, row->lo, row->hi, where);
-        } else {
-            warnings.push_back(unknownJsonKey(where, key, known));
-        }
-    }
-    return pose;
-}
-
 }  // namespace
 
 LoadedPreset parsePreset(std::string_view content, std::string_view where) {
@@ -143,8 +105,7 @@ LoadedPreset parsePreset(std::string_view content, std::string_view where) {
         if (key == "look") {
             readLook(jsonObject(value, key, where), loaded.preset.look, where, loaded.warnings);
         } else if (key == "camera") {
-            loaded.preset.camera =
-                readCamera(jsonObject(value, key, where), where, loaded.warnings);
+            loaded.preset.camera = parseCamera(value.dump(), where, loaded.warnings);
         } else if (std::find(kTopKeys.begin(), kTopKeys.end(), key) == kTopKeys.end()) {
             loaded.warnings.push_back(unknownJsonKey(where, key, kTopKeys));
         }
@@ -159,11 +120,12 @@ LoadedPreset loadPreset(const std::filesystem::path& file) {
 CameraPose loadCamera(std::string_view nameOrFile, std::vector<std::string>& warnings) {
     const std::filesystem::path file = findPreset(nameOrFile);
     const std::string where = file.string();
-    const Json document = parseStrictJson<Json>(readPresetText(file), where);
+    const std::string content = readPresetText(file);
+    const Json document = parseStrictJson<Json>(content, where);
     if (document.is_object() && !document.contains("type")) {
-        return readCamera(document, where, warnings);
+        return parseCamera(content, where, warnings);
     }
-    LoadedPreset loaded = loadPreset(file);
+    LoadedPreset loaded = parsePreset(content, where);
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
     if (loaded.preset.camera) return *loaded.preset.camera;
     throw Error({where, "holds no camera", "", "a \"camera\" object", ""});

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
+#include "core/camera_format.h"
 #include "core/preset.h"
 #include "core/preset_format.h"
 
