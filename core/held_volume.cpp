@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/resample.h"
 
@@ -16,27 +17,34 @@ constexpr float kVisibleContentKgPerM3 = 1e-6f;
 constexpr float kVisibleExtinctionPerM = 1.5e-4f;
 constexpr double kMarginShare = 0.1;  // tuned by eye
 
+// Lowest bin of histograms: far below what is seen, and eight decades on more than any cell holds.
+constexpr double kLeastDecadeKgPerM3 = -9.0;
+constexpr double kLeastDecadePerM = -7.0;
+
+double leastDecade(Holding holding) {
+    return holding == Holding::extinction ? kLeastDecadePerM : kLeastDecadeKgPerM3;
+}
+
 struct CellBounds {
     glm::ivec3 lower{std::numeric_limits<int>::max()}, upper{-1};
     bool empty() const { return upper.x < 0; }
 };
 
-/// Widens `bounds` by the cells above `threshold`; whether any cell is above zero.
-bool lookThrough(const Array3f& field, float threshold, CellBounds& bounds) {
-    bool any = false;
+/// Widens `bounds` by the cells above `threshold` and counts those that hold something.
+void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
+                 FieldHistogram& histogram) {
     std::size_t i = 0;
     for (int z = 0; z < field.size.z; ++z) {
         for (int y = 0; y < field.size.y; ++y) {
             for (int x = 0; x < field.size.x; ++x, ++i) {
                 const float value = field.values[i];
-                any |= value > 0.0f;
+                if (value > 0.0f) histogram.add(value);
                 if (value <= threshold) continue;
                 bounds.lower = glm::min(bounds.lower, glm::ivec3(x, y, z));
                 bounds.upper = glm::max(bounds.upper, glm::ivec3(x, y, z));
             }
         }
     }
-    return any;
 }
 
 /// Lowest and highest level of the domain; a region may hold but some of them.
@@ -50,6 +58,28 @@ glm::dvec2 domainHeights(Dataset& dataset, int time, const VolumeRequest& reques
 
 }  // namespace
 
+double FieldHistogram::lowerBound(Holding holding, int bin) {
+    return std::pow(10.0, leastDecade(holding) + static_cast<double>(bin) / kBinsPerDecade);
+}
+
+std::uint64_t FieldHistogram::filled() const {
+    return std::accumulate(cells.begin(), cells.end(), below + above);
+}
+
+void FieldHistogram::add(float value) {
+    least = most > 0.0f ? std::min(least, value) : value;
+    most = std::max(most, value);
+    const float decades = std::log10(value) - static_cast<float>(leastDecade(holding));
+    const auto bin = static_cast<int>(std::floor(decades * kBinsPerDecade));
+    if (bin < 0) {
+        ++below;
+    } else if (bin >= kBins) {
+        ++above;
+    } else {
+        ++cells[static_cast<std::size_t>(bin)];
+    }
+}
+
 bool VolumeSummary::empty() const {
     return std::ranges::none_of(anything, [](bool some) { return some; });
 }
@@ -60,11 +90,12 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
     summary.timeLabel = volume.timeLabel;
     CellBounds bounds;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-        summary.present[s] = volume.has(static_cast<Species>(s));
-        const bool content = lookThrough(volume.contentKgPerM3[s], kVisibleContentKgPerM3, bounds);
-        const bool extinction =
-            lookThrough(volume.extinctionPerM[s], kVisibleExtinctionPerM, bounds);
-        summary.anything[s] = content || extinction;
+        FieldHistogram& histogram = summary.histograms[s];
+        histogram.holding = volume.holding(static_cast<Species>(s));
+        lookThrough(volume.contentKgPerM3[s], kVisibleContentKgPerM3, bounds, histogram);
+        lookThrough(volume.extinctionPerM[s], kVisibleExtinctionPerM, bounds, histogram);
+        summary.present[s] = histogram.holding != Holding::absent;
+        summary.anything[s] = histogram.most > 0.0f;
     }
     if (!bounds.empty()) {
         const RegularGrid& grid = volume.grid;

@@ -3,33 +3,92 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace neph {
 namespace {
 
-std::string describeParameter(const Parameter& row, const Look& before, const Look& after) {
-    std::string name = fmt::format("{}: {}", row.group, row.label);
-    if (row.kind == ParameterKind::colour) return name;
-    return fmt::format("{} {} -> {}", name, screenText(row, valueOf(before, row)),
+/// The same words with a small letter, where they go on in a list.
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (std::string part : parts) {
+        if (!text.empty()) {
+            text += ", ";
+            part.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(part[0])));
+        }
+        text += part;
+    }
+    return text;
+}
+
+std::string valuesText(const Parameter& row, const Look& before, const Look& after) {
+    if (row.kind == ParameterKind::colour) return {};
+    return fmt::format(" {} -> {}", screenText(row, valueOf(before, row)),
                        screenText(row, valueOf(after, row)));
+}
+
+bool allSame(const std::vector<std::string>& texts) {
+    return std::ranges::all_of(texts, [&](const std::string& text) { return text == texts[0]; });
+}
+
+/// "Cloud: Mixing scale 1 -> 0.5", "Cloud, Rain: Mixing scale", "Cloud: 3 parameters".
+std::string describeLook(const Look& before, const Look& after) {
+    std::vector<std::string> labels, groups, values;
+    for (const Parameter& row : lookTable()) {
+        if (valueOf(before, row) == valueOf(after, row)) continue;
+        labels.push_back(row.label);
+        groups.push_back(row.group);
+        values.push_back(valuesText(row, before, after));
+    }
+    if (labels.empty()) return {};
+    const bool oneLabel = allSame(labels);
+    const std::string value = allSame(values) ? values.front() : std::string();
+    if (oneLabel) return fmt::format("{}: {}{}", fmt::join(groups, ", "), labels.front(), value);
+    if (allSame(groups)) return fmt::format("{}: {} parameters", groups.front(), labels.size());
+    return fmt::format("{} parameters", labels.size());
+}
+
+std::string describeBookmarks(const std::vector<Bookmark>& before,
+                              const std::vector<Bookmark>& after) {
+    if (before == after) return {};
+    const auto lacks = [](const std::vector<Bookmark>& list, const Bookmark& one) {
+        return std::ranges::find(list, one.name, &Bookmark::name) == list.end();
+    };
+    if (after.size() == before.size() + 1 && lacks(before, after.back())) {
+        return fmt::format("Bookmark \"{}\"", after.back().name);
+    }
+    if (after.size() + 1 == before.size()) {
+        const auto gone =
+            std::ranges::find_if(before, [&](const Bookmark& mark) { return lacks(after, mark); });
+        if (gone != before.end()) return fmt::format("Bookmark \"{}\" removed", gone->name);
+    }
+    return after.empty() ? "Bookmarks removed" : "Bookmarks changed";
+}
+
+std::string describePath(const CameraPath& before, const CameraPath& after) {
+    if (before == after) return {};
+    const std::size_t was = before.keys.size(), is = after.keys.size();
+    if (is == 0 && was > 0) return "Camera path removed";
+    if (is == was + 1) return fmt::format("Camera path: key {} added", is);
+    if (is + 1 == was) return "Camera path: a key removed";
+    if (before.keys == after.keys) return "Camera path: time";
+    return "Camera path changed";
 }
 
 }  // namespace
 
 std::string describeChange(const Document& before, const Document& after) {
-    std::vector<std::string> changes;
-    for (const Parameter& row : lookTable()) {
-        if (valueOf(before.look, row) != valueOf(after.look, row)) {
-            changes.push_back(describeParameter(row, before.look, after.look));
-        }
-    }
-    if (before.camera != after.camera) changes.emplace_back("Camera");
+    std::vector<std::string> parts{describeLook(before.look, after.look)};
     if (before.time != after.time) {
-        changes.push_back(fmt::format("Time {} -> {}", before.time, after.time));
+        parts.push_back(fmt::format("Time {} -> {}", before.time + 1, after.time + 1));
     }
-    if (changes.empty()) return {};
-    return changes.size() == 1 ? changes.front() : fmt::format("{} changes", changes.size());
+    if (before.camera != after.camera) parts.emplace_back("Camera");
+    parts.push_back(describeBookmarks(before.bookmarks, after.bookmarks));
+    parts.push_back(describePath(before.path, after.path));
+    std::erase(parts, std::string());
+    return joined(parts);
 }
 
 void History::restart(const Document& document) {
@@ -55,6 +114,30 @@ void History::commit(const Document& document, std::string label) {
     if (past_.size() > kMaxSteps) past_.erase(past_.begin());
     future_.clear();
     last_ = document;
+}
+
+void History::settle(const Document& document, bool handDown, double restS) {
+    const bool letGo = handDown_ && !handDown;
+    handDown_ = handDown;
+    if (letGo || (!handDown && restS > kRestS)) commit(document);
+}
+
+std::vector<std::string> History::steps() const {
+    std::vector<std::string> labels;
+    labels.reserve(past_.size() + future_.size());
+    for (const Step& step : past_) labels.push_back(step.label);
+    for (auto step = future_.rbegin(); step != future_.rend(); ++step) {
+        labels.push_back(step->label);
+    }
+    return labels;
+}
+
+bool History::jumpTo(Document& document, std::size_t steps) {
+    commit(document);
+    if (steps == past_.size() || steps > past_.size() + future_.size()) return false;
+    while (past_.size() > steps) undo(document);
+    while (past_.size() < steps) redo(document);
+    return true;
 }
 
 bool History::undo(Document& document) {

@@ -23,7 +23,8 @@ struct Document {
     bool operator==(const Document&) const = default;
 };
 
-/// What changed, in words: "Cloud: Mixing scale 1 -> 0.5", "Camera", "4 changes"; empty when equal.
+/// What changed, in words: "Cloud: Mixing scale 1 -> 0.5", "Cloud: 3 parameters", "Time 1 -> 2,
+/// camera"; empty when equal. Times count from 1.
 std::string describeChange(const Document& before, const Document& after);
 
 class History {
@@ -41,6 +42,16 @@ class History {
     /// overrides the words of describeChange.
     void commit(const Document& document, std::string label = {});
 
+    /// Commits when a gesture is over: when the hand lets go (a mouse button that was down is up),
+    /// or without a hand, as after keys or the wheel, when nothing has changed for kRestS seconds.
+    void settle(const Document& document, bool handDown, double restS);
+    static constexpr double kRestS = 0.4;  // tuned by hand: between two turns of a wheel
+
+    /// Words for every step, oldest first, those that were undone at the end.
+    std::vector<std::string> steps() const;
+    /// How many of them lead to the present state.
+    std::size_t position() const { return past_.size(); }
+
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
     std::string undoLabel() const { return canUndo() ? past_.back().label : std::string(); }
@@ -50,6 +61,9 @@ class History {
     /// False when there is no step.
     bool undo(Document& document);
     bool redo(Document& document);
+    /// To the state after the first `steps` steps; what is not yet committed is committed first.
+    /// False when it is the present one or there are not so many.
+    bool jumpTo(Document& document, std::size_t steps);
 
   private:
     struct Step {
@@ -60,6 +74,7 @@ class History {
 
     std::vector<Step> past_, future_;
     Document last_;
+    bool handDown_ = false;
 };
 
 }  // namespace neph

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/grid.h"
 #include "core/names.h"
+#include "core/number_text.h"
 
 namespace neph {
 namespace {
@@ -197,14 +198,16 @@ std::string screenText(const Parameter& row, const ParameterValue& value) {
         case ParameterKind::choice:
             return std::string(row.choiceLabels[static_cast<std::size_t>(std::get<int>(value))]);
         case ParameterKind::number:
-            return fmt::format("{:.4g}{}",
-                               static_cast<double>(std::get<float>(value)) * row.displayScale,
-                               unitSuffix(row));
+            return numberText(static_cast<double>(std::get<float>(value)) * row.displayScale) +
+                   unitSuffix(row);
         case ParameterKind::integer:
+            return describe(value);
         case ParameterKind::colour:
             break;
     }
-    return describe(value);
+    const auto& c = std::get<glm::vec3>(value);
+    const auto text = [](float x) { return numberText(static_cast<double>(x), 3); };
+    return fmt::format("{}, {}, {}", text(c.r), text(c.g), text(c.b));
 }
 
 ParameterValue parseValue(const Parameter& row, std::string_view text, std::string_view where) {

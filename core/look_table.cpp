@@ -144,7 +144,7 @@ void Rows::phase(std::string_view id, std::size_t spec) {
     Parameter& radius = phaseNumber(
         p + "_radius", "Phase radius", "m", spec, &PhaseSpec::radiusM, {1e-6, 110e-6, true},
         "Effective radius of the droplets or crystals whose phase function is used; the extinction "
-        "has its own. Droplets count up to 50 um.");
+        "has its own. Droplets count up to 50 µm.");
     radius.displayUnit = "µm";
     radius.displayScale = 1e6;
 }
@@ -251,7 +251,7 @@ void addRadius(Rows& rows) {
                 "A constant, or cell by cell from the model: effective radii in the file, numbers "
                 "of particles, or the microphysics scheme's own size distribution; what is missing "
                 "is replaced by the next of these. The largest change a picture can have: a "
-                "model's ice of 20-50 um has 82-33 m2/kg, the paper's of 1 mm 1.64, so anvils "
+                "model's ice of 20-50 µm has 82-33 m²/kg, the paper's of 1 mm 1.64, so anvils "
                 "become 20 to 50 times more opaque. Reads the data again. docs/physics.md §7");
     Parameter& radius =
         rows.number("effective_radius", "Effective radius", "m",

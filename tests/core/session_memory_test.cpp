@@ -152,6 +152,35 @@ TEST_CASE("The clouds' place is known: columns 2 to 4 of the lowest layer") {
     CHECK(withMargin(clouds).upperM.x == doctest::Approx(5300.0));
 }
 
+TEST_CASE("A histogram counts each cell that holds something, in the decade of its value") {
+    SpeciesVolume volume;
+    volume.grid.size = {4, 2, 1};
+    Array3f& cloud = volume.contentKgPerM3[static_cast<std::size_t>(Species::cloud)];
+    cloud = Array3f(volume.grid.size);
+    // kg/m³: two of 1.1 g/m³, one of 0.02 g/m³, one too small and one too large for the bins.
+    cloud.values = {1.1e-3f, 1.1e-3f, 2e-5f, 1e-12f, 1.0f, 0.0f, 0.0f, 0.0f};
+    const VolumeSummary summary = summarise(volume);
+    const FieldHistogram& histogram = summary.histograms[static_cast<std::size_t>(Species::cloud)];
+    CHECK(histogram.holding == Holding::content);
+    CHECK(histogram.filled() == 5);
+    CHECK(histogram.below == 1);
+    CHECK(histogram.above == 1);
+    CHECK(histogram.least == 1e-12f);
+    CHECK(histogram.most == 1.0f);
+    const auto countFrom = [&](double lower) {
+        for (int bin = 0; bin < FieldHistogram::kBins; ++bin) {
+            const double bound = FieldHistogram::lowerBound(Holding::content, bin);
+            if (std::abs(bound / lower - 1.0) < 1e-9)
+                return static_cast<int>(histogram.cells[static_cast<std::size_t>(bin)]);
+        }
+        return -1;
+    };
+    CHECK(countFrom(1e-3) == 2);
+    CHECK(countFrom(1.7782794100389228e-5) == 1);  // 10^(-4.75)
+    CHECK(countFrom(1e-4) == 0);
+    CHECK(summary.histograms[static_cast<std::size_t>(Species::rain)].filled() == 0);
+}
+
 TEST_CASE("A region without a cell is an error, and what was shown stays") {
     Opened opened;
     Session& session = opened.session;
