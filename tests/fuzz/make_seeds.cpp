@@ -7,6 +7,7 @@
 
 #include "core/reader_wire.h"
 #include "core/resources.h"
+#include "core/session_file.h"
 #include "tests/fuzz/case_files.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"
@@ -111,6 +112,18 @@ void seedDocuments() {
     }
 }
 
+void seedSessions() {
+    neph::SessionState state;
+    state.slots.resize(2);
+    seed("session", "plain", neph::formatSession(state, "/runs/sessions"));
+    neph::SlotState& slot = state.slots.front();
+    slot.data = {"/runs/wrf/wrfout_d01", "/far/away", "cumulus"};
+    slot.region = neph::Region{{0.0, 0.0, 0.0}, {1e4, 2e4, 1e4}};
+    slot.document.bookmarks = {{"south", {}}};
+    slot.document.path.keys = {{0.0, {}}, {2.5, {}}};
+    seed("session", "full", neph::formatSession(state, "/runs/sessions"));
+}
+
 neph::FileDescription description() {
     neph::FileDescription of;
     of.model = "WRF V4.2.2";
@@ -155,6 +168,7 @@ int main(int count, char** arguments) {
     seedBricks();
     seedWrf();
     seedDocuments();
+    seedSessions();
     seedMessages();
     return 0;
 }

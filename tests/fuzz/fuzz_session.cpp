@@ -1,0 +1,21 @@
+// fuzz_session.cpp: any text is a session, or an Error that says why not; what is read can be
+// written and read again.
+#include <cstdlib>
+
+#include "core/error.h"
+#include "core/session_file.h"
+#include "tests/fuzz/scratch.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    const std::filesystem::path folder = "/nephoscope-fuzz/sessions";
+    std::vector<std::string> warnings;
+    neph::SessionState state;
+    try {
+        state = neph::parseSession(fuzz::asText({bytes, count}), "fuzz", folder, warnings);
+    } catch (const neph::Error&) {  // the expected answer to nonsense
+        return 0;
+    }
+    const std::string text = neph::formatSession(state, folder);
+    if (neph::parseSession(text, "again", folder, warnings) != state) std::abort();
+    return 0;
+}
