@@ -2,6 +2,7 @@
 #include "core/memory_setting.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,15 @@ std::uint64_t freeMachineBytes() {
     const std::uint64_t kibibytes = entryIn("/proc/meminfo", "MemAvailable:");
     const std::uint64_t machine = kibibytes == 0 ? kEverything : kibibytes * 1024;
     return std::min(machine, ownControlGroupFreeBytes());
+}
+
+std::uint64_t residentBytes() {
+    std::ifstream pages("/proc/self/statm");
+    std::uint64_t all = 0, resident = 0;
+    const long pageBytes = sysconf(_SC_PAGESIZE);
+    return pages >> all >> resident && pageBytes > 0
+               ? resident * static_cast<std::uint64_t>(pageBytes)
+               : 0;
 }
 
 std::optional<std::uint64_t> parseMemory(std::string_view text, std::uint64_t freeBytes) {

@@ -17,6 +17,9 @@ namespace neph {
 /// that is less. Everything where neither is known.
 std::uint64_t freeMachineBytes();
 
+/// Memory that this program occupies now; 0 where that is not known.
+std::uint64_t residentBytes();
+
 /// What a control group of version 2 or 1 leaves: its limit less what is used and cannot be
 /// reclaimed. Everything where `folder` names no limit.
 std::uint64_t controlGroupFreeBytes(const std::filesystem::path& folder);

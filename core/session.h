@@ -91,8 +91,11 @@ class Session {
     /// What is shown; nullptr before any.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
     const VolumeCache& cache() const { return cache_; }
-    /// How many times could be shown at once.
+    /// Whether a time could be shown at once, and how many could.
+    bool holds(int time) const;
     int timesHeld() const;
+    /// Whether what is shown is of this time, and as the document, region and budget want it.
+    bool shows(int time) const;
 
     void say(Message::Kind kind, std::string text);
     bool undo();

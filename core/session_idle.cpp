@@ -37,6 +37,14 @@ const TimeInfo* lostFile(const DatasetInfo& before, const DatasetInfo& now) {
 
 }  // namespace
 
+bool Session::holds(int time) const {
+    return dataset_ && cache_.holds(keyOf(time));
+}
+
+bool Session::shows(int time) const {
+    return dataset_ && shownKey_ == keyOf(time);
+}
+
 int Session::timesHeld() const {
     if (!dataset_) return 0;
     int held = 0;

@@ -58,7 +58,9 @@ bool runChord(Ui& ui, Chord chord) {
     if (chord.key == Key::none) return false;
     // A field for text is about to open: what is typed is meant for it.
     if (ui.askForPath && !chord.ctrl) return false;
-    const auto found = std::ranges::find(actions(), chord, &Action::chord);
+    const auto found = std::ranges::find_if(actions(), [chord](const Action& action) {
+        return action.chord == chord || action.other == chord;
+    });
     if (found == actions().end() || !isEnabled(*found, ui)) return false;
     found->run(ui);
     return true;

@@ -81,6 +81,8 @@ enum class Key : int {
     f12
 };
 
+inline constexpr int kKeyCount = static_cast<int>(Key::f12) + 1;
+
 struct Chord {
     Key key = Key::none;
     bool ctrl = false;
@@ -90,15 +92,19 @@ struct Chord {
 
 /// "Ctrl+Shift+S"; empty for none.
 std::string chordText(Chord chord);
+/// Reads such a text; none where it is none.
+std::optional<Chord> parseChord(std::string_view text);
 
-enum class Menu : int { file, edit, view, camera, time, compare, output, help };
-inline constexpr int kMenuCount = 8;
+enum class Menu : int { file, edit, view, presets, camera, time, compare, output, help };
+inline constexpr int kMenuCount = 9;
+std::string_view menuName(Menu menu);
 
 struct Action {
     std::string_view id;     ///< "file.open"
     std::string_view label;  ///< "Open data..."
     Menu menu = Menu::file;
-    Chord chord;
+    Chord chord = {};
+    Chord other = {};       ///< does the same; none of most
     std::string_view help;  ///< one line
     void (*run)(Ui&) = nullptr;
     bool (*enabled)(const Ui&) = nullptr;  ///< nullptr: always
@@ -110,6 +116,7 @@ struct Action {
 std::span<const Action> fileActions();
 std::span<const Action> editActions();
 std::span<const Action> viewActions();
+std::span<const Action> presetActions();
 std::span<const Action> cameraActions();
 std::span<const Action> timeActions();
 std::span<const Action> compareActions();

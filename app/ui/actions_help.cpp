@@ -21,6 +21,7 @@ const std::array kActions{
            .label = "Mouse and keys",
            .menu = Menu::help,
            .chord = {Key::h},
+           .other = {Key::question},
            .help = "What they do",
            .run = [](Ui& ui) { ui.showHelp = !ui.showHelp; },
            .checked = [](const Ui& ui) { return ui.showHelp; }},

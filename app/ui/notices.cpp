@@ -91,7 +91,8 @@ const std::string* newestError(const Ui& ui) {
 void drawMessages(Ui& ui) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({kMessagesEms * em, 18.0f * em}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos({columnWidth() + em, 6.0f * em}, ImGuiCond_Appearing);
+    const glm::vec2 corner = layoutOf(ui).picture.lower;
+    ImGui::SetNextWindowPos({corner.x + em, corner.y + em}, ImGuiCond_Appearing);
     if (ImGui::Begin("Messages", &ui.showMessages,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
         ImGui::PushTextWrapPos(0.0f);

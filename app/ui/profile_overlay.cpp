@@ -63,8 +63,9 @@ void drawContent(const Profile& profile) {
 
 void drawProfile(const Ui& ui) {
     const float em = ImGui::GetFontSize();
-    const float edge = ImGui::GetIO().DisplaySize.x - (ui.showPanels ? columnWidth() : 0.0f);
-    ImGui::SetNextWindowPos({edge - (kWidthEms + kMarginEms) * em, kMarginEms * em});
+    const Area picture = layoutOf(ui).picture;
+    ImGui::SetNextWindowPos(
+        {picture.upper.x - (kWidthEms + kMarginEms) * em, picture.lower.y + kMarginEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
     ImGui::SetNextWindowBgAlpha(kOpacity);
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, kDim);

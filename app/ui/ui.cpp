@@ -1,39 +1,78 @@
-// ui.cpp: the layout: a column each side, the time between them, the status along the bottom.
+// ui.cpp: puts the panels where the layout has room for them.
 #include "app/ui/ui.h"
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/ui/layout.h"
 #include "app/ui/panels.h"
+#include "app/ui/places.h"
 
 namespace neph::ui {
 namespace {
 
-constexpr float kColumnEms = 24.0f;  // width of a column in letters; two leave half of 1280 pixels
-constexpr float kStatusLines = 1.9f;
+constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the hand
+constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
 
-void drawColumns(Ui& ui) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float height = display.y - statusHeight();
-    if (beginFixed("##left", {0.0f, 0.0f}, {columnWidth(), height})) {
-        drawFields(ui);
-        drawData(ui);
+/// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
+/// where the column is to the left of it.
+void drawEdge(const char* name, const Area& area, float side, bool& open, float& ems) {
+    if (area.empty()) return;
+    if (beginFixed(name, area.lower, area.size())) {
+        const glm::vec2 size = area.size();
+        ImGui::SetCursorPos({0.0f, 0.0f});
+        ImGui::InvisibleButton("##edge", {size.x, size.y});
+        place(side > 0.0f ? "view.left" : "view.right");
+        const float dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x;
+        if (open && ImGui::IsItemActive() && dragged != 0.0f) {
+            ems = std::clamp(ems + side * ImGui::GetIO().MouseDelta.x / ImGui::GetFontSize(),
+                             kLeastEms, kMostEms);
+        }
+        if (ImGui::IsItemDeactivated() && dragged == 0.0f) open = !open;
+        const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+        if (hot) {
+            ImGui::SetMouseCursor(open ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_Hand);
+            ImGui::SetTooltip(open ? "Click to close, drag to resize" : "Click to open");
+        }
+        const ImU32 colour = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled);
+        // A mark that points where a click would move the edge.
+        const float half = kMarkEms * ImGui::GetFontSize() * (open ? -side : side);
+        const glm::vec2 at = (area.lower + area.upper) / 2.0f;
+        const float tall = 2.0f * std::abs(half);
+        ImGui::GetWindowDrawList()->AddTriangleFilled(
+            {at.x - half, at.y - tall}, {at.x - half, at.y + tall}, {at.x + half, at.y}, colour);
     }
     ImGui::End();
-    if (beginFixed("##right", {display.x - columnWidth(), 0.0f}, {columnWidth(), height})) {
-        drawPresets(ui);
-        drawGroups(ui);
+}
+
+void drawColumns(Ui& ui, const Layout& layout) {
+    if (!layout.left.empty()) {
+        if (beginFixed("##left", layout.left.lower, layout.left.size())) {
+            drawData(ui);
+            drawFields(ui);
+        }
+        ImGui::End();
     }
-    ImGui::End();
+    if (!layout.right.empty()) {
+        if (beginFixed("##right", layout.right.lower, layout.right.size())) {
+            drawPresets(ui);
+            drawGroups(ui);
+        }
+        ImGui::End();
+    }
+    bool left = !layout.left.empty(), right = !layout.right.empty();
+    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.columns.leftEms);
+    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
+    if (left == layout.left.empty()) openColumn(ui, true, left);
+    if (right == layout.right.empty()) openColumn(ui, false, right);
 }
 
 }  // namespace
 
-float columnWidth() {
-    return kColumnEms * ImGui::GetFontSize();
-}
-
-float statusHeight() {
-    return kStatusLines * ImGui::GetFontSize();
+void openColumn(Ui& ui, bool left, bool open) {
+    (left ? ui.settings.leftColumn : ui.settings.rightColumn) = open;
+    if (open) ui.columns.leftLast = left;
 }
 
 bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
@@ -46,22 +85,13 @@ bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
                             ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
-PixelBox pictureBox(const Ui& ui) {
-    const ImGuiIO& io = ImGui::GetIO();
-    glm::vec2 lower{0.0f}, upper{io.DisplaySize.x, io.DisplaySize.y};
-    if (ui.showPanels) {
-        lower = {columnWidth(), statusHeight() + timeBarHeight(ui.session())};
-        upper.x -= columnWidth();
-    }
-    const glm::vec2 scale{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
-    const glm::ivec2 corner{glm::round(lower * scale)};
-    return {corner, glm::max(corner + 1, glm::ivec2(glm::round(upper * scale)))};
-}
-
 void draw(Ui& ui) {
+    playOn(ui);
     moveCamera(ui);
+    const Layout layout = layoutOf(ui);
     if (ui.showPanels) {
-        drawColumns(ui);
+        drawMenuBar(ui);
+        drawColumns(ui, layout);
         drawTimeBar(ui);
         drawStatus(ui);
     }

@@ -16,6 +16,7 @@
 #include "app/ui/camera_tools.h"
 #include "app/ui/compare.h"
 #include "app/ui/fields_state.h"
+#include "app/ui/layout.h"
 #include "app/ui/output_state.h"
 #include "app/ui/palette.h"
 #include "app/ui/playback.h"
@@ -37,6 +38,8 @@ struct FrameReport {
     glm::ivec2 sizePx{0};
     bool full = false;  ///< at the resolution of the window and with all planes or steps
     std::string device;
+    std::size_t gpuBytes = 0;  ///< held for this slot's pictures
+    int time = -1;             ///< of the data in it; -1: not told
 };
 
 struct Requests {
@@ -65,9 +68,10 @@ struct Services {
 };
 
 struct Ui {
+    Ui() = default;
     explicit Ui(Session& edited) : active(&edited) {}
 
-    Session* active;  ///< of the slot that panels edit
+    Session* active = nullptr;  ///< of the slot that panels edit; set before the first frame
     Session& session() const { return *active; }
 
     Settings settings;  ///< remembered when they change
@@ -75,6 +79,7 @@ struct Ui {
     FrameReport report;
     Profile profile;  ///< kept up to date while it is shown
     Requests requests;
+    Columns columns;
     bool showPanels = true;
     bool showHelp = false;
     bool showMessages = false;
@@ -97,7 +102,7 @@ struct Ui {
     bool editsRegion = false;             ///< the hand is on a slider
 };
 
-/// Camera under the mouse, columns, time bar, status line, popups. Call between NewFrame and
+/// Camera under the mouse, menus, columns, time bar, status line, popups. Call between NewFrame and
 /// Render.
 void draw(Ui& ui);
 
@@ -108,11 +113,5 @@ struct PixelBox {
 };
 /// Where the picture is: all that the panels leave. At least a pixel.
 PixelBox pictureBox(const Ui& ui);
-
-/// Width of a side column, heights of the status line and of the time bar, 0 where there is but one
-/// time; pixels.
-float columnWidth();
-float statusHeight();
-float timeBarHeight(const Session& session);
 
 }  // namespace neph::ui

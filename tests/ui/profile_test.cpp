@@ -124,7 +124,8 @@ TEST_CASE("The overlay keeps to the corner of the picture, whatever the name of 
         state.showPanels = panels;
         for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
         const Extent seen = seenOf("##profile");
-        const float edge = 1280.0f - (panels ? ui::columnWidth() : 0.0f);
+        const float edge = ui::layoutOf(state).picture.upper.x;
+        CHECK(edge == (panels ? 1280.0f - 270.0f : 1280.0f));
         CHECK(seen.upper.x < edge);
         CHECK(seen.upper.x > edge - 2.0f * ImGui::GetFontSize());
         CHECK(seen.lower.x > 640.0f);  // the middle of the picture stays free
