@@ -23,6 +23,11 @@ struct Preset {
     bool operator==(const Preset&) const = default;
 };
 
+/// The words of a preset.
+struct PresetText {
+    std::string title, description;
+};
+
 struct LoadedPreset {
     Preset preset;
     std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
@@ -51,8 +56,14 @@ struct PresetEntry {
 /// stands in its place.
 std::vector<PresetEntry> listPresets();
 
+/// Changes when a preset is added, replaced or taken away.
+std::filesystem::file_time_type presetsStamp();
+
 /// A preset by name, or by file when `nameOrFile` names one. Throws Error with the nearest name.
 std::filesystem::path findPreset(std::string_view nameOrFile);
+
+/// Why this cannot be the name of a preset; empty when it can.
+std::string presetNameFault(std::string_view name);
 
 /// Where a preset of this name of the user's is kept; makes the folder. Throws Error when the name
 /// cannot be that of a file.

@@ -59,6 +59,17 @@ std::vector<PresetEntry> listPresets() {
     return entries;
 }
 
+std::filesystem::file_time_type presetsStamp() {
+    auto stamp = std::filesystem::file_time_type::min();
+    for (const auto& dir : {findResource("presets"), userPresetDir()}) {
+        std::error_code error;
+        if (!dir) continue;
+        const auto changed = std::filesystem::last_write_time(*dir, error);
+        if (!error) stamp = std::max(stamp, changed);
+    }
+    return stamp;
+}
+
 std::filesystem::path findPreset(std::string_view nameOrFile) {
     for (PresetEntry& entry : listPresets()) {
         if (entry.name == nameOrFile) return std::move(entry.file);
@@ -68,14 +79,23 @@ std::filesystem::path findPreset(std::string_view nameOrFile) {
     refuseUnknown(nameOrFile);
 }
 
+std::string presetNameFault(std::string_view name) {
+    if (name.empty()) return "a name is missing";
+    if (name.size() > 100) return "a name has at most 100 letters";
+    if (name.front() == '.') return "a name does not begin with '.'";
+    if (name.front() == ' ' || name.back() == ' ')
+        return "a name does not begin or end with a space";
+    for (const char c : name) {
+        if (c == '/') return "a name holds no '/'";
+        if (static_cast<unsigned char>(c) < 32) return "a name is one line";
+    }
+    return {};
+}
+
 std::filesystem::path userPresetFile(std::string_view name) {
-    const bool fits = !name.empty() && name.size() <= 100 && name.front() != '.' &&
-                      std::none_of(name.begin(), name.end(), [](char c) {
-                          return c == '/' || static_cast<unsigned char>(c) < 32;
-                      });
-    if (!fits) {
+    if (const std::string fault = presetNameFault(name); !fault.empty()) {
         throw Error({"", "this cannot be the name of a preset", fmt::format("'{}'", name),
-                     "1 to 100 characters without '/', not opening with '.'", ""});
+                     "1 to 100 letters without '/', not opening with '.'", fault});
     }
     const auto dir = userPresetDir();
     if (!dir) throw Error({"", "there is no place for presets", "", "HOME or XDG_DATA_HOME", ""});

@@ -51,7 +51,8 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
         say(Message::Kind::error, error.message());
         return;
     }
-    auto work = [this, open = open_, paths, time, region, budget = budget_,
+    const std::vector<std::string> names(named.begin(), named.end());
+    auto work = [this, open = open_, names, paths, time, region, budget = budget_,
                  look = document.look](const Progress& progress) {
         std::vector<FileStamp> stamps = stampsOf(paths);  // before: later growth is noticed
         auto dataset =
@@ -65,9 +66,10 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
             }));
         return Jobs::Finish(
-            [this, paths, stamps = std::move(stamps), dataset, index, request, held] {
+            [this, names, paths, stamps = std::move(stamps), dataset, index, request, held] {
                 opening_ = false;
                 dataset_ = dataset;
+                named_ = names;
                 paths_ = paths;
                 stamps_ = stamps;
                 region_ = request.region;
@@ -94,6 +96,32 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
         opening_ = false;
         say(Message::Kind::error, error.message());
     });
+}
+
+void Session::copyFrom(const Session& other) {
+    document = other.document;
+    history.restart(document);
+    homeCamera = other.homeCamera;
+    presetName = other.presetName;
+    presetLook = other.presetLook;
+    presetCamera = other.presetCamera;
+    setBudget(other.budget_);
+    std::shared_ptr<Dataset> another =
+        other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();
+    if (!another || !other.shown_) {
+        open(other.named_, other.document.time, other.region_);
+        return;
+    }
+    dataset_ = std::move(another);
+    named_ = other.named_;
+    paths_ = other.paths_;
+    stamps_ = other.stamps_;
+    region_ = other.region_;
+    cache_ = other.cache_;
+    shown_ = fresh_ = other.shown_;
+    shownKey_ = other.shownKey_;
+    seenTime_ = document.time;
+    watch_.watch(paths_, stamps_);
 }
 
 void Session::setRegion(const std::optional<Region>& region) {
@@ -229,35 +257,6 @@ std::shared_ptr<const SpeciesVolume> Session::takeVolume() {
     return held ? std::shared_ptr<const SpeciesVolume>(held, &held->volume) : nullptr;
 }
 
-void Session::loadPreset(const std::string& nameOrFile) {
-    try {
-        const std::filesystem::path file = findPreset(nameOrFile);
-        LoadedPreset loaded = neph::loadPreset(file);
-        for (std::string& warning : loaded.warnings) {
-            say(Message::Kind::warning, std::move(warning));
-        }
-        history.commit(document);
-        document.look = loaded.preset.look;
-        if (loaded.preset.camera) document.camera = homeCamera = *loaded.preset.camera;
-        presetName = file.stem().string();
-        history.commit(document, "Preset " + presetName);
-        say(Message::Kind::note, "Preset " + presetName);
-    } catch (const Error& error) {
-        say(Message::Kind::error, error.message());
-    }
-}
-
-void Session::savePreset(const std::string& name) {
-    try {
-        const std::filesystem::path file = userPresetFile(name);
-        neph::savePreset(file, {name, "", document.look, document.camera});
-        presetName = name;
-        say(Message::Kind::note, "Saved " + file.string());
-    } catch (const Error& error) {
-        say(Message::Kind::error, error.message());
-    }
-}
-
 void Session::say(Message::Kind kind, std::string text) {
     if (!messages.empty() && messages.back().kind == kind && messages.back().text == text) return;
     messages.push_back({kind, std::move(text), ++lastSerial_});
@@ -280,6 +279,12 @@ bool Session::undo() {
 bool Session::redo() {
     if (!history.redo(document)) return false;
     say(Message::Kind::note, "Done again: " + history.undoLabel());
+    return true;
+}
+
+bool Session::jumpTo(std::size_t steps) {
+    if (!history.jumpTo(document, steps)) return false;
+    say(Message::Kind::note, steps == 0 ? "Back at the start" : "Back at: " + history.undoLabel());
     return true;
 }
 

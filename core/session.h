@@ -20,7 +20,7 @@
 #include "core/history.h"
 #include "core/jobs.h"
 #include "core/plugin_host.h"
-#include "core/preset.h"
+#include "core/preset_difference.h"
 #include "core/series_watch.h"
 #include "core/volume_cache.h"
 
@@ -54,18 +54,32 @@ class Session {
     CameraPose homeCamera;            ///< of the preset that was loaded last
     std::vector<Message> messages;    ///< newest last
     std::uint64_t settledSerial = 0;  ///< errors up to here are overcome: other data were opened
-    std::string presetName;           ///< last loaded or saved; empty before
-    bool follow = false;              ///< from the last time to a new last one
+    std::string presetName;           ///< last loaded or saved, as presetNameOf; empty before
+    Look presetLook;                  ///< of that preset; what is changed is measured against it
+    std::optional<CameraPose> presetCamera;
+    bool follow = false;  ///< from the last time to a new last one
 
     /// Opens what the user named: files, folders, or nothing for the bundled storm, as one series
     /// in the background, and shows `time` (negative counts from the end) or the default time, of
     /// `region` or the whole domain. Faults become messages.
     void open(std::span<const std::string> named, std::optional<int> time = {},
               std::optional<Region> region = {});
-    /// Takes over look and camera of a preset as one step of the history. Faults become messages.
-    void loadPreset(const std::string& nameOrFile);
-    /// Saves look and camera under a name of the user's. Faults become messages.
-    void savePreset(const std::string& name);
+    /// What was named when the open data were opened; none for the bundled storm.
+    const std::vector<std::string>& named() const { return named_; }
+    /// Takes over data, document and what is shown from another session, which keeps its own; the
+    /// history begins anew.
+    void copyFrom(const Session& other);
+    /// Takes over look and camera of a preset, or parts of them, as one step of the history. Faults
+    /// become messages; false.
+    bool loadPreset(const std::string& nameOrFile, PresetParts parts = kPresetAll);
+    /// The same with a preset from elsewhere; `label` names the step.
+    void takePreset(const LoadedPreset& loaded, PresetParts parts, const std::string& label);
+    /// Saves look and camera under a name of the user's; one of that name is replaced if `replace`,
+    /// and keeps its words where `text` has none. Faults become messages; false.
+    bool savePreset(const std::string& name, bool replace = false,
+                    std::optional<PresetText> text = {});
+    /// The preset that the document came from, as at the start of the program.
+    void setPreset(const std::string& name);
 
     /// Part of the domain to be shown; none: the whole.
     void setRegion(const std::optional<Region>& region);
@@ -90,6 +104,8 @@ class Session {
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
     /// What is shown; nullptr before any.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
+    /// The same with the volume.
+    const std::shared_ptr<const HeldVolume>& held() const { return shown_; }
     const VolumeCache& cache() const { return cache_; }
     /// Whether a time could be shown at once, and how many could.
     bool holds(int time) const;
@@ -100,6 +116,8 @@ class Session {
     void say(Message::Kind kind, std::string text);
     bool undo();
     bool redo();
+    /// Goes to the state after `steps` steps of the history.
+    bool jumpTo(std::size_t steps);
 
   private:
     using Held = std::shared_ptr<const HeldVolume>;
@@ -119,6 +137,7 @@ class Session {
     void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
 
     OpenSeries open_;
+    std::vector<std::string> named_;            // by the user, for the open data
     std::vector<std::filesystem::path> paths_;  // of the open data
     std::vector<FileStamp> stamps_;             // as they were when last read
     std::shared_ptr<Dataset> dataset_;

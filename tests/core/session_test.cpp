@@ -116,7 +116,8 @@ TEST_CASE("Loading a preset is one step that undo takes back") {
     CHECK(session.document.look == preset.look);
     CHECK(session.document.camera == *preset.camera);
     CHECK(session.homeCamera == *preset.camera);
-    CHECK(session.presetName == "mine");
+    CHECK(session.presetName == (folder / "mine.json").string());
+    CHECK(session.presetLook == preset.look);
     CHECK(session.undo());
     CHECK(session.document == before);
     CHECK(session.redo());
