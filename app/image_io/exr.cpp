@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -22,8 +23,8 @@ namespace {
 constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
-Imf::Header makeHeader(const ImageF& image, const Metadata& metadata, Imf::PixelType type) {
-    Imf::Header header(image.size.x, image.size.y);
+Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type) {
+    Imf::Header header(sizePx.x, sizePx.y);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : kChannels) header.channels().insert(name, Imf::Channel(type));
     for (const auto& [key, text] : metadata) {
@@ -60,18 +61,28 @@ std::vector<half> toHalf(const ImageF& image) {
     return values;
 }
 
-void writeTo(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
-             ExrPixels pixels) {
-    const Imf::PixelType type = pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT;
-    Imf::OutputFile out(file.c_str(), makeHeader(image, metadata, type));
+/// The next rows of the file; `row` is the first of them.
+void writeBand(Imf::OutputFile& out, const ImageF& band, int row, ExrPixels pixels) {
     if (pixels == ExrPixels::half) {
-        std::vector<half> values = toHalf(image);
-        out.setFrameBuffer(interleaved(values.data(), image.size, {0, 0}, type));
-        out.writePixels(image.size.y);
+        std::vector<half> values = toHalf(band);
+        out.setFrameBuffer(interleaved(values.data(), band.size, {0, row}, Imf::HALF));
+        out.writePixels(band.size.y);
     } else {
-        std::vector<glm::vec4> values = image.pixels;
-        out.setFrameBuffer(interleaved(&values.data()->x, image.size, {0, 0}, type));
-        out.writePixels(image.size.y);
+        std::vector<glm::vec4> values = band.pixels;
+        out.setFrameBuffer(interleaved(&values.data()->x, band.size, {0, row}, Imf::FLOAT));
+        out.writePixels(band.size.y);
+    }
+}
+
+void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
+             ExrPixels pixels, const std::function<ImageF()>& next) {
+    const Imf::PixelType type = pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT;
+    Imf::OutputFile out(file.c_str(), makeHeader(sizePx, metadata, type));
+    for (int row = 0; row < sizePx.y;) {
+        const ImageF band = next();
+        assert(band.size.x == sizePx.x && band.size.y >= 1);
+        writeBand(out, band, row, pixels);
+        row += band.size.y;
     }
 }
 
@@ -97,15 +108,20 @@ ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
 
 }  // namespace
 
-void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
-              ExrPixels pixels) {
+void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
+              ExrPixels pixels, const std::function<ImageF()>& next) {
     replaceFile(file, [&](const std::filesystem::path& aside) {
         try {
-            writeTo(aside, image, metadata, pixels);
+            writeTo(aside, sizePx, metadata, pixels, next);
         } catch (const Iex::BaseExc& fault) {
             throw Error({file.string(), "cannot be written as OpenEXR", fault.what(), "", ""});
         }
     });
+}
+
+void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
+              ExrPixels pixels) {
+    writeExr(file, image.size, metadata, pixels, [&] { return image; });
 }
 
 ImageF readExr(const std::filesystem::path& file, Metadata* metadata) {

@@ -1,4 +1,4 @@
-// png.cpp: libpng behind three functions.
+// png.cpp: libpng behind four functions.
 //
 // libpng reports failure by longjmp, so the functions that call setjmp hold no objects with
 // destructors.
@@ -7,7 +7,11 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cerrno>
 #include <csetjmp>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -20,9 +24,12 @@ namespace {
 struct Writer {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::string bytes;
+    std::FILE* file = nullptr;
     std::string fault;
-    ~Writer() { png_destroy_write_struct(&png, &info); }
+    ~Writer() {
+        png_destroy_write_struct(&png, &info);
+        if (file != nullptr) std::fclose(file);
+    }
 };
 
 struct Reader {
@@ -42,8 +49,9 @@ template <typename State>
 
 void onWarning(png_structp, png_const_charp) {}
 
-void append(png_structp png, png_bytep data, std::size_t size) {
-    static_cast<Writer*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<char*>(data), size);
+void put(png_structp png, png_bytep data, std::size_t size) {
+    auto* writer = static_cast<Writer*>(png_get_io_ptr(png));
+    if (std::fwrite(data, 1, size, writer->file) != size) png_error(png, std::strerror(errno));
 }
 
 void onFlush(png_structp) {}
@@ -75,19 +83,37 @@ std::vector<png_text> toTexts(const Metadata& metadata) {
     return texts;
 }
 
-bool encode(Writer& writer, const Image8& image, const std::vector<png_text>& texts,
-            const std::vector<png_const_bytep>& rows) {
+bool encodeHead(Writer& writer, glm::ivec2 sizePx, const std::vector<png_text>& texts) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
-    png_set_write_fn(writer.png, &writer, append, onFlush);
-    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.size.x),
-                 static_cast<png_uint_32>(image.size.y), 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+    png_set_write_fn(writer.png, &writer, put, onFlush);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(sizePx.x),
+                 static_cast<png_uint_32>(sizePx.y), 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(writer.png, writer.info);
+    return true;
+}
+
+bool encodeRows(Writer& writer, const std::vector<png_const_bytep>& rows) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     for (const png_const_bytep row : rows) png_write_row(writer.png, row);
+    return true;
+}
+
+bool encodeEnd(Writer& writer) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_write_end(writer.png, nullptr);
     return true;
+}
+
+std::vector<png_const_bytep> rowsOf(const Image8& band) {
+    const std::size_t rowBytes = static_cast<std::size_t>(band.size.x) * 4;
+    std::vector<png_const_bytep> rows;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(band.size.y); ++y) {
+        rows.push_back(band.rgba.data() + y * rowBytes);
+    }
+    return rows;
 }
 
 bool readHead(Reader& reader) {
@@ -113,20 +139,30 @@ std::string readBytes(const std::filesystem::path& file) {
 
 }  // namespace
 
+void writePng(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
+              const std::function<Image8()>& next) {
+    replaceFile(file, [&](const std::filesystem::path& aside) {
+        Writer writer;
+        writer.file = std::fopen(aside.c_str(), "wb");
+        writer.png =
+            png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, onError<Writer>, onWarning);
+        writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
+        bool fine = writer.file != nullptr && writer.info != nullptr &&
+                    encodeHead(writer, sizePx, toTexts(metadata));
+        for (int row = 0; fine && row < sizePx.y;) {
+            const Image8 band = next();
+            assert(band.size.x == sizePx.x && band.size.y >= 1);
+            fine = encodeRows(writer, rowsOf(band));
+            row += band.size.y;
+        }
+        if (fine && encodeEnd(writer) && std::fflush(writer.file) == 0) return;
+        throw Error({file.string(), "cannot be written as PNG",
+                     writer.fault.empty() ? std::strerror(errno) : writer.fault, "", ""});
+    });
+}
+
 void writePng(const std::filesystem::path& file, const Image8& image, const Metadata& metadata) {
-    const std::size_t rowBytes = static_cast<std::size_t>(image.size.x) * 4;
-    std::vector<png_const_bytep> rows;
-    for (std::size_t y = 0; y < static_cast<std::size_t>(image.size.y); ++y) {
-        rows.push_back(image.rgba.data() + y * rowBytes);
-    }
-    Writer writer;
-    writer.png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, onError<Writer>, onWarning);
-    writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
-    if (writer.info == nullptr || !encode(writer, image, toTexts(metadata), rows)) {
-        throw Error({file.string(), "cannot be written as PNG", writer.fault, "", ""});
-    }
-    replaceFile(file, writer.bytes);
+    writePng(file, image.size, metadata, [&] { return image; });
 }
 
 Image8 readPng(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -10,10 +11,20 @@
 
 namespace neph::render {
 
+/// Which pixels of a larger picture are drawn.
+struct PicturePart {
+    glm::ivec2 wholePx{1};  ///< size of the larger picture, whose aspect the camera has
+    glm::ivec2 lowerPx{0};  ///< the part's lower left pixel, counted from the whole's
+    bool operator==(const PicturePart&) const = default;
+};
+
 struct FrameInputs {
     Look look;
     Camera camera;
     glm::ivec2 sizePx{640, 480};
+    std::optional<PicturePart> part;  ///< none: the whole
+    int supersample = 1;              ///< a pixel is the mean of so many rays a side
+    bool backdrop = true;             ///< sky and ground behind the medium; else it is transparent
     /// Slices, or steps of the march, along the diagonal of what is occupied; 0: as the look says.
     /// Interactive frames may ask for fewer. A given number fixes the step; else the march adapts
     /// it to the data.

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
@@ -31,6 +32,7 @@ struct Renderer::Impl {
     PackedMedium packed;       ///< of the march; likewise
     gl::Texture noise;         ///< of slicing
     gl::Texture stackedNoise;  ///< of the march
+    gl::Texture rays;          ///< where pixels are the mean of several
     gl::Texture linear, display;
     SlicingEngine slicing;
     MarchEngine march;
@@ -45,7 +47,10 @@ struct Renderer::Impl {
     void bake(const FrameInputs& inputs, FrameStats& stats);
     const gl::Texture* stacked() const { return stackedNoise ? &stackedNoise : nullptr; }
     void repack(const FrameInputs& inputs, PackedDetail wanted, FrameStats& stats);
-    void draw(const FrameInputs& inputs, Stage stage, const Progress& progress, FrameStats& stats);
+    void draw(const FrameInputs& inputs, Stage stage, const gl::Texture& to,
+              const Progress& progress, FrameStats& stats);
+    void drawRays(const FrameInputs& inputs, Stage stage, const Progress& progress,
+                  FrameStats& stats);
     void resolve(const FrameInputs& inputs);
     void describe(const FrameInputs& inputs, Stage stage, FrameStats& stats);
 };
@@ -57,14 +62,39 @@ bool sameView(const Camera& a, const Camera& b) {
            a.tanHalfFovY == b.tanHalfFovY && a.aspect == b.aspect;
 }
 
+bool samePixels(const FrameInputs& a, const FrameInputs& b) {
+    return a.sizePx == b.sizePx && a.part == b.part && a.supersample == b.supersample &&
+           a.backdrop == b.backdrop;
+}
+
+/// Has `texture` hold a picture of this size.
+void fit(gl::Texture& texture, GLenum format, glm::ivec2 sizePx) {
+    if (texture.size() != glm::ivec3(sizePx, 1)) texture = gl::Texture::make2D(format, sizePx);
+}
+
+/// A picture whose pixels are the rays of `inputs`.
+FrameInputs raysOf(FrameInputs inputs) {
+    const int n = std::exchange(inputs.supersample, 1);
+    inputs.sizePx *= n;
+    if (inputs.part) {
+        inputs.part->wholePx *= n;
+        inputs.part->lowerPx *= n;
+    }
+    return inputs;
+}
+
 int limitOf(GLenum name) {
     GLint limit = 0;
     glGetIntegerv(name, &limit);
     return limit;
 }
 
+int largestSide() {
+    return limitOf(GL_MAX_TEXTURE_SIZE);
+}
+
 void checkSize(glm::ivec2 sizePx) {
-    const int most = limitOf(GL_MAX_TEXTURE_SIZE);
+    const int most = largestSide();
     if (sizePx.x >= 1 && sizePx.y >= 1 && sizePx.x <= most && sizePx.y <= most) return;
     throw Error({.what = "a picture of this size cannot be rendered",
                  .found = fmt::format("{} x {} px", sizePx.x, sizePx.y),
@@ -87,10 +117,10 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
     if (!last) return Stage::medium;
     const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
     if (finer) return std::min(Stage::light, changed);
-    const bool moved = !sameView(last->camera, inputs.camera) || last->sizePx != inputs.sizePx ||
-                       last->planes != inputs.planes;
+    const bool moved = !sameView(last->camera, inputs.camera) || last->planes != inputs.planes;
     if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
-    const bool other = last->sample != inputs.sample || (inputs.profile && !last->profile);
+    const bool other = last->sample != inputs.sample || (inputs.profile && !last->profile) ||
+                       !samePixels(*last, inputs);
     return other ? std::min(Stage::eye, changed) : changed;
 }
 
@@ -127,10 +157,10 @@ void Renderer::Impl::repack(const FrameInputs& inputs, PackedDetail wanted, Fram
     stats.bakedMedium = true;
 }
 
-void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress& progress,
-                          FrameStats& stats) {
+void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const gl::Texture& to,
+                          const Progress& progress, FrameStats& stats) {
     if (inputs.look.engine == Engine::slicing) {
-        slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, linear,
+        slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, to,
                        stage == Stage::eye, progress, timer);
         return;
     }
@@ -143,11 +173,35 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const Progress
     }
     repack(inputs, MarchEngine::detailFor(inputs, volume->grid, packed), stats);
     timer.pass("eye");
-    march.eye(inputs, volume->grid, packed, stacked(), programs, linear, progress);
+    march.eye(inputs, volume->grid, packed, stacked(), programs, to, progress);
+}
+
+/// Draws into `linear`.
+void Renderer::Impl::drawRays(const FrameInputs& inputs, Stage stage, const Progress& progress,
+                              FrameStats& stats) {
+    fit(linear, GL_RGBA32F, inputs.sizePx);
+    if (inputs.supersample == 1) {
+        rays = {};
+        draw(inputs, stage, linear, progress, stats);
+        return;
+    }
+    const FrameInputs finer = raysOf(inputs);
+    fit(rays, GL_RGBA32F, finer.sizePx);
+    draw(finer, stage, rays, progress, stats);
+    const gl::Program& program = programs.get("pass/average.comp");
+    program.setInt(0, inputs.supersample);
+    rays.bindImage(0, GL_READ_ONLY);
+    linear.bindImage(1, GL_WRITE_ONLY);
+    program.dispatch({inputs.sizePx, 1});
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void Renderer::Impl::resolve(const FrameInputs& inputs) {
     const gl::Program& program = programs.get("pass/resolve.comp");
+    const glm::ivec2 lowerPx = inputs.part ? inputs.part->lowerPx : glm::ivec2(0);
+    program.setInt(2, lowerPx.x);
+    program.setInt(3, lowerPx.y);
+    program.setInt(4, inputs.backdrop ? 0 : 1);
     program.setFloat(0, std::exp2(inputs.look.exposureEv));
     program.setInt(1, static_cast<int>(inputs.look.toneMap));
     linear.bindImage(0, GL_READ_ONLY);
@@ -192,7 +246,7 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
 
 FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    checkSize(inputs.sizePx);
+    checkSize(inputs.sizePx * inputs.supersample);
     FrameStats stats;
     const Stage stage = impl_->stageFor(inputs);
     assert(inputs.sample == 0 || stage > Stage::light);
@@ -200,11 +254,8 @@ FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress)
     if (inputs.sample == 0) impl_->last.reset();
     impl_->timer.start(inputs.profile);
     if (stage <= Stage::medium) impl_->bake(inputs, stats);
-    if (impl_->linear.size() != glm::ivec3(inputs.sizePx, 1)) {
-        impl_->linear = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
-    }
     if (stage <= Stage::eye) {
-        impl_->draw(inputs, stage, progress, stats);
+        impl_->drawRays(inputs, stage, progress, stats);
         stats.marchedLight = stage <= Stage::light;
         stats.marchedEye = true;
     }
@@ -257,6 +308,10 @@ Image8 Renderer::readDisplay() const {
     return image;
 }
 
+int Renderer::largestSidePx() const {
+    return largestSide();
+}
+
 std::string Renderer::deviceName() const {
     return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
@@ -282,8 +337,8 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"medium", impl_->packed.bytes() + impl_->medium.bytes()},
             {"light", light},
             {"noise", impl_->noise.bytes() + impl_->stackedNoise.bytes()},
-            {"pictures", impl_->linear.bytes() + impl_->display.bytes() + impl_->slicing.bytes() +
-                             impl_->march.bytes() - light}};
+            {"pictures", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
+                             impl_->slicing.bytes() + impl_->march.bytes() - light}};
 }
 
 std::size_t Renderer::gpuBytes() const {

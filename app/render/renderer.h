@@ -47,8 +47,12 @@ class Renderer {
     /// The last frame as linear scene-referred RGBA (premultiplied; A = 1 - transmittance), row 0
     /// on top.
     ImageF readLinear() const;
-    /// The last frame as shown: sRGB, row 0 on top, opaque.
+    /// The last frame as shown: sRGB, row 0 on top; straight alpha, to be put over others in linear
+    /// light, which is 1 where there is a backdrop.
     Image8 readDisplay() const;
+
+    /// The largest picture that can be rendered at once, rays a side.
+    int largestSidePx() const;
 
     /// GL renderer string, for provenance and bench.
     std::string deviceName() const;

@@ -13,11 +13,24 @@ float srgbEncode(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
-/// Display value of a linear radiance: gain, curve (0 linear, 1 filmic), encoding.
-vec3 displayValue(vec3 radiance, float gain, int curve) {
+/// Share of the display's white, linear, of a linear radiance: gain, curve (0 linear, 1 filmic).
+vec3 displayShare(vec3 radiance, float gain, int curve) {
     vec3 exposed = max(radiance * gain, vec3(0.0f));
-    vec3 shown = curve == 1 ? filmic(exposed) : clamp(exposed, vec3(0.0f), vec3(1.0f));
-    return vec3(srgbEncode(shown.r), srgbEncode(shown.g), srgbEncode(shown.b));
+    return curve == 1 ? filmic(exposed) : clamp(exposed, vec3(0.0f), vec3(1.0f));
+}
+
+/// Display value of a linear radiance.
+vec3 displayValue(vec3 radiance, float gain, int curve) {
+    vec3 share = displayShare(radiance, gain, curve);
+    return vec3(srgbEncode(share.r), srgbEncode(share.g), srgbEncode(share.b));
+}
+
+/// Colour that shows the same when `opacity` of it is put over black in linear light, where that
+/// can be: no colour is brighter than white.
+vec3 straightValue(vec3 radiance, float gain, int curve, float opacity) {
+    vec3 share = displayShare(radiance, gain, curve);
+    share = min(share / max(opacity, 1e-6f), vec3(1.0f));
+    return vec3(srgbEncode(share.r), srgbEncode(share.g), srgbEncode(share.b));
 }
 
 /// Ordered noise in (-1/2, 1/2) of a display step, so that a slow gradient shows no bands in 8

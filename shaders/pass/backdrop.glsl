@@ -16,6 +16,7 @@ float sunOnGround(vec3 positionM, int lastLayer) {
 }
 
 vec3 backdrop(Ray ray, int lastLayer) {
+    if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
     if (groundM <= 0.0) return skyRadiance(ray.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
     float high = max(u_.towardsSun.z, 0.0);

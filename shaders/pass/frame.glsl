@@ -13,7 +13,7 @@ struct Ray {
 };
 
 Ray rayThrough(ivec2 pixel) {
-    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(u_.picture.xy) - 1.0;
+    vec2 ndc = 2.0 * (vec2(pixel + u_.whole.zw) + 0.5) / vec2(u_.whole.xy) - 1.0;
     return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
 }
 

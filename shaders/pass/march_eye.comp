@@ -58,7 +58,7 @@ struct Eye {
 /// In [0, 1): a different place for each pixel and each picture. The golden ratio's fraction
 /// spreads the pictures evenly.
 float placeInStep(ivec2 pixel) {
-    float pattern = texelFetch(t_blueNoise, pixel & 63, 0).r;
+    float pattern = texelFetch(t_blueNoise, (pixel + u_.whole.zw) & 63, 0).r;
     return fract(pattern + 0.61803399 * float(u_.sampling.x));
 }
 

@@ -7,10 +7,17 @@ layout(rgba32f, binding = 0) readonly uniform image2D i_linear;
 layout(rgba8, binding = 1) writeonly uniform image2D o_display;
 layout(location = 0) uniform float gain;
 layout(location = 1) uniform int curve;
+layout(location = 2) uniform int left;  // of this part in the whole picture
+layout(location = 3) uniform int lower;
+layout(location = 4) uniform int transparent;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(i_linear)))) return;
-    vec3 shown = displayValue(imageLoad(i_linear, pixel).rgb, gain, curve);
-    imageStore(o_display, pixel, vec4(shown + ditherStep(pixel) / 255.0, 1.0));
+    vec4 seen = imageLoad(i_linear, pixel);
+    float opacity = transparent == 1 ? seen.a : 1.0;
+    vec3 shown = transparent == 1 ? straightValue(seen.rgb, gain, curve, opacity)
+                                  : displayValue(seen.rgb, gain, curve);
+    vec3 dithered = shown + ditherStep(pixel + ivec2(left, lower)) / 255.0;
+    imageStore(o_display, pixel, vec4(dithered, opacity));
 }

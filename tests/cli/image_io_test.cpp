@@ -79,6 +79,40 @@ TEST_CASE("A PNG reads back pixel for pixel, with its metadata, ASCII or not") {
     CHECK(countFiles(folder.path()) == 1);
 }
 
+TEST_CASE(
+    "A picture written band by band is the picture, and one whose bands fail leaves no file") {
+    const TemporaryFolder folder;
+    int row = 0;
+    const auto next8 = [&] {
+        const Image8 whole = displayImage();
+        const auto first = whole.rgba.begin() + 12 * row++;
+        return Image8{{3, 1}, {first, first + 12}};
+    };
+    writePng(folder / "a.png", {3, 2}, kMetadata, next8);
+    CHECK(readPng(folder / "a.png").rgba == displayImage().rgba);
+    for (const ExrPixels pixels : {ExrPixels::half, ExrPixels::full}) {
+        row = 0;
+        const auto next = [&] {
+            const ImageF whole = linearImage();
+            const auto first = whole.pixels.begin() + 3 * row++;
+            return ImageF{{3, 1}, {first, first + 3}};
+        };
+        writeExr(folder / "a.exr", {3, 2}, kMetadata, pixels, next);
+        CHECK(readExr(folder / "a.exr").pixels == linearImage().pixels);
+    }
+    CHECK_THROWS_AS(writePng(folder / "b.png", {3, 2}, {},
+                             []() -> Image8 {
+                                 throw Error({"", "no more"});
+                             }),
+                    Error);
+    CHECK_THROWS_AS(writeExr(folder / "b.exr", {3, 2}, {}, ExrPixels::half,
+                             []() -> ImageF {
+                                 throw Error({"", "no more"});
+                             }),
+                    Error);
+    CHECK(countFiles(folder.path()) == 2);
+}
+
 TEST_CASE("A PNG says that it is sRGB, and its first row is the top one") {
     const TemporaryFolder folder;
     writePng(folder / "a.png", displayImage(), {});

@@ -10,7 +10,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 24 * 16 + block::kMaxClasses * 32, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 25 * 16 + block::kMaxClasses * 32, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -71,8 +71,10 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     block.mixtureExtentM = v4(dvec3(2 * ((grid.size + 1) / 2)) * grid.spacingM);
     block.brickM = v4(bricks.brickM);
     block.slices = {slices.count, 0, 0, static_cast<int>(medium.classes.size())};
-    block.sampling = {inputs.sample, 0, 0, 0};
+    block.sampling = {inputs.sample, inputs.backdrop ? 1 : 0, 0, 0};
     block.picture = {inputs.sizePx, slices.lightSizePx};
+    const PicturePart part = inputs.part.value_or(PicturePart{inputs.sizePx, {0, 0}});
+    block.whole = {part.wholePx, part.lowerPx};
     for (std::size_t i = 0; i < medium.classes.size(); ++i) {
         block.classes[i] = classBlock(medium.classes[i]);
     }
