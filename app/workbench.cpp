@@ -1,24 +1,29 @@
-// workbench.cpp: the loop: input, panels, picture, in that order and only when something happens.
+// workbench.cpp: the loop: input, data, pictures, panels, in that order and only when something
+// happens.
 #include "app/workbench.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 
-#include "app/cli/profile_text.h"
 #include "app/gl/context.h"
-#include "app/render/renderer.h"
+#include "app/gl/objects.h"
+#include "app/image_io/png.h"
+#include "app/script_player.h"
+#include "app/slots.h"
 #include "app/ui/actions.h"
-#include "app/ui/quality.h"
+#include "app/ui/places.h"
 #include "app/ui/ui.h"
 #include "app/workbench_host.h"
+#include "core/autosave.h"
+#include "core/file_kind.h"
 #include "core/memory_setting.h"
 #include "core/plugin_host.h"
 #include "core/resources.h"
-#include "core/settings.h"
 
 namespace neph {
 namespace {
@@ -26,12 +31,27 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWidthPx = 1280, kHeightPx = 720;
-constexpr double kIdleWaitS = 0.25;  // between looks when nothing happens: tooltips, text cursor
+constexpr double kIdleWaitS = 1.0;   // between looks while nothing happens
 constexpr double kBusyWaitS = 0.05;  // while data load or the picture waits to be refined
+constexpr double kAwaitS = 0.2;      // between looks at a program that runs beside this one
+constexpr double kLingerS = 1.0;     // panels are drawn on after the last input: tooltips
 constexpr double kCommitS = 0.4;     // at rest for so long: the gesture is over, one step of undo
+constexpr double kPanelsS = 0.022;   // between two turns of the panels while a picture is drawn
 
-bool isPresetFile(const std::filesystem::path& path) {
-    return path.extension() == ".json";
+/// Of the files that readers take, as they say, without dots.
+std::vector<std::string> extensionsOf(const PluginHost& host) {
+    std::vector<std::string> extensions;
+    for (const auto& reader : host.readers()) {
+        std::istringstream words(reader->extensions);
+        for (std::string word; words >> word;) {
+            extensions.push_back(word.starts_with('.') ? word.substr(1) : word);
+        }
+    }
+    return extensions;
+}
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 class Workbench {
@@ -40,191 +60,290 @@ class Workbench {
     void run();
 
   private:
+    std::unique_ptr<Slot> makeSlot();
+    ui::LoadedPicture loadPicture(const std::filesystem::path& png);
+    void offerServices();
+    void openFirst(const SceneOptions& options);
     void takeInput();
-    void takeData();
-    render::FrameInputs inputsOf(const ui::Draft& draft) const;
-    void drawPicture();
+    void open(const std::vector<std::filesystem::path>& files);
+    bool drawPictures();
+    bool drawPicture(const ShownPicture& shown, std::size_t count);
     void drawPanels();
+    double panelsTurn();
+    bool giveWay() const;
     void carryOut();
-    void setMemory(const std::string& memory);
     void noteChanges();
-    double waitS() const;
-    /// Whether further samples make the picture better, now.
-    bool averages() const {
-        return !interacting_ && session_.document.look.engine == Engine::march;
-    }
-    double restS() const { return std::chrono::duration<double>(Clock::now() - changed_).count(); }
-    glm::ivec2 picturePx() const { return ui::pictureBox(ui_).size(); }
+    void playScript();
+    void setMemory(const std::string& memory);
+    void rememberSettings();
+    double waitS();
+    Session& session() { return slots_.active().session; }
+    bool moving() const { return interacting_ || ui_.animates; }
 
+    std::vector<std::string> readers_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
-    render::Renderer renderer_{resourcePath("shaders")};
-    Session session_;
-    ui::Ui ui_{session_};
-    ui::QualityControl quality_;
+    std::map<unsigned, gl::Texture> pictures_;  // that panels asked for
+    MemoryBudget budget_;
+    ui::Ui ui_;
+    Slots slots_;
 
-    Document seen_;  // as of the last frame
-    glm::ivec2 seenPx_{0};
-    std::optional<ui::Draft> drawn_;  // none: to be drawn again
-    Clock::time_point changed_ = Clock::now();
+    Autosave autosave_{userStateDir()};
+    std::optional<ScriptPlayer> script_;
+    std::filesystem::path shot_;  // to be written of the next frame
+    Settings remembered_;
+    ui::PixelBox place_;  // of the pictures, as of the last turn of the panels
+    Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
 };
 
 Workbench::Workbench(const SceneOptions& options)
-    : session_(PluginHost::standard(options.readers), &WorkbenchHost::wake) {
+    : readers_(options.readers), slots_(ui_.compare, [this] { return makeSlot(); }) {
     const Scene scene = makeScene(options);
-    session_.document = seen_ = scene.document;
-    session_.homeCamera = scene.document.camera;
-    session_.presetName = scene.presetName;
-    session_.history.restart(scene.document);
     std::vector<std::string> warnings = scene.warnings;
-    session_.setBudget(chooseBudget(options.memory, rendererBytes(gl::deviceMemory()), warnings));
-    for (const std::string& warning : warnings) session_.say(Message::Kind::warning, warning);
-    ui_.report.device = renderer_.deviceName();
-    session_.open(options.files, parseFirstTime(options.time), parseRegion(options.region));
+    ui_.settings = remembered_ = loadSettings(warnings);
+    budget_ = chooseBudget(options.memory, rendererBytes(gl::deviceMemory()), warnings);
+    ui_.active = &session();
+    session().setBudget(budget_);
+    session().document = scene.document;
+    session().homeCamera = scene.document.camera;
+    session().setPreset(scene.presetName);
+    session().history.restart(scene.document);
+    for (const std::string& warning : warnings) session().say(Message::Kind::warning, warning);
+    host_.restyle(ui_.settings);
+    offerServices();
+    if (!options.script.empty()) {
+        script_.emplace(loadScript(options.script),
+                        std::filesystem::path(options.script).filename().string());
+        ui::wantPlaces(true);
+    }
+    openFirst(options);
+}
+
+void Workbench::openFirst(const SceneOptions& options) {
+    ui_.sessionDialogs.autosave = &autosave_;
+    ui_.sessionDialogs.offersCrashed = options.files.empty() && !script_;
+    if (options.files.size() == 1 && kindOfFile(options.files.front()) == FileKind::session) {
+        ui::openSessionFile(ui_, options.files.front());
+    } else {
+        session().open(options.files, parseFirstTime(options.time), parseRegion(options.region));
+    }
+}
+
+std::unique_ptr<Slot> Workbench::makeSlot() {
+    PluginHost readers = PluginHost::standard(readers_);
+    ui_.sessionDialogs.browser.extensions = extensionsOf(readers);
+    auto slot = std::make_unique<Slot>(std::move(readers), &WorkbenchHost::wake);
+    slot->session.setBudget(budget_);
+    return slot;
+}
+
+void Workbench::offerServices() {
+    ui_.services.loadPicture = [this](const std::filesystem::path& png) {
+        return loadPicture(png);
+    };
+    ui_.services.dropPicture = [this](unsigned texture) { pictures_.erase(texture); };
+    ui_.services.state = [this] { return slots_.state(); };
+    ui_.services.restore = [this](const SessionState& state) {
+        slots_.restore(state);
+        ui_.active = &session();
+    };
+}
+
+ui::LoadedPicture Workbench::loadPicture(const std::filesystem::path& png) {
+    try {
+        const Image8 image = readPng(png);
+        gl::Texture texture = gl::Texture::make2D(GL_RGBA8, image.size);
+        texture.setLinear();
+        texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        const unsigned name = texture.name();
+        pictures_.insert_or_assign(name, std::move(texture));
+        return {name, image.size};
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 void Workbench::takeInput() {
     for (const ui::Chord chord : host_.takeChords()) ui::runChord(ui_, chord);
-    if (host_.takeFocus()) session_.lookForGrowth();
-    std::vector<std::filesystem::path> files = host_.takeDropped();
-    if (files.empty()) return;
-    if (files.size() == 1 && isPresetFile(files.front())) {
-        session_.loadPreset(files.front().string());
-        return;
+    if (host_.takeFocus()) {
+        for (Slot* slot : slots_.all()) slot->session.lookForGrowth();
     }
+    const std::vector<std::filesystem::path> files = host_.takeDropped();
+    if (!files.empty()) open(files);
+}
+
+void Workbench::open(const std::vector<std::filesystem::path>& files) {
     std::vector<std::string> names;
     names.reserve(files.size());
     for (const auto& file : files) names.push_back(file.string());
-    session_.open(names);
+    ui::openFiles(ui_, names);
 }
 
-void Workbench::takeData() {
-    session_.poll();
-    try {
-        if (const auto volume = session_.takeVolume()) {
-            renderer_.setVolume(*volume);
-            drawn_.reset();
-            changed_ = Clock::now();
-        }
-    } catch (const Error& error) {
-        session_.say(Message::Kind::error, error.message());
+/// What a picture in the making is left for: commands, and another place for it. What changes the
+/// document is noticed by the slot.
+bool Workbench::giveWay() const {
+    const ui::PixelBox now = ui::pictureBox(ui_);
+    const bool placed = now.lower == place_.lower && now.upper == place_.upper;
+    return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close || !placed;
+}
+
+/// Draws the panels where they have waited long enough and there is something for them to see. A
+/// picture that takes long lags behind; panels do not.
+double Workbench::panelsTurn() {
+    if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
+    if (!host_.inputWaits() && !ui_.animates) return 0.0;
+    const auto start = Clock::now();
+    eventful_ = start;
+    drawPanels();
+    return 1e3 * secondsSince(start);
+}
+
+bool Workbench::drawPicture(const ShownPicture& shown, std::size_t count) {
+    DrawRequest request;
+    request.placePx = place_.size();
+    request.moving = moving();
+    request.profile = ui_.showProfile && shown.slot == &slots_.active();
+    request.frameMs = 1e3 / ui_.settings.framesPerSecond / static_cast<double>(count);
+    request.panels = [this] { return panelsTurn(); };
+    request.giveWay = [this] { return giveWay(); };
+    return shown.slot->draw(request, ui_.profile);
+}
+
+/// One picture of each slot that is shown; then, when those are whole, of the one that is not, so
+/// that it is there at once when it is wanted.
+bool Workbench::drawPictures() {
+    place_ = ui::pictureBox(ui_);
+    const std::vector<ShownPicture> shown = slots_.shown(place_);
+    bool drew = false;
+    for (const ShownPicture& picture : shown) drew |= drawPicture(picture, shown.size());
+    ui_.report = shown.front().slot->report;
+    const bool whole = std::ranges::all_of(shown, [this](const ShownPicture& picture) {
+        return picture.slot->waiting(moving()) == Slot::Waiting::no;
+    });
+    if (drew || !whole || moving() || shown.size() > 1 || slots_.other() == nullptr) return drew;
+    Slot* hidden = shown.front().slot == slots_.other() ? &slots_.active() : slots_.other();
+    return drawPicture({hidden, place_}, 1);
+}
+
+void Workbench::drawPanels() {
+    panelsDrawn_ = Clock::now();
+    ui::clearPlaces();
+    host_.beginFrame();
+    ui_.animates = false;
+    ui_.awaits = false;
+    ui::draw(ui_);
+    interacting_ = host_.interacting();
+    Image8 image;
+    std::vector<HostPicture> pictures;
+    for (const ShownPicture& shown : slots_.shown(ui::pictureBox(ui_))) {
+        pictures.push_back(
+            {shown.place, shown.slot->texture(), shown.slot->report.sizePx, shown.widthShare});
     }
+    const std::filesystem::path shot = std::exchange(shot_, {});
+    host_.endFrame(pictures, shot.empty() ? nullptr : &image);
+    if (!shot.empty()) writePng(shot, image, {});
+    const double each = 1e3 * secondsSince(panelsDrawn_) / static_cast<double>(pictures.size());
+    for (Slot* slot : slots_.all()) slot->measuredPanels(each);
 }
 
 /// Notices what the panels changed, and makes a step of the history when the hand rests.
 void Workbench::noteChanges() {
-    const bool moved = session_.document != seen_ || picturePx() != seenPx_;
-    if (moved) changed_ = Clock::now();
-    seen_ = session_.document;
-    seenPx_ = picturePx();
-    if (!interacting_ && restS() > kCommitS) session_.history.commit(session_.document);
-    if (moved) drawn_.reset();
-}
-
-render::FrameInputs Workbench::inputsOf(const ui::Draft& draft) const {
-    render::FrameInputs inputs;
-    inputs.look = session_.document.look;
-    inputs.sizePx = draft.sizePx;
-    inputs.sample = draft.sample;
-    inputs.draftLight = draft.step == 0;
-    inputs.profile = ui_.showProfile;
-    if (inputs.look.engine == Engine::slicing) {
-        inputs.planes = ui::planesOf(draft, inputs.look.planes);
-    } else {
-        inputs.look.quality *= static_cast<float>(draft.detail);
+    slots_.link();
+    for (Slot* slot : slots_.all()) {
+        const bool rests = !moving() && !slot->changedSinceLastLook() && slot->restS() > kCommitS;
+        slot->noteChanges(rests && slot == &slots_.active());
     }
-    inputs.camera = placeCamera(session_.document.camera, session_.shown()->grid,
-                                static_cast<double>(picturePx().x) / picturePx().y);
-    return inputs;
-}
-
-void Workbench::drawPicture() {
-    if (!session_.shown()) return;
-    const Engine engine = session_.document.look.engine;
-    // A button held still is still motion: the next move must find the machine ready.
-    const double rest = interacting_ ? 0.0 : restS();
-    const std::optional<ui::Draft> next = ui::nextDraft(
-        drawn_, quality_.draft(rest, picturePx(), ui::leastDetailOf(engine)), averages());
-    if (!next) return;
-    const render::FrameInputs inputs = inputsOf(*next);
-    render::FrameStats stats;
-    try {
-        // A frame in motion is short and always comes through; a refinement gives way to the hand.
-        stats = renderer_.render(inputs,
-                                 [&](double) { return next->step == 0 || !host_.inputWaits(); });
-    } catch (const Cancelled&) {
-        return;
-    }
-    // What the camera does not change is no measure of how finely to draw while it moves.
-    const bool prepared = stats.bakedMedium || (engine == Engine::march && stats.marchedLight);
-    if (stats.marchedEye && !prepared) quality_.measured(*next, stats.milliseconds, picturePx());
-    ui_.report = {stats.milliseconds, engine,       stats.planes,
-                  next->sample + 1,   next->sizePx, next->step == ui::kFullStep,
-                  ui_.report.device};
-    if (inputs.profile) ui::update(ui_.profile, profileOf(stats, inputs, renderer_), !drawn_);
-    drawn_ = next;
-    for (std::string& message : renderer_.takeMessages()) {
-        session_.say(Message::Kind::warning, std::move(message));
-    }
+    if (ui_.settings != remembered_) rememberSettings();
 }
 
 void Workbench::carryOut() {
     const ui::Requests requests = std::exchange(ui_.requests, {});
     if (requests.toggleFullScreen) host_.toggleFullScreen();
-    if (requests.reloadShaders) {
-        renderer_.reloadChangedShaders();
-        drawn_.reset();
-    }
-    if (requests.redraw) drawn_.reset();
+    if (requests.restyle) host_.restyle(ui_.settings);
     if (requests.memory) setMemory(*requests.memory);
+    for (Slot* slot : slots_.all()) {
+        if (requests.reloadShaders) slot->reloadShaders();
+        if (requests.redraw) slot->redraw();
+    }
+    slots_.carryOut();
+    ui_.active = &session();
     if (requests.quit) host_.close();
 }
 
 /// Uses a setting from now on and remembers it.
 void Workbench::setMemory(const std::string& memory) {
     try {
-        MemoryBudget budget = session_.budget();
-        budget.machine = memoryBudget(memory, budget.gpu).machine;
-        session_.setBudget(budget);
+        budget_.machine = memoryBudget(memory, budget_.gpu).machine;
+        for (Slot* slot : slots_.all()) slot->session.setBudget(budget_);
         ui_.settings.memory = memory;
-        saveSettings(ui_.settings);
-        session_.say(Message::Kind::note, "Memory: " + memoryText(budget.machine));
+        session().say(Message::Kind::note, "Memory: " + memoryText(budget_.machine));
     } catch (const Error& error) {
-        session_.say(Message::Kind::error, error.message());
+        session().say(Message::Kind::error, error.message());
     }
 }
 
-double Workbench::waitS() const {
-    if (session_.shown()) {
-        const bool full = drawn_ && drawn_->step == ui::kFullStep;
-        if (!drawn_ || (full && averages() && drawn_->sample + 1 < ui::kSamples)) return 0.0;
-        if (!full) return kBusyWaitS;
+void Workbench::rememberSettings() {
+    remembered_ = ui_.settings;  // a place that cannot be written to is told once
+    try {
+        saveSettings(remembered_);
+    } catch (const Error& error) {
+        session().say(Message::Kind::error, error.message());
     }
-    const bool uncommitted = restS() < 2.0 * kCommitS;
-    return session_.loading() || uncommitted ? kBusyWaitS : kIdleWaitS;
 }
 
-void Workbench::drawPanels() {
-    const auto start = Clock::now();
-    host_.beginFrame();
-    ui::draw(ui_);
-    interacting_ = host_.interacting();
-    host_.endFrame(ui::pictureBox(ui_), renderer_.displayTexture(), ui_.report.sizePx);
-    quality_.measuredPanels(
-        std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+/// The next frame's input from the script, which ends the program when it is over.
+void Workbench::playScript() {
+    const ScriptWorld world{ui_,
+                            host_.sizePx(),
+                            [this] {
+                                return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
+                                    return !slot->session.loading() &&
+                                           slot->waiting(false) == Slot::Waiting::no;
+                                });
+                            },
+                            [this](const std::filesystem::path& png) { shot_ = png; },
+                            [this](glm::ivec2 size) { host_.resize(size); },
+                            [this](const auto& files) { open(files); }};
+    if (const std::optional<PlayedInput> input = script_->next(world)) {
+        host_.play(*input);
+    } else {
+        host_.close();
+    }
+}
+
+double Workbench::waitS() {
+    if (ui_.animates || script_) return 0.0;
+    double seconds = ui_.awaits ? kAwaitS : kIdleWaitS;
+    for (Slot* slot : slots_.all()) {
+        const Slot::Waiting waiting = slot->waiting(moving());
+        if (waiting == Slot::Waiting::now) return 0.0;
+        const bool uncommitted = slot->restS() < 2.0 * kCommitS;
+        if (waiting == Slot::Waiting::rest || uncommitted || slot->session.loading()) {
+            seconds = kBusyWaitS;
+        }
+    }
+    return secondsSince(eventful_) < kLingerS ? kBusyWaitS : seconds;
 }
 
 void Workbench::run() {
+    drawPanels();  // makes the picture's place known
     while (!window_.shouldClose()) {
-        host_.wait(waitS());
+        if (host_.wait(waitS())) eventful_ = Clock::now();
+        if (script_) playScript();
         takeInput();
-        takeData();
-        drawPicture();
-        drawPanels();
+        for (Slot* slot : slots_.all()) slot->takeData();
+        const bool drew = drawPictures();
+        // Where nothing happens nothing is drawn.
+        if (drew || session().loading() || ui_.animates || ui_.awaits ||
+            secondsSince(eventful_) < kLingerS) {
+            drawPanels();
+        }
         noteChanges();
         carryOut();
+        autosave_.tick(ui_.services.state, Clock::now());
     }
+    autosave_.finish(slots_.state());
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 #include "app/ui/theme.h"
@@ -30,18 +32,22 @@ constexpr std::array<std::pair<int, ui::Key>, 15> kOthers{{{GLFW_KEY_LEFT, ui::K
                                                            {GLFW_KEY_DELETE, ui::Key::remove},
                                                            {GLFW_KEY_KP_ADD, ui::Key::plus},
                                                            {GLFW_KEY_KP_SUBTRACT, ui::Key::minus}}};
-constexpr std::array<std::pair<char, ui::Key>, 5> kSigns{{{'?', ui::Key::question},
+constexpr std::array<std::pair<char, ui::Key>, 7> kSigns{{{'?', ui::Key::question},
+                                                          {'/', ui::Key::question},
+                                                          {'=', ui::Key::plus},
                                                           {',', ui::Key::comma},
                                                           {'.', ui::Key::period},
                                                           {'+', ui::Key::plus},
                                                           {'-', ui::Key::minus}}};
+
+std::atomic<bool> woken = false;  // since the last wait
 
 /// The key `steps` after `first`, in the order of ui::Key.
 ui::Key after(ui::Key first, int steps) {
     return static_cast<ui::Key>(static_cast<int>(first) + steps);
 }
 
-constexpr int kMinWidthPx = 900, kMinHeightPx = 480;  // both columns and a picture between them
+constexpr int kMinWidthPx = 960, kMinHeightPx = 600;  // both columns and a picture between them
 
 ui::Key toKey(int key, int scancode) {
     for (const auto& [code, named] : kOthers) {
@@ -61,6 +67,22 @@ ui::Key toKey(int key, int scancode) {
     return ui::Key::none;
 }
 
+/// The window system's key; -1 where it has none of its own.
+int toCode(ui::Key key) {
+    const int at = static_cast<int>(key);
+    const auto among = [at](ui::Key first, ui::Key last) {
+        return at >= static_cast<int>(first) && at <= static_cast<int>(last);
+    };
+    const auto from = [at](int code, ui::Key first) { return code + at - static_cast<int>(first); };
+    if (among(ui::Key::a, ui::Key::z)) return from(GLFW_KEY_A, ui::Key::a);
+    if (among(ui::Key::n0, ui::Key::n9)) return from(GLFW_KEY_0, ui::Key::n0);
+    if (among(ui::Key::f1, ui::Key::f12)) return from(GLFW_KEY_F1, ui::Key::f1);
+    for (const auto& [code, named] : kOthers) {
+        if (named == key) return code;
+    }
+    return -1;
+}
+
 WorkbenchHost& hostOf(GLFWwindow* window) {
     return *static_cast<WorkbenchHost*>(glfwGetWindowUserPointer(window));
 }
@@ -77,6 +99,7 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
         hostOf(w).onMouseButton(button, action == GLFW_PRESS);
     });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double, double) { hostOf(w).onOther(); });
     glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { hostOf(w).onOther(); });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { hostOf(w).onOther(); });
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { hostOf(w).onOther(); });
@@ -102,10 +125,15 @@ WorkbenchHost::~WorkbenchHost() {
 }
 
 void WorkbenchHost::beginFrame() {
+    unseen_ = false;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     holdTappedKeys();
-    replayPresses();
+    if (played_) {
+        applyPlayed();
+    } else {
+        replayPresses();
+    }
     ImGui::NewFrame();
 }
 
@@ -120,15 +148,39 @@ void WorkbenchHost::holdTappedKeys() {
     held_ = std::exchange(tapped_, {});
 }
 
+void WorkbenchHost::restyle(const Settings& settings) {
+    const float scale = window_.contentScale() * settings.textScale;
+    ImGui::GetIO().Fonts->Clear();
+    ui::applyTheme(scale);
+    ui::loadFont(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
 /// Panels have the window's own colour: to blend them over a picture that they hide took a CPU that
 /// stands in for a GPU longer than all that is on them.
-void WorkbenchHost::endFrame(const ui::PixelBox& place, unsigned picture, glm::ivec2 sizePx) {
+void WorkbenchHost::endFrame(std::span<const HostPicture> pictures, Image8* shot) {
     ImGui::Render();
     const ImVec4& colour = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
     window_.clear({colour.x, colour.y, colour.z});
-    if (picture != 0) window_.fill(place.lower, place.upper, picture, sizePx);
+    for (const HostPicture& picture : pictures) {
+        if (picture.texture == 0 || picture.place.size().x < 1) continue;
+        window_.fill(picture.place.lower, picture.place.upper, picture.texture, picture.sizePx,
+                     picture.widthShare);
+    }
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (shot != nullptr) *shot = window_.read();
     window_.swap();
+}
+
+glm::vec2 WorkbenchHost::sizePx() const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_.handle(), &width, &height);
+    return {width, height};
+}
+
+void WorkbenchHost::resize(glm::ivec2 size) {
+    glfwSetWindowSize(window_.handle(), size.x, size.y);
 }
 
 /// ImGui looks at the mouse once a frame, too. After a slow frame it is shown where a button went
@@ -162,22 +214,27 @@ bool WorkbenchHost::takeFocus() {
     return std::exchange(focused_, false);
 }
 
-void WorkbenchHost::wait(double seconds) {
-    if (inputSeen_) seconds = 0.0;
-    inputSeen_ = false;
-    if (seconds > 0.0 && presses_.empty()) {
+bool WorkbenchHost::wait(double seconds) {
+    if (unseen_ || !presses_.empty()) seconds = 0.0;
+    if (seconds > 0.0) {
         glfwWaitEventsTimeout(seconds);
     } else {
         glfwPollEvents();
     }
+    return woken.exchange(false) || unseen_ || !presses_.empty();
 }
 
 bool WorkbenchHost::inputWaits() {
     glfwPollEvents();
-    return inputSeen_;
+    return unseen_;
+}
+
+bool WorkbenchHost::commandsWait() const {
+    return !chords_.empty() || !dropped_.empty() || window_.shouldClose();
 }
 
 void WorkbenchHost::wake() {
+    woken = true;
     glfwPostEmptyEvent();
 }
 
@@ -209,20 +266,44 @@ void WorkbenchHost::toggleFullScreen() {
 }
 
 void WorkbenchHost::onKey(int key, int scancode, int mods) {
-    inputSeen_ = true;
+    unseen_ = true;
     if (key >= 0 && key <= GLFW_KEY_LAST) tapped_.push_back(key);
-    // What is typed into a field is not a command; a control chord still is, unless it edits text.
-    const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
+    if (played_) return;
     const ui::Key named = toKey(key, scancode);
-    const bool editsText = named == ui::Key::z || named == ui::Key::y;
-    if (ImGui::GetIO().WantTextInput && (!ctrl || editsText)) return;
-    if (named != ui::Key::none) {
-        chords_.push_back({named, ctrl, (mods & GLFW_MOD_SHIFT) != 0});
+    // Shift belongs to a sign: '?' is above '/', and '+' above '=' on many keyboards.
+    const bool sign = named >= ui::Key::question && named <= ui::Key::minus;
+    takeChord({named, (mods & GLFW_MOD_CONTROL) != 0, !sign && (mods & GLFW_MOD_SHIFT) != 0});
+}
+
+void WorkbenchHost::takeChord(ui::Chord chord) {
+    if (chord.key != ui::Key::none && !ui::keyIsTaken(chord)) chords_.push_back(chord);
+}
+
+void WorkbenchHost::play(const PlayedInput& input) {
+    played_ = input;
+    unseen_ = true;
+    if (input.chord) takeChord(*input.chord);
+}
+
+void WorkbenchHost::applyPlayed() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {played_->mouse.x, played_->mouse.y};
+    for (std::size_t i = 0; i < played_->down.size(); ++i) io.MouseDown[i] = played_->down[i];
+    io.MouseWheel = std::exchange(played_->wheel, 0.0f);
+    std::ranges::fill(io.KeysDown, false);
+    const std::optional<ui::Chord> chord = std::exchange(played_->chord, {});
+    io.KeyCtrl = chord && chord->ctrl;
+    io.KeyShift = chord && chord->shift;
+    if (chord) {
+        if (const int code = toCode(chord->key); code >= 0) io.KeysDown[code] = true;
+    }
+    for (const char letter : std::exchange(played_->text, {})) {
+        io.AddInputCharacter(static_cast<unsigned char>(letter));
     }
 }
 
 void WorkbenchHost::onMouseButton(int button, bool down) {
-    inputSeen_ = true;
+    unseen_ = true;
     if (button < 0 || button > 2) return;
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_.handle(), &x, &y);
@@ -238,12 +319,12 @@ void WorkbenchHost::onMouseButton(int button, bool down) {
 }
 
 void WorkbenchHost::onFocus() {
-    inputSeen_ = true;
+    unseen_ = true;
     focused_ = true;
 }
 
 void WorkbenchHost::onDrop(int count, const char** paths) {
-    inputSeen_ = true;
+    unseen_ = true;
     for (int i = 0; i < count; ++i) dropped_.emplace_back(paths[i]);
 }
 

@@ -2,13 +2,25 @@
 #pragma once
 #include <deque>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "app/gl/context.h"
+#include "app/image_io/image.h"
+#include "app/script_player.h"
 #include "app/ui/actions.h"
 #include "app/ui/ui.h"
+#include "core/settings.h"
 
 namespace neph {
+
+/// A picture on the screen, or the part of it between two shares of its width.
+struct HostPicture {
+    ui::PixelBox place;
+    unsigned texture = 0;  ///< 0: none yet
+    glm::ivec2 sizePx{1};
+    glm::vec2 widthShare{0.0f, 1.0f};
+};
 
 /// Lives as long as the window; not copied, because the window's callbacks point to it.
 class WorkbenchHost {
@@ -18,10 +30,17 @@ class WorkbenchHost {
     WorkbenchHost(const WorkbenchHost&) = delete;
     WorkbenchHost& operator=(const WorkbenchHost&) = delete;
 
+    /// Theme, spacing and font, anew.
+    void restyle(const Settings& settings);
+
     void beginFrame();
-    /// Shows the frame: `picture`, a texture of `sizePx` or 0 for none, in its place below the
-    /// panels.
-    void endFrame(const ui::PixelBox& place, unsigned picture, glm::ivec2 sizePx);
+    /// Shows the frame: pictures in their places below the panels. `shot`, if any, gets what is
+    /// shown.
+    void endFrame(std::span<const HostPicture> pictures, Image8* shot = nullptr);
+
+    /// Of the window, in the units of the mouse.
+    glm::vec2 sizePx() const;
+    void resize(glm::ivec2 size);
 
     /// Chords pressed and files dropped since the last call.
     std::vector<ui::Chord> takeChords();
@@ -30,14 +49,19 @@ class WorkbenchHost {
     /// Whether the window came to the fore since the last call.
     bool takeFocus();
 
-    /// Waits for input, a wake-up or the time to pass; 0 only looks.
-    void wait(double seconds);
+    /// Waits for input, a wake-up or the time to pass; 0 only looks. False when nothing happened.
+    bool wait(double seconds);
     /// Ends a wait; from any thread.
     static void wake();
 
-    /// Looks for input without taking it; true when a key, a button, the wheel or the window waits
-    /// to be dealt with. Not between beginFrame and endFrame.
+    /// Looks for input without taking it; true when there is any that panels have not seen. Not
+    /// between beginFrame and endFrame.
     bool inputWaits();
+    /// Whether chords or dropped files wait to be taken, or the window is to be closed.
+    bool commandsWait() const;
+
+    /// Mouse and keys of the next frame; those of the window are not heeded from then on.
+    void play(const PlayedInput& input);
 
     /// Whether a mouse button is down.
     bool interacting() const;
@@ -47,7 +71,7 @@ class WorkbenchHost {
 
     void onKey(int key, int scancode, int mods);
     void onMouseButton(int button, bool down);
-    void onOther() { inputSeen_ = true; }
+    void onOther() { unseen_ = true; }
     void onFocus();
     void onDrop(int count, const char** paths);
 
@@ -60,6 +84,8 @@ class WorkbenchHost {
     };
 
     void holdTappedKeys();
+    void applyPlayed();
+    void takeChord(ui::Chord chord);
     void replayPresses();
 
     gl::Window& window_;
@@ -70,7 +96,8 @@ class WorkbenchHost {
     glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
     bool fullScreen_ = false;
     bool focused_ = false;
-    bool inputSeen_ = false;  ///< since the last wait
+    std::optional<PlayedInput> played_;
+    bool unseen_ = true;  ///< something has happened since the last beginFrame
 };
 
 }  // namespace neph

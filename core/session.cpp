@@ -199,6 +199,15 @@ void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
         [this, time, key](const Error& error) { readFailed(time, key, error); }, kind);
 }
 
+void Session::cancelLoading() {
+    jobs_.cancel();
+    opening_ = false;
+    readingKey_.reset();
+    if (!dataset_) return;
+    goBackToShown();
+    failedKey_ = keyOf(document.time);
+}
+
 void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
     readingKey_.reset();
     unreadable_.push_back(key);
@@ -213,6 +222,11 @@ void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
         say(Message::Kind::error, error.message());
     }
     failedKey_ = key;
+    goBackToShown();
+}
+
+/// Wishes for what is shown already, for want of anything else.
+void Session::goBackToShown() {
     if (!shown_ || !shownKey_) return;
     region_ = shownKey_->request.region;
     const auto& times = dataset_->info().times;

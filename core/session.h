@@ -97,6 +97,8 @@ class Session {
     std::shared_ptr<const SpeciesVolume> takeVolume();
 
     bool loading() const { return jobs_.busy(); }
+    /// Gives up what is being opened or read; what is shown stays.
+    void cancelLoading();
     double loadingFraction() const { return jobs_.fraction(); }
     std::string loadingLabel() const { return jobs_.label(); }
 
@@ -125,6 +127,7 @@ class Session {
     VolumeKey keyOf(int time) const;
     void read(int time, const VolumeKey& key, Jobs::Kind kind);
     void readFailed(int time, const VolumeKey& key, const Error& error);
+    void goBackToShown();
     void want(const VolumeKey& key);
     void show(const VolumeKey& key, const Held& held);
     void keepView(const RegularGrid& before, const RegularGrid& now);

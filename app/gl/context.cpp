@@ -128,14 +128,30 @@ void Window::clear(const glm::vec3& colour) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx) {
+void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
+                  glm::vec2 widthShare) {
+    const glm::ivec2 columns(glm::round(widthShare * static_cast<float>(sizePx.x)));
     GLuint frame = 0;
     glCreateFramebuffers(1, &frame);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, texture, 0);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // the texture was written as an image
-    glBlitNamedFramebuffer(frame, 0, 0, 0, sizePx.x, sizePx.y, lowerPx.x, lowerPx.y, upperPx.x,
-                           upperPx.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(frame, 0, columns.x, 0, columns.y, sizePx.y, lowerPx.x, lowerPx.y,
+                           upperPx.x, upperPx.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glDeleteFramebuffers(1, &frame);
+}
+
+Image8 Window::read() const {
+    Image8 image{{framebufferWidth(), framebufferHeight()}, {}};
+    const auto row = static_cast<std::size_t>(image.size.x) * 4;
+    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(image.size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+    for (int y = image.size.y; y-- > 0;) {
+        const auto* from = upward.data() + row * static_cast<std::size_t>(y);
+        image.rgba.insert(image.rgba.end(), from, from + row);
+    }
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    return image;
 }
 
 DeviceMemory deviceMemory() {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "app/image_io/image.h"
+
 struct GLFWwindow;
 
 namespace neph::gl {
@@ -41,9 +43,12 @@ class Window {
     float contentScale() const;
     /// Clears the window's framebuffer.
     void clear(const glm::vec3& colour);
-    /// Fills a part of the framebuffer with a 2D texture of `sizePx`, interpolated; both have row 0
-    /// at the bottom.
-    void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx);
+    /// Fills a part of the framebuffer with a 2D texture of `sizePx`, or with the columns of it
+    /// between two shares of its width, interpolated; both have row 0 at the bottom.
+    void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
+              glm::vec2 widthShare = {0.0f, 1.0f});
+    /// What has been drawn since the last swap, row 0 on top, opaque.
+    Image8 read() const;
 
   private:
     GLFWwindow* window_ = nullptr;

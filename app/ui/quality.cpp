@@ -33,11 +33,6 @@ Draft share(double work, glm::ivec2 windowPx, int step, double leastDetail) {
             step};
 }
 
-/// Time for the picture in motion.
-double aimMs(double panelsMs) {
-    return std::max(kMinAimMs, kMargin * (kFrameMs - panelsMs));
-}
-
 double workOf(const Draft& draft, glm::ivec2 windowPx) {
     return draft.detail * draft.sizePx.x * draft.sizePx.y /
            (static_cast<double>(windowPx.x) * windowPx.y);
@@ -63,7 +58,7 @@ void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec
     const double work = workOf(draft, windowPx);
     double costMs = milliseconds / work;
     // At rest a picture tells how to move only where it is quick enough to move with.
-    if (draft.step == 0 || motionShare_ >= kFullShare || milliseconds <= aimMs(panelsMs_)) {
+    if (draft.step == 0 || motionShare_ >= kFullShare || milliseconds <= aimMs()) {
         costsMs_[measured_++ % kRemembered] = costMs;
         costMs = medianCostMs();
         aim(work, costMs);
@@ -78,6 +73,11 @@ void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec
     }
 }
 
+/// Time for the picture in motion.
+double QualityControl::aimMs() const {
+    return std::max(kMinAimMs, kMargin * (frameMs_ - panelsMs_));
+}
+
 double QualityControl::medianCostMs() const {
     auto costs = costsMs_;
     const auto end = costs.begin() + static_cast<std::ptrdiff_t>(std::min(measured_, kRemembered));
@@ -88,7 +88,7 @@ double QualityControl::medianCostMs() const {
 
 /// Approaches the aim step by step, and leaves a size that fits: one that goes to and fro flickers.
 void QualityControl::aim(double work, double costMs) {
-    const double ideal = aimMs(panelsMs_) / costMs;
+    const double ideal = aimMs() / costMs;
     if (ideal > kStayAbove * work && ideal < kStayBelow * work) return;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);
     motionShare_ = std::clamp(motionShare_, kMinShare, 1.0);

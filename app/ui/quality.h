@@ -1,8 +1,8 @@
 // quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
 //
-// In motion a frame is to take at most kFrameMs, panels and window included. At rest the picture is
-// refined, in steps where the machine is slow, so that it shows a better one soon; the march then
-// averages kSamples pictures. Work is the share of pixels x steps of the full picture.
+// In motion a frame is to take no longer than it may, panels and window included. At rest the
+// picture is refined, in steps where the machine is slow, so that it shows a better one soon; the
+// march then averages kSamples pictures. Work is the share of pixels x steps of the full picture.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -23,8 +23,7 @@ inline constexpr std::array kRefinements{Refinement{0.1, 250.0, 850.0},
                                          Refinement{0.4, 1500.0, 1500.0}};
 inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
 inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
-inline constexpr double kFrameMs = 1000.0 / 30.0;  // of a whole frame in motion
-inline constexpr int kSamples = 16;                // averaged at rest; more show no difference
+inline constexpr int kSamples = 16;    // averaged at rest; more show no difference
 
 /// Least share of planes or steps in motion. With fewer steps the march is grainy, which is worse
 /// to look at than fewer pixels; fewer slices are not.
@@ -51,14 +50,19 @@ class QualityControl {
     /// coarser picture needs as well and a refinement does not repeat.
     void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx);
 
+    /// For a whole frame in motion, from now on.
+    void setFrameMs(double milliseconds) { frameMs_ = milliseconds; }
+
     /// Tells how long panels and window took in a frame.
     void measuredPanels(double milliseconds);
 
   private:
     static constexpr std::size_t kRemembered = 5;  // pictures in motion; one slow one is no reason
+    double aimMs() const;
     double medianCostMs() const;
     void aim(double work, double costMs);
 
+    double frameMs_ = 1000.0 / 30.0;
     double motionShare_ = 0.02;  // of the full work; a guess for a slow machine
     double fullMs_ = 2000.0;     // of a full picture, from the last measurement; likewise
     double coarseMs_ = 0.0;      // of as much work as a full picture, in small ones; 0: unknown

@@ -88,6 +88,8 @@ struct Ui {
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
     /// Something moves by itself: set anew in every frame in which it does.
     bool animates = false;
+    /// A program runs beside this one and is to be looked at now and then; set anew likewise.
+    bool awaits = false;
     PresetBrowser presets;
     CameraTools cameraTools;
     CompareState compare;
