@@ -4,24 +4,26 @@
 
 namespace neph::ui {
 
-void moveCamera(Ui& ui);         ///< by what the mouse does on the picture
-void drawMenuBar(Ui& ui);        ///< on top
-void drawData(Ui& ui);           ///< left column: what is open
-void drawFields(Ui& ui);         ///< below it: a row a field
-void drawFind(Ui& ui);           ///< top of the right column: any parameter by name
-void drawGroups(Ui& ui);         ///< right column: modes, light, sun and sky, view
-void drawPresets(Ui& ui);        ///< in the right column
-void drawPresetDetails(Ui& ui);  ///< what a preset would change; drawPresets has it
-void drawPresetDialogs(Ui& ui);  ///< ask for names of presets
-void playOn(Ui& ui);             ///< moves on where something is played
-void drawTimeBar(Ui& ui);        ///< below the columns
-void drawStatus(Ui& ui);         ///< along the bottom
-void drawNotices(Ui& ui);        ///< loading, errors, empty states; messages when asked for
-void drawHelp(Ui& ui);           ///< the table of actions
-void drawHistory(Ui& ui);        ///< the list of steps
-void drawPathPopup(Ui& ui);      ///< asks for files to open
-void drawProfile(const Ui& ui);  ///< what the picture cost
-void drawCompare(Ui& ui);        ///< the line between two slots' pictures, and peeking
+void moveCamera(Ui& ui);          ///< by what the mouse does on the picture
+void drawMenuBar(Ui& ui);         ///< on top
+void drawData(Ui& ui);            ///< left column: what is open
+void drawFields(Ui& ui);          ///< below it: a row a field
+void drawFind(Ui& ui);            ///< top of the right column: any parameter by name
+void drawGroups(Ui& ui);          ///< right column: modes, light, sun and sky, view
+void drawCamera(Ui& ui);          ///< in it: the camera in numbers, bookmarks and path
+void drawCameraOverlays(Ui& ui);  ///< over the picture: scale, north, heights
+void drawPresets(Ui& ui);         ///< in the right column
+void drawPresetDetails(Ui& ui);   ///< what a preset would change; drawPresets has it
+void drawPresetDialogs(Ui& ui);   ///< ask for names of presets
+void playOn(Ui& ui);              ///< moves on where something is played
+void drawTimeBar(Ui& ui);         ///< below the columns
+void drawStatus(Ui& ui);          ///< along the bottom
+void drawNotices(Ui& ui);         ///< loading, errors, empty states; messages when asked for
+void drawHelp(Ui& ui);            ///< the table of actions
+void drawHistory(Ui& ui);         ///< the list of steps
+void drawPathPopup(Ui& ui);       ///< asks for files to open
+void drawProfile(const Ui& ui);   ///< what the picture cost
+void drawCompare(Ui& ui);         ///< the line between two slots' pictures, and peeking
 
 /// Shows the part of the domain that holds the clouds that are seen, with a margin.
 void showAroundClouds(Ui& ui);

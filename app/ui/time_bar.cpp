@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/ui/actions.h"
+#include "app/ui/camera_view.h"
 #include "app/ui/layout.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -33,16 +34,6 @@ bool isReady(const Ui& ui) {
     const int time = ui.session().document.time;
     return !ui.session().info() ||
            (ui.session().shows(time) && (ui.report.time < 0 || ui.report.time == time));
-}
-
-/// Data and view as they are where the path is now.
-void followPath(Ui& ui) {
-    Document& document = ui.session().document;
-    const VolumeSummary* shown = ui.session().shown();
-    if (shown == nullptr) return;
-    document.camera = poseAt(document.path, shown->grid, ui.playback.atS);
-    const auto time = timeAt(document.path, ui.playback.atS, lastTime(ui) + 1);
-    if (time) document.time = *time;
 }
 
 bool button(Ui& ui, const char* id, Icon icon) {
@@ -142,7 +133,7 @@ void drawPath(Ui& ui) {
     if (ImGui::SliderFloat("##path", &atS, 0.0f, static_cast<float>(durationS), format.c_str(),
                            ImGuiSliderFlags_AlwaysClamp)) {
         ui.playback.atS = static_cast<double>(atS);
-        followPath(ui);
+        leadAlongPath(ui);
     }
     place("time.path");
 }
@@ -179,7 +170,7 @@ void playOn(Ui& ui) {
     if (playback.alongPath) {
         advanceAlong(playback, std::min(seconds, kLongestFrameS),
                      durationS(ui.session().document.path), isReady(ui));
-        followPath(ui);
+        leadAlongPath(ui);
     } else {
         const auto next =
             advance(playback, seconds, ui.session().document.time, lastTime(ui) + 1, isReady(ui));

@@ -57,6 +57,7 @@ void drawColumns(Ui& ui, const Layout& layout) {
     if (!layout.right.empty()) {
         if (beginFixed("##right", layout.right.lower, layout.right.size())) {
             drawPresets(ui);
+            drawCamera(ui);
             drawGroups(ui);
         }
         ImGui::End();
@@ -89,6 +90,7 @@ void draw(Ui& ui) {
     playOn(ui);
     moveCamera(ui);
     const Layout layout = layoutOf(ui);
+    drawCameraOverlays(ui);
     if (ui.showPanels) {
         drawMenuBar(ui);
         drawColumns(ui, layout);
