@@ -1,7 +1,11 @@
-// format.cpp: formats and tooltips.
+// format.cpp: facts of tooltips, and values from the clipboard.
 #include "app/ui/format.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
 
 namespace neph::ui {
 namespace {
@@ -12,20 +16,44 @@ ParameterValue bound(const Parameter& row, double value) {
     return static_cast<float>(value);
 }
 
-}  // namespace
-
-std::string sliderFormat(const Parameter& row) {
-    if (row.kind == ParameterKind::integer) return "%d";
-    return "%.4g" + unitSuffix(row);
+std::string_view trimmed(std::string_view text) {
+    const std::size_t from = text.find_first_not_of(" \t\r\n");
+    if (from == std::string_view::npos) return {};
+    return text.substr(from, text.find_last_not_of(" \t\r\n") - from + 1);
 }
 
-std::string tooltipOf(const Parameter& row) {
-    std::string text = row.help + "\n";
+}  // namespace
+
+std::string factsOf(const Parameter& row, const Look& preset) {
+    std::string text;
     if (row.kind == ParameterKind::number || row.kind == ParameterKind::integer) {
-        text += fmt::format("\n{} to {}", screenText(row, bound(row, row.range.lo)),
-                            screenText(row, bound(row, row.range.hi)));
+        text = fmt::format("{} to {} · ", screenText(row, bound(row, row.range.lo)),
+                           screenText(row, bound(row, row.range.hi)));
     }
-    return text + fmt::format("\nDefault {}\n{}", screenText(row, defaultOf(row)), row.id);
+    text += "default " + screenText(row, defaultOf(row));
+    const ParameterValue ofPreset = valueOf(preset, row);
+    if (ofPreset != defaultOf(row)) text += " · preset " + screenText(row, ofPreset);
+    return text;
+}
+
+ParameterValue pastedValue(const Parameter& row, std::string_view text) {
+    text = trimmed(text);
+    const std::size_t equals = text.find('=');
+    if (equals != std::string_view::npos) {
+        return parseValue(row, trimmed(text.substr(equals + 1)), "The clipboard");
+    }
+    const std::string_view unit = trimmed(row.displayUnit);
+    if (!unit.empty() && text.ends_with(unit)) {
+        text = trimmed(text.substr(0, text.size() - unit.size()));
+    }
+    if (row.displayScale == 1.0) return parseValue(row, text, "The clipboard");
+    // On screen the number is another: read it without bounds, which setValue looks after.
+    Parameter onScreen = row;
+    onScreen.range = {row.range.lo * row.displayScale, row.range.hi * row.displayScale};
+    onScreen.unit = row.displayUnit;
+    const ParameterValue shown = parseValue(onScreen, text, "The clipboard");
+    const double si = static_cast<double>(std::get<float>(shown)) / row.displayScale;
+    return static_cast<float>(std::clamp(si, row.range.lo, row.range.hi));
 }
 
 }  // namespace neph::ui

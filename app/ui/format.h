@@ -1,4 +1,4 @@
-// format.h: numbers and tooltips as the panels show them, from the rows of the look table.
+// format.h: what tooltips say of a parameter, from its row of the look table.
 #pragma once
 #include <string>
 
@@ -6,10 +6,12 @@
 
 namespace neph::ui {
 
-/// printf format of a parameter's value on screen, with its unit.
-std::string sliderFormat(const Parameter& row);
+/// Range, default, and the loaded preset's value where it is another: "1 µm to 10000 µm · default
+/// 10 µm".
+std::string factsOf(const Parameter& row, const Look& preset);
 
-/// Help, range, default and id.
-std::string tooltipOf(const Parameter& row);
+/// What can be typed or pasted for a value: "id=value" in SI, or a value as the screen has it.
+/// Throws Error.
+ParameterValue pastedValue(const Parameter& row, std::string_view text);
 
 }  // namespace neph::ui

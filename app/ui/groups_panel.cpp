@@ -1,8 +1,15 @@
-// groups_panel.cpp: everything in the look table that is not of a field, a fold a group.
+// groups_panel.cpp: everything in the look table that is not of a field, a fold a group, and a box
+// that finds any parameter.
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
+#include <algorithm>
+#include <cctype>
+
+#include "app/ui/fields_link.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
+#include "app/ui/places.h"
 
 namespace neph::ui {
 namespace {
@@ -10,13 +17,68 @@ namespace {
 bool beginGroup(const std::string& group) {
     // What is tuned most stands open.
     const bool open = group == "Modes" || group == "Sun and sky";
-    return ImGui::CollapsingHeader(group.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    const bool shown =
+        ImGui::CollapsingHeader(group.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    place("group:" + group);
+    return shown;
+}
+
+std::string lower(std::string_view text) {
+    std::string made(text);
+    std::ranges::transform(made, made.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return made;
+}
+
+/// Whether every word of `wanted` is somewhere in what is known of the row.
+bool matches(const Parameter& row, const std::string& wanted) {
+    const std::string known =
+        lower(row.group + " " + row.label + " " + row.id + " " + row.help + " " + row.displayUnit);
+    std::size_t from = 0;
+    while (from < wanted.size()) {
+        const std::size_t to = std::min(wanted.find(' ', from), wanted.size());
+        if (known.find(wanted.substr(from, to - from)) == std::string::npos) return false;
+        from = to + 1;
+    }
+    return true;
+}
+
+void drawFound(Ui& ui, const std::string& wanted) {
+    Session& session = ui.session();
+    Look& look = session.document.look;
+    std::string group;
+    ImGui::PushID("found");
+    for (const Parameter& row : lookTable()) {
+        if (!matches(row, wanted) || !applies(row, look)) continue;
+        if (row.group != group) {
+            group = row.group;
+            ImGui::TextDisabled("%s", group.c_str());
+        }
+        const Look before = look;
+        parameterWidget(row, look, session.presetLook);
+        if (row.species && linkOf(ui.fields, *row.species)) {
+            follow(look, before, ui.fields.atPress, *row.species);
+        }
+    }
+    ImGui::PopID();
+    if (group.empty()) ImGui::TextDisabled("No parameter has that in its name or help");
+    ImGui::Separator();
 }
 
 }  // namespace
 
+void drawFind(Ui& ui) {
+    if (!ImGui::IsAnyItemActive()) ui.fields.atPress = ui.session().document.look;
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##find", "Find a parameter", &ui.fields.find);
+    place("find");
+    const std::string wanted = lower(ui.fields.find);
+    if (wanted.find_first_not_of(' ') != std::string::npos) drawFound(ui, wanted);
+}
+
 void drawGroups(Ui& ui) {
-    Look& look = ui.session().document.look;
+    Session& session = ui.session();
+    Look& look = session.document.look;
     std::string group;
     bool open = false;
     for (const Parameter& row : lookTable()) {
@@ -25,7 +87,7 @@ void drawGroups(Ui& ui) {
             group = row.group;
             open = beginGroup(group);
         }
-        if (open && applies(row, look)) parameterWidget(row, look);
+        if (open && applies(row, look)) parameterWidget(row, look, session.presetLook);
     }
 }
 

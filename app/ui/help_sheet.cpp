@@ -1,48 +1,109 @@
-// help_sheet.cpp: what mouse and keys do.
+// help_sheet.cpp: what mouse and keys do, in as many columns as the window has room for.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
-#include <utility>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "app/ui/actions.h"
 #include "app/ui/panels.h"
+#include "app/ui/places.h"
 
 namespace neph::ui {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 7> kMouse{{
-    {"Left drag", "Orbit"},
-    {"Middle drag, Shift+left", "Pan"},
-    {"Wheel, right drag", "Nearer, farther"},
-    {"Ctrl+click a slider", "Type a value"},
-    {"Double click a label", "Reset to default"},
-    {"Right click a parameter", "Reset, copy its id"},
-    {"Drop on the window", "Model output, or a preset"},
-}};
+constexpr float kColumnEms = 18.0f, kKeyEms = 7.2f;
+constexpr int kMostColumns = 4;
 
-void line(const char* what, const char* does) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", what);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(does);
+struct Line {
+    std::string what;  ///< mouse or key; empty: a heading
+    std::string does;
+};
+using Section = std::vector<Line>;
+
+Section mouse() {
+    return {{"", "Mouse"},
+            {"Left drag", "Orbit"},
+            {"Middle drag, Shift+left", "Pan"},
+            {"Wheel, right drag", "Nearer, farther"},
+            {"Ctrl+click a slider", "Type a value"},
+            {"Double click a label", "Back to the preset"},
+            {"Right click", "Reset, copy, paste"},
+            {"Drop a file", "Open data or a preset"}};
+}
+
+std::string chordsOf(const Action& action) {
+    const std::string other = chordText(action.other);
+    return chordText(action.chord) + (other.empty() ? "" : ", " + other);
+}
+
+std::vector<Section> sections() {
+    std::vector<Section> all{mouse()};
+    for (int i = 0; i < kMenuCount; ++i) {
+        const auto menu = static_cast<Menu>(i);
+        Section section{{"", std::string(menuName(menu))}};
+        for (const Action& action : actions()) {
+            if (action.menu != menu || action.chord.key == Key::none) continue;
+            section.push_back({chordsOf(action), std::string(action.label)});
+        }
+        if (section.size() > 1) all.push_back(std::move(section));
+    }
+    return all;
+}
+
+void drawLine(const Line& line, float left) {
+    if (line.what.empty()) {
+        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", line.does.c_str());
+        return;
+    }
+    ImGui::TextDisabled("%s", line.what.c_str());
+    const float after = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
+    ImGui::SameLine(
+        std::max(left + kKeyEms * ImGui::GetFontSize(), after + ImGui::GetStyle().ItemSpacing.x));
+    ImGui::TextUnformatted(line.does.c_str());
+}
+
+/// Sections one below the other; a new column where the one before is full.
+void drawSections(const std::vector<Section>& all, int columns) {
+    std::size_t lines = 0;
+    for (const Section& section : all) lines += section.size() + 1;
+    const std::size_t full =
+        (lines + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+    const float width = kColumnEms * ImGui::GetFontSize();
+    const float left = ImGui::GetCursorPosX();
+    std::size_t used = 0;
+    int column = 0;
+    ImGui::BeginGroup();
+    for (const Section& section : all) {
+        if (used > 0 && used + section.size() / 2 > full && column + 1 < columns) {
+            ++column;
+            used = 0;
+            ImGui::EndGroup();
+            ImGui::SameLine(left + static_cast<float>(column) * width);
+            ImGui::BeginGroup();
+        }
+        const float start = left + static_cast<float>(column) * width;
+        for (const Line& line : section) drawLine(line, start);
+        ImGui::Dummy({width - ImGui::GetFontSize(), 0.5f * ImGui::GetTextLineHeight()});
+        used += section.size() + 1;
+    }
+    ImGui::EndGroup();
 }
 
 }  // namespace
 
 void drawHelp(Ui& ui) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 room{display.x - 2.0f * em, display.y - 2.0f * em};
+    const int columns = std::clamp(static_cast<int>(room.x / (kColumnEms * em)), 1, kMostColumns);
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, room);
     const auto flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-    if (ImGui::Begin("Mouse and keys", &ui.showHelp, flags) && ImGui::BeginTable("##help", 2)) {
-        for (const auto& [what, does] : kMouse) line(what, does);
-        for (const Action& action : actions()) {
-            if (action.chord.key == Key::none) continue;
-            line(chordText(action.chord).c_str(), std::string(action.label).c_str());
-        }
-        ImGui::EndTable();
-    }
+    if (ImGui::Begin("Mouse and keys", &ui.showHelp, flags)) drawSections(sections(), columns);
     ImGui::End();
 }
 

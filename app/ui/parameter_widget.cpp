@@ -1,4 +1,4 @@
-// parameter_widget.cpp: sliders work on the value as shown on screen and store SI.
+// parameter_widget.cpp: label, mark, tooltip and menu around the editor of a row.
 #include "app/ui/parameter_widget.h"
 
 #include <fmt/format.h>
@@ -6,7 +6,12 @@
 
 #include <algorithm>
 
+#include "app/ui/colour_editor.h"
 #include "app/ui/format.h"
+#include "app/ui/number_slider.h"
+#include "app/ui/places.h"
+#include "core/choice_help.h"
+#include "core/error.h"
 
 namespace neph::ui {
 namespace {
@@ -15,72 +20,118 @@ constexpr float kLabelShare = 0.42f;  // of the line
 constexpr float kTooltipEms = 26.0f;  // width of a tooltip in letters
 constexpr double kTooltipDelayS = 0.35;
 constexpr std::size_t kMaxButtons = 3;  // choices shown side by side; more make a list
+constexpr float kMarkEms = 0.14f, kMarkGapEms = 0.28f;
 
-/// Shown once the mouse has rested on the last item for a while, and not while it is being dragged.
-void tooltip(const Parameter& row) {
-    static const Parameter* rested = nullptr;
+/// Whether the mouse has rested on the last item for a while, and does not drag.
+bool rested(const Parameter& row) {
+    static const Parameter* last = nullptr;
     static double since = 0.0;
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
     const bool moved = ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f;
-    if (rested != &row || moved || ImGui::IsAnyItemActive()) {
-        rested = &row;
+    if (last != &row || moved || ImGui::IsAnyItemActive()) {
+        last = &row;
         since = ImGui::GetTime();
     }
-    if (ImGui::GetTime() - since < kTooltipDelayS) return;
+    return ImGui::GetTime() - since >= kTooltipDelayS;
+}
+
+void listChoices(const Parameter& row, const Look& look) {
+    const int chosen = std::get<int>(valueOf(look, row));
+    ImGui::Spacing();
+    for (int i = 0; i < static_cast<int>(row.choices.size()); ++i) {
+        const std::string_view help = choiceHelp(row, i);
+        if (help.empty()) continue;
+        const std::string text =
+            fmt::format("{}: {}", row.choiceLabels[static_cast<std::size_t>(i)], help);
+        const ImGuiCol colour = i == chosen ? ImGuiCol_CheckMark : ImGuiCol_Text;
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(colour));
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
+void tooltip(const Parameter& row, const Look& look, const Look& preset) {
+    if (!rested(row)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipEms);
-    ImGui::TextUnformatted(tooltipOf(row).c_str());
+    ImGui::Text("%s: %s", row.group.c_str(), row.label.c_str());
+    ImGui::Separator();
+    ImGui::TextUnformatted(row.help.c_str());
+    if (row.kind == ParameterKind::choice) listChoices(row, look);
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(factsOf(row, preset).c_str());
+    ImGui::TextUnformatted(row.id.c_str());
+    ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-bool reset(const Parameter& row, Look& look) {
-    const ParameterValue standard = defaultOf(row);
-    if (valueOf(look, row) == standard) return false;
-    setValue(look, row, standard);
+bool assign(const Parameter& row, Look& look, const ParameterValue& value) {
+    if (valueOf(look, row) == value) return false;
+    setValue(look, row, value);
     return true;
 }
 
-/// Menu on right click on the last item.
-bool resetMenu(const Parameter& row, Look& look) {
+bool resetItem(const char* label, const Parameter& row, Look& look, const ParameterValue& value) {
+    const bool other = valueOf(look, row) != value;
+    return ImGui::MenuItem(label, screenText(row, value).c_str(), false, other) &&
+           assign(row, look, value);
+}
+
+bool pasteItem(const Parameter& row, Look& look) {
+    const char* held = ImGui::GetClipboardText();
     bool changed = false;
-    if (ImGui::BeginPopupContextItem("##menu")) {
-        if (ImGui::MenuItem("Reset to default")) changed = reset(row, look);
-        if (ImGui::MenuItem("Copy id")) ImGui::SetClipboardText(row.id.c_str());
-        if (ImGui::MenuItem("Copy id=value")) {
-            const std::string text = row.id + "=" + formatValue(row, valueOf(look, row));
-            ImGui::SetClipboardText(text.c_str());
+    try {
+        const ParameterValue value = pastedValue(row, held == nullptr ? "" : held);
+        if (ImGui::MenuItem("Paste value", screenText(row, value).c_str())) {
+            changed = assign(row, look, value);
         }
-        ImGui::EndPopup();
+    } catch (const Error& error) {
+        ImGui::MenuItem("Paste value", nullptr, false, false);
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+            ImGui::SetTooltip("%s", error.message().c_str());
+        }
     }
     return changed;
 }
 
-ImGuiSliderFlags flagsOf(const Parameter& row) {
-    return ImGuiSliderFlags_AlwaysClamp | (row.range.log ? ImGuiSliderFlags_Logarithmic : 0);
+/// Menu on right click on the last item.
+bool menu(const Parameter& row, Look& look, const Look& preset) {
+    if (!ImGui::BeginPopupContextItem("##menu")) return false;
+    bool changed = resetItem("Reset to the preset", row, look, valueOf(preset, row));
+    place("menu.preset");
+    changed |= resetItem("Reset to the default", row, look, defaultOf(row));
+    place("menu.default");
+    ImGui::Separator();
+    if (ImGui::MenuItem("Copy id", row.id.c_str())) ImGui::SetClipboardText(row.id.c_str());
+    const std::string pair = row.id + "=" + formatValue(row, valueOf(look, row));
+    if (ImGui::MenuItem("Copy id=value")) ImGui::SetClipboardText(pair.c_str());
+    changed |= pasteItem(row, look);
+    place("menu.paste");
+    ImGui::EndPopup();
+    return changed;
 }
 
 bool editNumber(const Parameter& row, Look& look) {
-    const double before = static_cast<double>(std::get<float>(valueOf(look, row)));
-    auto shown = static_cast<float>(before * row.displayScale);
-    const auto lo = static_cast<float>(row.range.lo * row.displayScale);
-    const auto hi = static_cast<float>(row.range.hi * row.displayScale);
-    if (!ImGui::SliderFloat("##value", &shown, lo, hi, sliderFormat(row).c_str(), flagsOf(row))) {
+    const ParameterValue before = valueOf(look, row);
+    const bool whole = row.kind == ParameterKind::integer;
+    const double si = whole ? static_cast<double>(std::get<int>(before))
+                            : static_cast<double>(std::get<float>(before));
+    double shown = si * row.displayScale;
+    const NumberRange range{row.range.lo * row.displayScale, row.range.hi * row.displayScale,
+                            row.range.log, whole};
+    if (!numberSlider("##value", shown, range, screenText(row, before), unitSuffix(row))) {
         return false;
     }
-    const double si = static_cast<double>(shown) / row.displayScale;
-    setValue(look, row, static_cast<float>(std::clamp(si, row.range.lo, row.range.hi)));
-    return true;
+    const double wanted = std::clamp(shown / row.displayScale, row.range.lo, row.range.hi);
+    if (whole) return assign(row, look, static_cast<int>(wanted));
+    return assign(row, look, static_cast<float>(wanted));
 }
 
-bool editInteger(const Parameter& row, Look& look) {
-    int value = std::get<int>(valueOf(look, row));
-    const int lo = static_cast<int>(row.range.lo), hi = static_cast<int>(row.range.hi);
-    if (!ImGui::SliderInt("##value", &value, lo, hi, sliderFormat(row).c_str(), flagsOf(row))) {
-        return false;
-    }
-    setValue(look, row, std::clamp(value, lo, hi));
-    return true;
+void choiceTooltip(const Parameter& row, int choice) {
+    const std::string help(choiceHelp(row, choice));
+    if (!help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help.c_str());
 }
 
 /// Buttons side by side, the chosen one lit.
@@ -109,6 +160,7 @@ int chooseFromList(const Parameter& row, int chosen) {
     for (int i = 0; i < static_cast<int>(row.choiceLabels.size()); ++i) {
         const std::string label(row.choiceLabels[static_cast<std::size_t>(i)]);
         if (ImGui::Selectable(label.c_str(), i == chosen)) chosen = i;
+        choiceTooltip(row, i);
     }
     ImGui::EndCombo();
     return chosen;
@@ -131,37 +183,28 @@ bool editChoice(const Parameter& row, Look& look) {
     const int after =
         fitsOnButtons(row) ? chooseByButton(row, before) : chooseFromList(row, before);
     ImGui::EndGroup();
-    if (after == before) return false;
-    setValue(look, row, after);
-    return true;
+    return assign(row, look, after);
 }
 
 bool editToggle(const Parameter& row, Look& look) {
     bool value = std::get<bool>(valueOf(look, row));
-    if (!ImGui::Checkbox("##value", &value)) return false;
-    setValue(look, row, value);
-    return true;
+    return ImGui::Checkbox("##value", &value) && assign(row, look, value);
 }
 
 bool editColour(const Parameter& row, Look& look) {
     auto colour = std::get<glm::vec3>(valueOf(look, row));
-    const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs |
-                                      ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoOptions;
-    if (!ImGui::ColorEdit3("##value", &colour.x, flags)) return false;
-    setValue(look, row, glm::clamp(colour, 0.0f, 1.0f));
-    return true;
+    return colourEditor("##value", colour) && assign(row, look, colour);
 }
 
 bool edit(const Parameter& row, Look& look) {
     switch (row.kind) {
         case ParameterKind::toggle:
             return editToggle(row, look);
-        case ParameterKind::integer:
-            return editInteger(row, look);
         case ParameterKind::choice:
             return editChoice(row, look);
         case ParameterKind::colour:
             return editColour(row, look);
+        case ParameterKind::integer:
         case ParameterKind::number:
             break;
     }
@@ -170,37 +213,50 @@ bool edit(const Parameter& row, Look& look) {
 
 }  // namespace
 
-bool parameterEditor(const Parameter& row, Look& look) {
+bool parameterExtras(const Parameter& row, Look& look, const Look& preset) {
     ImGui::PushID(row.id.c_str());
-    bool changed = edit(row, look);
-    changed |= resetMenu(row, look);
-    tooltip(row);
+    const bool changed = menu(row, look, preset);
+    tooltip(row, look, preset);
     ImGui::PopID();
     return changed;
 }
 
-bool parameterWidget(const Parameter& row, Look& look) {
+bool parameterEditor(const Parameter& row, Look& look, const Look& preset) {
+    ImGui::PushID(row.id.c_str());
+    const bool changed = edit(row, look);
+    ImGui::PopID();
+    place(row.id);
+    return parameterExtras(row, look, preset) || changed;
+}
+
+void changedMark(const Parameter& row, const Look& look, const Look& preset) {
+    if (valueOf(look, row) == valueOf(preset, row)) return;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        {at.x - kMarkGapEms * em, at.y + ImGui::GetFrameHeight() / 2.0f}, kMarkEms * em,
+        ImGui::GetColorU32(ImGuiCol_CheckMark));
+}
+
+bool parameterWidget(const Parameter& row, Look& look, const Look& preset) {
     const float line = ImGui::GetContentRegionAvail().x;
     const float start = ImGui::GetCursorPosX();
-    const bool standard = valueOf(look, row) == defaultOf(row);
     ImGui::PushID(row.id.c_str());
     ImGui::PushID("label");
+    changedMark(row, look, preset);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          ImGui::GetColorU32(ImGuiCol_Text, standard ? 0.75f : 1.0f));
     ImGui::TextUnformatted(row.label.c_str());
-    ImGui::PopStyleColor();
+    place(row.id + ":label");
     bool changed = false;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        changed = reset(row, look);
+        changed = assign(row, look, valueOf(preset, row));
     }
-    changed |= resetMenu(row, look);
-    tooltip(row);
+    changed |= parameterExtras(row, look, preset);
     ImGui::PopID();
     ImGui::PopID();
     ImGui::SameLine(start + line * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);
-    changed |= parameterEditor(row, look);
+    changed |= parameterEditor(row, look, preset);
     return changed;
 }
 

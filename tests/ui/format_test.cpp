@@ -3,23 +3,30 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/text.h"
+#include "core/number_text.h"
 
 using namespace neph;
 
-TEST_CASE("Numbers carry their unit as a reader writes it") {
-    CHECK(ui::sliderFormat(parameter("cloud.effective_radius")) == "%.4g µm");
-    CHECK(ui::sliderFormat(parameter("cloud.density")) == "%.4g kg/m³");
-    CHECK(ui::sliderFormat(parameter("sun.azimuth")) == "%.4g°");
-    CHECK(ui::sliderFormat(parameter("cloud.mixing_scale")) == "%.4g");
-    CHECK(ui::sliderFormat(parameter("view.planes")) == "%d");
+TEST_CASE("Numbers are short and without powers of ten where people write none") {
+    CHECK(numberText(0.0) == "0");
+    CHECK(numberText(0.5) == "0.5");
+    CHECK(numberText(10000.0) == "10000");
+    CHECK(numberText(123456.0) == "123456");
+    CHECK(numberText(3.14159, 3) == "3.14");
+    CHECK(numberText(-0.012345) == "-0.01235");
+    CHECK(numberText(9.99996) == "10");
+    CHECK(numberText(2.5e-7) == "2.5e-07");
+    CHECK(numberText(3e9) == "3e+09");
 }
 
-TEST_CASE("A tooltip gives meaning, range and default in the units of the screen, and the id") {
-    const std::string tip = ui::tooltipOf(parameter("cloud.effective_radius"));
-    CHECK(contains(tip, parameter("cloud.effective_radius").help));
-    CHECK(contains(tip, "1 µm to 1e+04 µm"));
-    CHECK(contains(tip, "Default 10 µm"));
-    CHECK(contains(tip, "cloud.effective_radius"));
-    for (const Parameter& row : lookTable()) CHECK(contains(ui::tooltipOf(row), "Default "));
+TEST_CASE("A tooltip gives range, default and the preset's value in the units of the screen") {
+    const Parameter& radius = parameter("cloud.effective_radius");
+    Look preset;
+    CHECK(ui::factsOf(radius, preset) == "1 µm to 10000 µm · default 10 µm");
+    preset.of(Species::cloud).effectiveRadiusM = 12e-6f;
+    CHECK(ui::factsOf(radius, preset) == "1 µm to 10000 µm · default 10 µm · preset 12 µm");
+    CHECK(ui::factsOf(parameter("cloud.density"), Look{}) ==
+          "10 kg/m³ to 1000 kg/m³ · default 1000 kg/m³");
+    CHECK(ui::factsOf(parameter("sun.azimuth"), Look{}) == "0° to 360° · default 225°");
+    CHECK(ui::factsOf(parameter("view.engine"), Look{}) == "default March");
 }

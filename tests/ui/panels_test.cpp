@@ -27,7 +27,7 @@ bool drawParameter(Headless& gui, const Parameter& row, Look& look) {
         ImGui::SetNextWindowPos({0.0f, 0.0f});
         ImGui::SetNextWindowSize({300.0f, 100.0f});
         ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
-        changed = ui::parameterWidget(row, look);
+        changed = ui::parameterWidget(row, look, Look{});
         ImGui::End();
     });
     return changed;
@@ -209,7 +209,7 @@ TEST_CASE("No two actions share an id or a chord, and each says what it does") {
     }
     CHECK(ui::chordText({ui::Key::s, true, true}) == "Ctrl+Shift+S");
     CHECK(ui::chordText({ui::Key::f12}) == "F12");
-    CHECK(ui::chordText({ui::Key::pageDown}) == "Page Down");
+    CHECK(ui::chordText({ui::Key::pageDown}) == "PageDown");
 }
 
 TEST_CASE("Chords act where they are enabled and not otherwise") {
