@@ -7,7 +7,7 @@ build_packages=(
   libnetcdf-dev libopenexr-dev libpng-dev
   nlohmann-json3-dev libcli11-dev libfmt-dev
 )
-runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-dejavu-core)
+runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-roboto-unhinted fonts-dejavu-core)
 test_packages=(doctest-dev clang-format)
 sanitizer_packages=(clang libclang-rt-dev llvm)  # llvm: names and lines in the reports
 

@@ -131,6 +131,8 @@ bool isEnabled(const Action& action, const Ui& ui);
 const Action* findAction(std::string_view id);
 /// Runs it; false when there is none or it is not enabled.
 bool runAction(Ui& ui, std::string_view id);
+/// Whether a key that is pressed now is meant for what is typed into, a menu or a dialog.
+bool keyIsTaken(Chord chord);
 /// Runs the action of a chord; likewise.
 bool runChord(Ui& ui, Chord chord);
 

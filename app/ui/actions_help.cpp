@@ -11,12 +11,8 @@ const std::array kActions{
            .label = "Find a command...",
            .menu = Menu::help,
            .chord = {Key::p, true},
-           .help = "Type part of its name",
-           .run =
-               [](Ui& ui) {
-                   ui.palette = {};
-                   ui.palette.open = true;
-               }},
+           .help = "Or a parameter, by part of its name",
+           .run = [](Ui& ui) { ui.palette.open = true; }},
     Action{.id = "help.sheet",
            .label = "Mouse and keys",
            .menu = Menu::help,

@@ -19,9 +19,12 @@ void playOn(Ui& ui);              ///< moves on where something is played
 void drawTimeBar(Ui& ui);         ///< below the columns
 void drawStatus(Ui& ui);          ///< along the bottom
 void drawNotices(Ui& ui);         ///< loading, errors, empty states; messages when asked for
+void drawPalette(Ui& ui);         ///< finds actions and parameters
 void drawHelp(Ui& ui);            ///< the table of actions
 void drawHistory(Ui& ui);         ///< the list of steps
 void drawPathPopup(Ui& ui);       ///< asks for files to open
+void drawSessionDialogs(Ui& ui);  ///< data that have moved, what was opened lately
+void drawOutput(Ui& ui);          ///< the export dialogue and the export that runs
 void drawProfile(const Ui& ui);   ///< what the picture cost
 void drawCompare(Ui& ui);         ///< the line between two slots' pictures, and peeking
 

@@ -2,6 +2,7 @@
 #include "app/ui/ui.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // the stack of popups
 
 #include <algorithm>
 
@@ -56,6 +57,7 @@ void drawColumns(Ui& ui, const Layout& layout) {
     }
     if (!layout.right.empty()) {
         if (beginFixed("##right", layout.right.lower, layout.right.size())) {
+            drawFind(ui);
             drawPresets(ui);
             drawCamera(ui);
             drawGroups(ui);
@@ -67,6 +69,15 @@ void drawColumns(Ui& ui, const Layout& layout) {
     drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
     if (left == layout.left.empty()) openColumn(ui, true, left);
     if (right == layout.right.empty()) openColumn(ui, false, right);
+}
+
+/// A menu or dialog that was there before this frame is closed by Escape.
+void closeOnEscape(int popupsBefore) {
+    const int popups = GImGui->OpenPopupStack.Size;
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (escape && popups > 0 && popups == popupsBefore) {
+        ImGui::ClosePopupToLevel(popups - 1, true);
+    }
 }
 
 }  // namespace
@@ -87,6 +98,7 @@ bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
 }
 
 void draw(Ui& ui) {
+    const int popups = GImGui->OpenPopupStack.Size;
     playOn(ui);
     moveCamera(ui);
     const Layout layout = layoutOf(ui);
@@ -97,10 +109,15 @@ void draw(Ui& ui) {
         drawTimeBar(ui);
         drawStatus(ui);
     }
+    drawCompare(ui);
     if (ui.showProfile) drawProfile(ui);
     drawNotices(ui);
     drawPathPopup(ui);
+    drawPresetDialogs(ui);
+    drawHistory(ui);
     if (ui.showHelp) drawHelp(ui);
+    drawPalette(ui);
+    closeOnEscape(popups);
 }
 
 }  // namespace neph::ui
