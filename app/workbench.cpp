@@ -191,6 +191,7 @@ bool Workbench::giveWay() const {
 /// Draws the panels where they have waited long enough and there is something for them to see. A
 /// picture that takes long lags behind; panels do not.
 double Workbench::panelsTurn() {
+    autosave_.tick(ui_.services.state, Clock::now());  // a picture may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
     if (!host_.inputWaits() && !ui_.animates) return 0.0;
     const auto start = Clock::now();
