@@ -10,7 +10,8 @@
 #include <optional>
 
 #include "core/memory_setting.h"
-#include "core/preset.h"
+#include "core/preset_difference.h"
+#include "core/preset_files.h"
 #include "core/session.h"
 #include "core/settings.h"
 
@@ -47,25 +48,44 @@ std::optional<glm::dvec2> parsePair(std::string_view text) {
     return pair;
 }
 
-void applyPreset(const SceneOptions& options, Scene& scene) {
-    const std::vector<PresetEntry> known = listPresets();
-    const bool hasDefault = std::any_of(known.begin(), known.end(),
-                                        [](const auto& entry) { return entry.name == "default"; });
-    if (options.preset.empty() && !hasDefault) return;
-    const std::filesystem::path file =
-        findPreset(options.preset.empty() ? "default" : options.preset);
-    LoadedPreset loaded = loadPreset(file);
-    scene.presetName = file.stem().string();
-    scene.document.look = loaded.preset.look;
-    if (loaded.preset.camera) scene.document.camera = *loaded.preset.camera;
-    scene.warnings = std::move(loaded.warnings);
+/// Takes over `parts` of a preset.
+void applyPreset(const std::string& nameOrFile, PresetParts parts, Scene& scene) {
+    const std::filesystem::path file = findPreset(nameOrFile);
+    const LoadedPreset loaded = loadPreset(file);
+    scene.presetName = presetNameOf(file.string());
+    takeOver(loaded.preset, parts, scene.document.look, scene.document.camera);
+    scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+}
+
+PresetParts partsOf(const SceneOptions& options) {
+    if (options.parts.empty()) return kPresetAll;
+    if (options.preset.empty()) {
+        throw UsageError({"--parts", "is of a preset", "", "--preset NAME", ""});
+    }
+    try {
+        return parsePresetParts(options.parts);
+    } catch (const Error& error) {
+        ErrorParts parts = error.parts();
+        parts.where = "--parts " + options.parts;
+        throw UsageError(parts);
+    }
+}
+
+/// The preset of the options, upon the standard one where it is not taken as a whole.
+void applyPresets(const SceneOptions& options, bool started, Scene& scene) {
+    const PresetParts parts = partsOf(options);
+    const bool whole = !options.preset.empty() && parts == kPresetAll;
+    if (!started && !whole && presetNameUse("default") != PresetNameUse::free) {
+        applyPreset("default", kPresetAll, scene);
+    }
+    if (!options.preset.empty()) applyPreset(options.preset, parts, scene);
 }
 
 }  // namespace
 
-Scene makeScene(const SceneOptions& options) {
-    Scene scene;
-    applyPreset(options, scene);
+Scene makeScene(const SceneOptions& options, const std::optional<Scene>& start) {
+    Scene scene = start.value_or(Scene{});
+    applyPresets(options, start.has_value(), scene);
     for (const std::string& assignment : options.assignments) {
         try {
             applyAssignment(scene.document.look, assignment);

@@ -24,11 +24,13 @@ struct SceneOptions {
     std::vector<std::string> files;        ///< files or folders; none for the bundled storm
     std::vector<std::string> readers;      ///< libraries or folders, before those found elsewhere
     std::string preset;                    ///< name or file; empty for `default`
+    std::string parts;                     ///< of it, as parsePresetParts; empty for all
     std::vector<std::string> assignments;  ///< id=value
     std::string camera;                    ///< preset name or file; empty for the preset's
     std::string time;                      ///< INDEX, a:b or all; empty for the default time
     std::string region;                    ///< as parseRegion; empty for the whole domain
     std::string memory;                    ///< as parseMemory; empty for what is remembered
+    std::string script;                    ///< of the workbench: a file of commands to play
 };
 
 struct Scene {
@@ -37,8 +39,9 @@ struct Scene {
     std::vector<std::string> warnings;
 };
 
-/// Look and camera of the options; the time is left at 0. Throws Error or UsageError.
-Scene makeScene(const SceneOptions& options);
+/// Look and camera of the options, upon those of `start` where given; the time is left as it is.
+/// Throws Error or UsageError.
+Scene makeScene(const SceneOptions& options, const std::optional<Scene>& start = {});
 
 /// Indices named by `text`: a number (negative counts from the end), a:b (both included), all, or
 /// empty for the default time. Throws UsageError naming the times there are.

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <vector>
 
-#include "app/cli/render_command.h"
+#include "app/cli/render_options.h"
 #include "app/scene.h"
 #include "core/upsample.h"
 

@@ -13,9 +13,11 @@
 #include "app/cli/presets_command.h"
 #include "app/cli/readers_command.h"
 #include "app/cli/render_command.h"
+#include "app/cli/thumbnails_command.h"
 #include "app/workbench.h"
 #include "core/names.h"
 #include "core/resources.h"
+#include "core/session_file.h"
 
 namespace neph {
 namespace {
@@ -27,6 +29,8 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope render wrfout_d01 --time all --out storm.png --preset fig06-physical
   nephoscope render --out storm.exr --set cloud.mixing_scale=0.5 --set sun.elevation=10
   nephoscope render wrfout_d01 --region 20:60,30:70 --memory 2GiB --out core.png
+  nephoscope render --session s.nephoscope.json --along-path --out flight.mp4
+  nephoscope render --preset fig06-physical --preset-b fig05-equal-extinction --out ab.png
   nephoscope presets show default > mine.json       a preset to edit
   nephoscope info wrfout_d01 --json                 what is in a file
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
@@ -34,11 +38,12 @@ Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
 
 struct Arguments {
     SceneOptions workbench;
+    std::string session;
     RenderOptions render;
     InfoOptions info;
     BenchOptions bench;
-    std::string preset;
-    std::vector<std::string> presets;
+    ThumbnailOptions thumbnails;
+    PresetsOptions presets;
     std::vector<std::string> readers;
 };
 
@@ -58,6 +63,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
                        "Files of one series, or a folder; none: the bundled storm");
     command.add_option("--preset", options.preset, "Preset, by name or file")
         ->type_name("NAME|FILE");
+    command
+        .add_option("--parts", options.parts, "Of the preset: fields,light,view,camera; else all")
+        ->type_name("LIST");
     command.add_option("--set", options.assignments, "Set one parameter; may be repeated")
         ->type_name("ID=VALUE")
         ->allow_extra_args(false);
@@ -71,11 +79,33 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
     addReaderOption(command, options.readers);
 }
 
+/// Where the picture starts from, where the camera goes, and what is beside it.
+void addSessionOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("--session", options.session, "Start from what a session file holds")
+        ->type_name("FILE");
+    command.add_option("--slot", options.slot, "Of the session; else the one last edited")
+        ->type_name("1|2");
+    command.add_option("--path", options.path, "Pictures along a camera path")->type_name("FILE");
+    command.add_flag("--along-path", options.alongPath, "Along the camera path of the session");
+    command.add_option("--fps", options.fps, "Pictures a second, of films and paths")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--frames", options.frames, "Pictures along the path; else as --fps says")
+        ->type_name("N");
+    command.add_flag("--compare", options.compare.slots, "Both slots of the session side by side");
+    command.add_option("--preset-b", options.compare.preset, "Beside the picture: another preset")
+        ->type_name("NAME|FILE");
+    command.add_option("--time-b", options.compare.time, "Beside the picture: another time")
+        ->type_name("INDEX");
+    command.add_option("--split", options.compare.splitAt, "Share of the width for the first")
+        ->type_name("SHARE");
+}
+
 void addRender(CLI::App& app, RenderOptions& options) {
     CLI::App& command = *app.add_subcommand("render", "Render to a file; needs no display");
     addSceneOptions(command, options.scene);
-    command.add_option("--out,-o", options.out, "Picture to write")
-        ->type_name("P.png|P.exr")
+    command.add_option("--out,-o", options.out, "Picture to write, or film of all pictures")
+        ->type_name("P.png|P.exr|P.mp4")
         ->capture_default_str();
     command.add_option("--size", options.size, "In pixels")
         ->type_name("WxH")
@@ -92,20 +122,69 @@ void addRender(CLI::App& app, RenderOptions& options) {
         ->type_name("N");
     command.add_option("--format", options.format, "Pixels of an EXR: half or float")
         ->capture_default_str();
+    command.add_option("--supersample", options.supersample, "Rays a pixel, a side: 1 to 4")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--transparent", options.transparent, "Without sky and ground");
     command.add_flag("--profile", options.profile, "Tell the time of each pass, samples, memory");
+    command.add_flag("--progress", options.progress, "A JSON object a picture on stdout");
+    addSessionOptions(command, options);
 }
 
-void addPresets(CLI::App& app, Arguments& arguments) {
-    CLI::App& command = *app.add_subcommand("presets", "List, show and check presets");
+void addThumbnails(CLI::App& app, ThumbnailOptions& options) {
+    CLI::App& command = *app.add_subcommand("thumbnails", "Small pictures of presets");
+    command.add_option("--preset", options.presets, "Name or file; may be repeated; else all")
+        ->type_name("NAME|FILE")
+        ->allow_extra_args(false);
+    command.add_option("--out,-o", options.out, "Else where the preset browser looks for them")
+        ->type_name("FOLDER");
+    command.add_option("--size", options.size, "In pixels, with --out")->type_name("WxH");
+    command.add_flag("--progress", options.progress, "A JSON object a picture on stdout");
+}
+
+void addPresetFiles(CLI::App& presets, PresetsOptions& options) {
+    CLI::App& save = *presets.add_subcommand("save", "Save a look and camera as one of yours");
+    save.add_option("NAME", options.preset, "Its name")->required();
+    save.add_option("--preset", options.scene.preset, "To start from; else default")
+        ->type_name("NAME|FILE");
+    save.add_option("--set", options.scene.assignments, "Set one parameter; may be repeated")
+        ->type_name("ID=VALUE")
+        ->allow_extra_args(false);
+    save.add_option("--camera", options.scene.camera, "Camera of a preset, or a file with one")
+        ->type_name("NAME|FILE");
+    save.add_flag("--replace", options.replace, "Replace one of yours of that name");
+    CLI::App& duplicate = *presets.add_subcommand("duplicate", "Copy a preset to one of yours");
+    duplicate.add_option("PRESET", options.preset, "Name or file")->required();
+    duplicate.add_option("NAME", options.other, "Of the copy; else one that is free");
+    CLI::App& rename = *presets.add_subcommand("rename", "Rename one of yours");
+    rename.add_option("PRESET", options.preset, "Its name")->required();
+    rename.add_option("NAME", options.other, "Its new name")->required();
+    CLI::App& describe = *presets.add_subcommand("describe", "Other words for one of yours");
+    describe.add_option("PRESET", options.preset, "Its name")->required();
+    for (CLI::App* command : {&save, &describe}) {
+        command->add_option("--title", options.title, "One line")->type_name("TEXT");
+        command->add_option("--description", options.description, "More")->type_name("TEXT");
+    }
+    presets.add_subcommand("delete", "Move some of yours to the trash")
+        ->add_option("PRESET", options.several, "Names")
+        ->required();
+}
+
+void addPresets(CLI::App& app, PresetsOptions& options) {
+    CLI::App& command = *app.add_subcommand("presets", "List, show, compare and keep presets");
     command.require_subcommand(0, 1);
     command.add_subcommand("list", "List presets; what `presets` alone does");
     command.add_subcommand("show", "Print a whole preset as JSON")
-        ->add_option("PRESET", arguments.preset, "Name or file")
+        ->add_option("PRESET", options.preset, "Name or file")
         ->required();
     command.add_subcommand("check", "Check preset files")
-        ->add_option("FILE", arguments.presets, "Names or files")
+        ->add_option("FILE", options.several, "Names or files")
         ->required();
+    CLI::App& diff = *command.add_subcommand("diff", "In what two presets differ");
+    diff.add_option("A", options.preset, "Name or file")->required();
+    diff.add_option("B", options.other, "Name or file")->required();
     command.add_subcommand("parameters", "Print the reference of all parameters");
+    addPresetFiles(command, options);
 }
 
 void addOthers(CLI::App& app, Arguments& arguments) {
@@ -157,13 +236,6 @@ void addBench(CLI::App& app, BenchOptions& options) {
     addReaderOption(command, options.readers);
 }
 
-int runPresets(const CLI::App& command, const Arguments& arguments) {
-    if (command.got_subcommand("show")) return runPresetsShow(arguments.preset);
-    if (command.got_subcommand("check")) return runPresetsCheck(arguments.presets);
-    if (command.got_subcommand("parameters")) return runPresetsParameters();
-    return runPresetsList();
-}
-
 /// A file that is not there may be a command that was mistyped.
 void checkForCommand(const CLI::App& app, const SceneOptions& options) {
     if (options.files.empty() || std::filesystem::exists(options.files.front())) return;
@@ -179,12 +251,21 @@ void checkForCommand(const CLI::App& app, const SceneOptions& options) {
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("render")) return runRender(arguments.render);
+    if (app.got_subcommand("thumbnails")) return runThumbnails(arguments.thumbnails);
     if (app.got_subcommand("info")) return runInfo(arguments.info);
     if (app.got_subcommand("readers")) return runReaders(arguments.readers);
     if (app.got_subcommand("bench")) return runBench(arguments.bench);
-    if (app.got_subcommand("presets")) return runPresets(*app.get_subcommand("presets"), arguments);
+    if (app.got_subcommand("presets")) {
+        const auto chosen = app.get_subcommand("presets")->get_subcommands();
+        return runPresets(chosen.empty() ? "list" : chosen.front()->get_name(), arguments.presets);
+    }
     checkForCommand(app, arguments.workbench);
-    return runWorkbench(arguments.workbench);
+    SceneOptions workbench = arguments.workbench;
+    if (!arguments.session.empty()) {
+        loadSession(arguments.session);  // says now what is wrong with it
+        workbench.files = {arguments.session};
+    }
+    return runWorkbench(workbench);
 }
 
 /// What to try after bad usage: the option nearest to one that is not known, else the help of the
@@ -214,8 +295,13 @@ int parseAndRun(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("nephoscope {}", versionText()));
     app.require_subcommand(0, 1);
     addSceneOptions(app, arguments.workbench);
+    app.add_option("--session", arguments.session, "Open a session; FILE may be one as well")
+        ->type_name("FILE");
+    app.add_option("--script", arguments.workbench.script, "Commands to play into the window")
+        ->type_name("FILE");
     addRender(app, arguments.render);
-    addPresets(app, arguments);
+    addThumbnails(app, arguments.thumbnails);
+    addPresets(app, arguments.presets);
     addOthers(app, arguments);
     addBench(app, arguments.bench);
     app.footer(std::string(kExamples));  // after the commands, which would take it over

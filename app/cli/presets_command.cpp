@@ -1,4 +1,4 @@
-// presets_command.cpp: listing, showing and checking presets, and the parameter reference.
+// presets_command.cpp: presets listed, compared and kept, and the parameter reference.
 #include "app/cli/presets_command.h"
 
 #include <fmt/format.h>
@@ -7,7 +7,8 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/preset.h"
+#include "core/preset_difference.h"
+#include "core/preset_files.h"
 
 namespace neph {
 namespace {
@@ -31,27 +32,25 @@ std::string cell(const Parameter& row) {
                        plain ? "" : " ", plain ? "" : row.unit, row.help);
 }
 
-}  // namespace
-
-int runPresetsList() {
+int runList() {
     std::size_t width = 0;
     const std::vector<PresetEntry> entries = listPresets();
     for (const PresetEntry& entry : entries) width = std::max(width, entry.name.size());
     for (const PresetEntry& entry : entries) {
-        fmt::print("{:<{}}  {}{}\n", entry.name, width, entry.bundled ? "" : "(yours) ",
+        fmt::print("{:<{}}  {}  {}\n", entry.name, width, entry.bundled ? "bundled" : "yours  ",
                    titleOf(entry));
     }
     return 0;
 }
 
-int runPresetsShow(const std::string& nameOrFile) {
+int runShow(const std::string& nameOrFile) {
     const LoadedPreset loaded = loadPreset(findPreset(nameOrFile));
     for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
     fmt::print("{}", formatPreset(loaded.preset));
     return 0;
 }
 
-int runPresetsCheck(const std::vector<std::string>& files) {
+int runCheck(const std::vector<std::string>& files) {
     int status = 0;
     for (const std::string& file : files) {
         try {
@@ -67,6 +66,60 @@ int runPresetsCheck(const std::vector<std::string>& files) {
         }
     }
     return status;
+}
+
+int runDiff(const std::string& before, const std::string& after) {
+    const auto rows =
+        differences(loadPreset(findPreset(before)).preset, loadPreset(findPreset(after)).preset);
+    for (const PresetDifference& row : rows) fmt::print("{}\n", lineOf(row));
+    if (rows.empty()) fmt::print("no difference in look and camera\n");
+    return 0;
+}
+
+int runSave(const PresetsOptions& options) {
+    const Scene scene = makeScene(options.scene);
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    const auto file = saveOwnPreset(options.preset,
+                                    {options.title.value_or(""), options.description.value_or(""),
+                                     scene.document.look, scene.document.camera},
+                                    options.replace);
+    fmt::print("saved {}\n", file.string());
+    return 0;
+}
+
+int runDelete(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        fmt::print("{} is now {}\n", name, deletePreset(name).string());
+    }
+    return 0;
+}
+
+int runDescribe(const PresetsOptions& options) {
+    const Preset before = loadPreset(presetEntry(options.preset).file).preset;
+    describePreset(options.preset, {options.title.value_or(before.title),
+                                    options.description.value_or(before.description)});
+    return 0;
+}
+
+}  // namespace
+
+int runPresets(std::string_view subcommand, const PresetsOptions& options) {
+    if (subcommand == "show") return runShow(options.preset);
+    if (subcommand == "check") return runCheck(options.several);
+    if (subcommand == "diff") return runDiff(options.preset, options.other);
+    if (subcommand == "save") return runSave(options);
+    if (subcommand == "describe") return runDescribe(options);
+    if (subcommand == "delete") return runDelete(options.several);
+    if (subcommand == "duplicate") {
+        fmt::print("{}\n", duplicatePreset(options.preset, options.other));
+    } else if (subcommand == "rename") {
+        renamePreset(options.preset, options.other);
+    } else if (subcommand == "parameters") {
+        fmt::print("{}", parameterReference());
+    } else {
+        return runList();
+    }
+    return 0;
 }
 
 std::string parameterReference() {
@@ -85,11 +138,6 @@ std::string parameterReference() {
         page += cell(row);
     }
     return page;
-}
-
-int runPresetsParameters() {
-    fmt::print("{}", parameterReference());
-    return 0;
 }
 
 }  // namespace neph

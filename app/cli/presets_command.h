@@ -1,17 +1,27 @@
-// presets_command.h: `nephoscope presets`: what there is, what is in it, and whether it is right.
+// presets_command.h: `nephoscope presets`: what there is, what is in it, whether it is right, and
+// the user's own saved, copied, renamed and deleted.
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "app/scene.h"
 
 namespace neph {
 
-int runPresetsList();
-/// Prints the whole preset as JSON. Throws Error.
-int runPresetsShow(const std::string& nameOrFile);
-/// 0 when every file is right and knows no unknown keys, else 1 with what is wrong on stderr.
-int runPresetsCheck(const std::vector<std::string>& files);
-/// Prints the reference of all parameters, docs/parameters.md.
-int runPresetsParameters();
+struct PresetsOptions {
+    std::string preset;  ///< name or file
+    std::string other;   ///< to compare with, or a new name
+    std::vector<std::string> several;
+    std::optional<std::string> title, description;
+    bool replace = false;
+    SceneOptions scene;  ///< of what is saved
+};
+
+/// Carries out a subcommand: list, show, check, parameters, diff, save, duplicate, rename, describe
+/// or delete. Throws Error. `check` gives 1 where a file is wrong or has unknown keys.
+int runPresets(std::string_view subcommand, const PresetsOptions& options);
 
 /// The reference page, in Markdown, from the look table.
 std::string parameterReference();

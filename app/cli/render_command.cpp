@@ -1,214 +1,258 @@
-// render_command.cpp: opens, resamples, renders and writes, one time after the other.
+// render_command.cpp: one picture after the other is drawn and written, or handed to the film.
 #include "app/cli/render_command.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <cmath>
 #include <cstdio>
-#include <set>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "app/cli/bands.h"
+#include "app/cli/film.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/profile_text.h"
+#include "app/cli/progress_lines.h"
+#include "app/cli/render_sides.h"
+#include "app/cli/shots.h"
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
-#include "app/render/renderer.h"
 #include "core/atomic_file.h"
-#include "core/file_list.h"
-#include "core/held_volume.h"
-#include "core/plugin_host.h"
-#include "core/preset.h"
+#include "core/camera_format.h"
 #include "core/resources.h"
+#include "core/session_file.h"
 
 namespace neph {
 namespace {
-
-// Largest picture a side: what every OpenGL 4.5 driver takes as a texture.
-constexpr int kMaxSidePx = 16384;
-constexpr int kMaxSamples = 1024;
-
-enum class FileKind { png, exr };
-
-FileKind kindOf(const std::filesystem::path& out) {
-    const std::string extension = out.extension().string();
-    if (extension == ".png") return FileKind::png;
-    if (extension == ".exr") return FileKind::exr;
-    throw UsageError({"--out " + out.string(), "the kind of file is not known",
-                      extension.empty() ? "no extension" : extension, ".png or .exr", ""});
-}
-
-void checkOptions(const RenderOptions& options) {
-    kindOf(options.out);
-    if (options.samples < 1 || options.samples > kMaxSamples) {
-        throw UsageError({"--samples", "is outside its range", std::to_string(options.samples),
-                          fmt::format("a whole number from 1 to {}", kMaxSamples), ""});
-    }
-    if (options.format != "half" && options.format != "float") {
-        throw UsageError({"--format", "is not known", options.format, "half or float", ""});
-    }
-    parseSize(options.size);
-    checkReplaceable(options.out);  // now rather than after the work
-}
-
-/// Sets a parameter as an option of its own says, if it does. As part of the look, so that the look
-/// in the metadata renders the same picture again.
-void apply(Look& look, std::string_view id, std::string_view option, const std::string& text) {
-    if (text.empty()) return;
-    try {
-        const Parameter& row = parameter(id);
-        setValue(look, row, parseValue(row, text));
-    } catch (const Error& error) {
-        ErrorParts parts = error.parts();
-        parts.where = option;
-        throw UsageError(parts);
-    }
-}
-
-void applyOptions(const RenderOptions& options, Look& look) {
-    apply(look, "view.engine", "--engine", options.engine);
-    apply(look, "view.quality", "--quality", options.quality);
-    apply(look, "view.planes", "--planes", options.planes);
-}
-
-/// What all times of one command share.
-struct Run {
-    const RenderOptions& options;
-    const Scene& scene;
-    Dataset& dataset;
-    const VolumeRequest& request;
-    render::Renderer& renderer;
-    std::set<std::string> said{};  ///< notes: what holds for all times is told once
-
-    const DatasetInfo& info() const { return dataset.info(); }
-    const Look& look() const { return scene.document.look; }
-    /// Slicing draws the same picture every time.
-    int samples() const { return look().engine == Engine::march ? options.samples : 1; }
-};
-
-/// How the picture was made: "march, 512 steps, 8 samples".
-std::string workText(const Run& run, const render::FrameStats& stats) {
-    if (run.look().engine == Engine::slicing)
-        return fmt::format("slicing, {} planes", stats.planes);
-    return fmt::format("march, {} steps, {} sample{}", stats.planes, run.samples(),
-                       run.samples() == 1 ? "" : "s");
-}
-
-Metadata describe(const Run& run, const HeldVolume& held, const TimeInfo& time,
-                  const render::FrameStats& stats) {
-    const Scene& scene = run.scene;
-    const std::string plan = neph::describe(held.summary.plan, run.info());
-    const CameraPose& pose = scene.document.camera;
-    const Preset preset{scene.presetName, "", run.look(), pose};
-    return {
-        {"Software", fmt::format("Nephoscope {}", versionText())},
-        {"nephoscope.preset", scene.presetName},
-        {"nephoscope.camera",
-         fmt::format("target {},{},{} distance {} azimuth {} elevation {} fov {}", pose.target.x,
-                     pose.target.y, pose.target.z, pose.distance, pose.azimuthDeg,
-                     pose.elevationDeg, pose.fovDeg)},
-        {"nephoscope.look", formatPreset(preset)},
-        {"nephoscope.data",
-         fmt::format("{}; {}; file {}; time {}; reader {}", run.info().model, run.info().scheme,
-                     time.file.filename().string(), held.volume.timeLabel, run.info().reader)},
-        {"nephoscope.resolution", plan.empty() ? "full" : plan},
-        {"nephoscope.renderer",
-         fmt::format("{}, {}", workText(run, stats), run.renderer.deviceName())},
-    };
-}
-
-void write(const RenderOptions& options, const std::filesystem::path& out,
-           const render::Renderer& renderer, const Metadata& metadata) {
-    if (kindOf(out) == FileKind::png) {
-        writePng(out, renderer.readDisplay(), metadata);
-    } else {
-        writeExr(out, renderer.readLinear(), metadata,
-                 options.format == "float" ? ExrPixels::full : ExrPixels::half);
-    }
-}
 
 void printAll(std::string_view kind, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) fmt::print(stderr, "{}: {}\n", kind, line);
 }
 
-void sayOnce(Run& run, const std::string& note) {
-    if (!note.empty() && run.said.insert(note).second) printAll("note", {note});
-}
+/// What all pictures of one command share.
+class Run {
+  public:
+    Run(const RenderOptions& options, Progress goesOn);
+    void all();
 
-/// All samples of a picture; the time is that of all.
-render::FrameStats drawSamples(Run& run, render::FrameInputs inputs) {
-    render::FrameStats stats = run.renderer.render(inputs);
-    while (++inputs.sample < run.samples()) {
-        addSample(stats, run.renderer.render(inputs));
+  private:
+    DrawnSide drawn(std::size_t index, const Shot& shot);
+    Bands bandsOf(const Shot& shot);
+    int timeOf(std::size_t index, const Shot& shot) const;
+    Metadata describe(const Shot& shot, const Bands& bands) const;
+    CameraPose poseOf(std::size_t index, const Shot& shot) const;
+    void write(const Shot& shot, Bands& bands);
+    void picture(const Shot& shot, const std::function<void(Bands&)>& take,
+                 const std::filesystem::path& file);
+    int samples(std::size_t index) const {
+        return sides_[index]->look().engine == Engine::march ? options_.samples : 1;
     }
-    return stats;
+    std::string workText(std::size_t index, const render::FrameStats& stats) const;
+
+    const RenderOptions& options_;
+    Progress goesOn_;
+    std::optional<CameraPath> path_;
+    double splitAt_ = 0.5;
+    gl::HeadlessContext context_;
+    std::vector<std::unique_ptr<Side>> sides_;
+    std::vector<Shot> shots_;
+    glm::ivec2 sizePx_{0};
+    std::optional<ProgressLines> progress_;
+};
+
+/// The camera path that is asked for.
+std::optional<CameraPath> pathOf(const RenderOptions& options, const SideScene& first,
+                                 std::vector<std::string>& warnings) {
+    std::optional<CameraPath> path;
+    if (!options.path.empty()) {
+        path = loadCameraPath(options.path, warnings);
+    } else if (options.alongPath) {
+        path = first.scene.document.path;
+    }
+    if (!path || !path->keys.empty()) return path;
+    throw Error({.where = options.path.empty() ? options.session : options.path,
+                 .what = "there is no camera path",
+                 .found = "no keys",
+                 .hint = "set keys in the camera panel, or write them"});
 }
 
-/// One time: read, render, write, and say so.
-void renderTime(Run& run, int time, bool several) {
-    const HeldVolume held = readVolume(run.dataset, time, run.request);
-    for (const std::string& note : held.volume.notes) sayOnce(run, note);
-    sayOnce(run, neph::describe(held.summary.plan, run.info()));
-    run.renderer.setVolume(held.volume);
+Run::Run(const RenderOptions& options, Progress goesOn)
+    : options_(options), goesOn_(std::move(goesOn)) {
+    std::vector<std::string> warnings;
+    std::optional<SessionState> session;
+    if (!options.session.empty()) session = loadSession(options.session, warnings);
+    std::vector<SideScene> scenes = sideScenes(options, session);
+    if (session) splitAt_ = static_cast<double>(session->splitAt);
+    if (!options.compare.splitAt.empty()) splitAt_ = parseSplit(options.compare.splitAt);
+    path_ = pathOf(options, scenes.front(), warnings);
+    MemoryBudget budget =
+        chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
+    budget.gpu /= scenes.size();
+    budget.machine /= scenes.size();
+    for (SideScene& scene : scenes) {
+        warnings.insert(warnings.end(), scene.scene.warnings.begin(), scene.scene.warnings.end());
+    }
+    printAll("warning", warnings);
+    const bool allTimes = path_ && path_->withTime && options.scene.time.empty();
+    for (SideScene& scene : scenes) {
+        if (allTimes && scene.options.time.empty()) scene.options.time = "all";
+        sides_.push_back(std::make_unique<Side>(std::move(scene), budget, goesOn_));
+        printAll("note", sides_.back()->newNotes());
+    }
+    shots_ = planShots(options, path_, sides_.front()->times());
+    sizePx_ = parseSize(options.size);
+    if (kindOf(options.out) == FileKind::mp4 && filmSize(sizePx_) != sizePx_) {
+        sizePx_ = filmSize(sizePx_);
+        printAll("note", {fmt::format("a film has even sides: {}x{}", sizePx_.x, sizePx_.y)});
+    }
+    progress_.emplace(options.progress, shots_.size());
+}
+
+/// B follows A through the times, unless it has one of its own.
+int Run::timeOf(std::size_t index, const Shot& shot) const {
+    if (index == 0) return shot.time;
+    const Side& side = *sides_[index];
+    const bool own = !options_.compare.time.empty() ||
+                     (options_.compare.slots && shots_.size() == 1 && options_.scene.time.empty());
+    return own ? side.times().front()
+               : std::min(shot.time, static_cast<int>(side.info().times.size()) - 1);
+}
+
+CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
+    const Side& side = *sides_[index];
+    if (shot.pathS) return poseAt(*path_, side.shown().grid, *shot.pathS);
+    return sides_[side.what().ownCamera ? index : 0]->what().scene.document.camera;
+}
+
+DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
+    Side& side = *sides_[index];
+    side.show(timeOf(index, shot), goesOn_);
+    printAll("note", side.newNotes());
+    DrawnSide drawn;
+    drawn.renderer = &side.renderer();
+    drawn.samples = samples(index);
+    drawn.inputs.look = side.look();
+    drawn.inputs.sizePx = sizePx_;
+    drawn.inputs.supersample = options_.supersample;
+    drawn.inputs.backdrop = !options_.transparent;
+    drawn.inputs.profile = options_.profile;
+    drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid,
+                                      static_cast<double>(sizePx_.x) / sizePx_.y);
+    const int split =
+        sides_.size() == 1
+            ? sizePx_.x
+            : std::clamp(static_cast<int>(std::lround(splitAt_ * sizePx_.x)), 0, sizePx_.x);
+    drawn.fromPx = index == 0 ? 0 : split;
+    drawn.toPx = index == 0 ? split : sizePx_.x;
+    return drawn;
+}
+
+Bands Run::bandsOf(const Shot& shot) {
+    std::vector<DrawnSide> drawnSides;
+    for (std::size_t i = 0; i < sides_.size(); ++i) drawnSides.push_back(drawn(i, shot));
+    return {std::move(drawnSides), [this](double share) {
+                progress_->part(share);
+                return goOn(goesOn_, share);
+            }};
+}
+
+/// How the picture was made: "march, 512 steps, 8 samples".
+std::string Run::workText(std::size_t index, const render::FrameStats& stats) const {
+    const Look& look = sides_[index]->look();
+    if (look.engine == Engine::slicing) return fmt::format("slicing, {} planes", look.planes);
+    const std::string rays = options_.supersample == 1
+                                 ? std::string()
+                                 : fmt::format(", {0} x {0} rays a pixel", options_.supersample);
+    return fmt::format("march, {} steps, {} sample{}{}", stats.planes, samples(index),
+                       samples(index) == 1 ? "" : "s", rays);
+}
+
+Metadata Run::describe(const Shot& shot, const Bands& bands) const {
+    Metadata all{{"Software", fmt::format("Nephoscope {}", versionText())}};
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        const char* of = i == 0 ? "nephoscope." : "nephoscope.b.";
+        for (auto& [key, text] : sides_[i]->describe(poseOf(i, shot), workText(i, bands.stats()))) {
+            all.emplace_back(of + key, text);
+        }
+    }
+    return all;
+}
+
+void Run::write(const Shot& shot, Bands& bands) {
+    if (kindOf(shot.file) == FileKind::png) {
+        Image8 first = bands.nextDisplay();  // the metadata say what it took
+        const Metadata metadata = describe(shot, bands);
+        writePng(shot.file, sizePx_, metadata,
+                 [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextDisplay(); });
+    } else {
+        ImageF first = bands.nextLinear();
+        const Metadata metadata = describe(shot, bands);
+        writeExr(shot.file, sizePx_, metadata,
+                 options_.format == "float" ? ExrPixels::full : ExrPixels::half,
+                 [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextLinear(); });
+    }
+}
+
+/// One picture: read, draw, hand over, and say so.
+void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
+                  const std::filesystem::path& file) {
+    Bands bands = bandsOf(shot);
+    take(bands);
+    for (const auto& side : sides_) printAll("warning", side->renderer().takeMessages());
+    progress_->done(file);
+    const Side& first = *sides_.front();
+    const bool film = kindOf(file) == FileKind::mp4;
+    fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", film ? "a picture of" : "wrote",
+               file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
+               workText(0, bands.stats()), bands.stats().milliseconds);
+    if (!options_.profile) return;
     render::FrameInputs inputs;
-    inputs.look = run.look();
-    inputs.sizePx = parseSize(run.options.size);
-    inputs.profile = run.options.profile;
-    inputs.camera = placeCamera(run.scene.document.camera, held.volume.grid,
-                                static_cast<double>(inputs.sizePx.x) / inputs.sizePx.y);
-    const render::FrameStats stats = drawSamples(run, inputs);
-    printAll("warning", run.renderer.takeMessages());
-    const TimeInfo& info = run.info().times[static_cast<std::size_t>(time)];
-    const auto out = outputName(run.options.out, time, several);
-    write(run.options, out, run.renderer, describe(run, held, info, stats));
-    fmt::print(stderr, "wrote {} ({}x{}, {}, {}, {:.0f} ms)\n", out.string(), inputs.sizePx.x,
-               inputs.sizePx.y, held.volume.timeLabel, workText(run, stats), stats.milliseconds);
-    if (inputs.profile) {
-        fmt::print(stderr, "{}", profileText(profileOf(stats, inputs, run.renderer)));
+    inputs.look = first.look();
+    inputs.sizePx = sizePx_;
+    fmt::print(stderr, "{}",
+               profileText(profileOf(bands.stats(), inputs, sides_.front()->renderer())));
+}
+
+void Run::all() {
+    if (kindOf(options_.out) != FileKind::mp4) {
+        for (const Shot& shot : shots_) {
+            picture(
+                shot, [&](Bands& bands) { write(shot, bands); }, shot.file);
+        }
+        return;
     }
+    replaceFile(options_.out, [&](const std::filesystem::path& aside) {
+        Film film(aside, sizePx_, options_.fps);
+        for (const Shot& shot : shots_) {
+            const auto add = [&](Bands& bands) {
+                for (int rows = 0; rows < sizePx_.y;) {
+                    const Image8 band = bands.nextDisplay();
+                    film.add(band);
+                    rows += band.size.y;
+                }
+            };
+            picture(shot, add, options_.out);
+        }
+        film.finish(goesOn_);
+    });
+    fmt::print(stderr, "wrote {}\n", options_.out);
 }
 
 }  // namespace
 
-glm::ivec2 parseSize(const std::string& text) {
-    glm::ivec2 size{0};
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.x);
-    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.y);
-        const bool fits =
-            size.x >= 1 && size.y >= 1 && size.x <= kMaxSidePx && size.y <= kMaxSidePx;
-        if (height.ec == std::errc{} && height.ptr == end && fits) return size;
-    }
-    throw UsageError({"--size", "cannot be read as a size", text,
-                      fmt::format("WxH in pixels, each from 1 to {}, as 1280x720", kMaxSidePx),
-                      ""});
-}
-
-std::filesystem::path outputName(const std::filesystem::path& out, int time, bool several) {
-    if (!several) return out;
-    const std::string name =
-        fmt::format("{}_{:04}{}", out.stem().string(), time, out.extension().string());
-    return out.parent_path() / name;
-}
-
 int runRender(const RenderOptions& options) {
     checkOptions(options);
-    const std::optional<Region> region = parseRegion(options.scene.region);
-    Scene scene = makeScene(options.scene);
-    applyOptions(options, scene.document.look);
-    printAll("warning", scene.warnings);
-    const auto dataset =
-        Dataset::open(listFiles(options.scene.files), PluginHost::standard(options.scene.readers));
-    printAll("note", dataset->info().notes);
-    const std::vector<int> times = parseTimes(options.scene.time, dataset->info());
-    const gl::HeadlessContext context;
-    render::Renderer renderer(resourcePath("shaders"));
-    std::vector<std::string> warnings;
-    const VolumeRequest request{
-        region, chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings),
-        planRadii(scene.document.look, dataset->info())};
-    printAll("warning", warnings);
-    Run run{options, scene, *dataset, request, renderer};
-    for (const int time : times) renderTime(run, time, times.size() > 1);
+    noteInterrupts();
+    try {
+        Run(options, untilInterrupted()).all();
+    } catch (const Cancelled&) {
+        fmt::print(stderr, "stopped; nothing is left half done\n");
+        return 128 + interruptSignal();
+    }
     return 0;
 }
 

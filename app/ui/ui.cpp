@@ -113,6 +113,8 @@ void draw(Ui& ui) {
     if (ui.showProfile) drawProfile(ui);
     drawNotices(ui);
     drawPathPopup(ui);
+    drawSessionDialogs(ui);
+    drawOutput(ui);
     drawPresetDialogs(ui);
     drawHistory(ui);
     if (ui.showHelp) drawHelp(ui);

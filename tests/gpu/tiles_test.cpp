@@ -1,7 +1,7 @@
 // tiles_test.cpp: parts of a picture, several rays a pixel, and pictures without a backdrop.
 #include <doctest/doctest.h>
 
-#include "core/error.h"
+#include "app/render/tiles.h"
 #include "tests/gpu/pictures.h"
 #include "tests/gpu/scenes.h"
 
@@ -148,5 +148,25 @@ TEST_CASE("A transparent picture put over black in linear light is the cloud bef
         // A step of colour and half a step of opacity, where a step of 255 is largest: at white.
         CHECK(worst < 2.0 * (linearOf(255) - linearOf(254)));
         CHECK(cut.rgba[3] == 0);
+    }
+}
+
+TEST_CASE("Tiles are few, fit the GPU, and leave no more on the host than is allowed") {
+    constexpr std::size_t kMost = render::kMostTileRays;
+    CHECK(render::tileSize({3840, 2160}, 1, 16384, kMost) == glm::ivec2(3840, 2160));
+    CHECK(render::tileSize({20000, 10}, 1, 16384, kMost).x == 16384);
+    CHECK(render::tileSize({1000, 1000}, 4, 2048, kMost) == glm::ivec2(512, 512));
+    for (const glm::ivec2 size :
+         {glm::ivec2(65535, 65535), glm::ivec2(1, 65535), glm::ivec2(65535, 1), glm::ivec2(7, 5)}) {
+        for (const int n : {1, 4}) {
+            const glm::ivec2 tile = render::tileSize(size, n, 16384, kMost);
+            CHECK(tile.x >= 1);
+            CHECK(tile.y >= 1);
+            CHECK(n * tile.x <= 16384);
+            CHECK(n * tile.y <= 16384);
+            CHECK(static_cast<std::size_t>(tile.x) * static_cast<std::size_t>(tile.y * n * n) <=
+                  kMost);
+            CHECK(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(tile.y) <= kMost);
+        }
     }
 }

@@ -1,0 +1,33 @@
+// interrupt.cpp: a handler that does nothing but remember.
+#include "app/cli/interrupt.h"
+
+#include <csignal>
+
+namespace neph {
+namespace {
+
+volatile std::sig_atomic_t noted = 0;
+
+void note(int signal) {
+    noted = signal;
+}
+
+}  // namespace
+
+void noteInterrupts() {
+    struct sigaction action {};
+    action.sa_handler = note;
+    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+int interruptSignal() {
+    return noted;
+}
+
+Progress untilInterrupted() {
+    return [](double) { return interruptSignal() == 0; };
+}
+
+}  // namespace neph

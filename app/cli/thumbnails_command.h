@@ -1,0 +1,20 @@
+// thumbnails_command.h: `nephoscope thumbnails`: a small picture of each preset on the bundled
+// storm.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace neph {
+
+struct ThumbnailOptions {
+    std::vector<std::string> presets;  ///< names or files; none: all
+    std::string size;                  ///< WxH; empty: as thumbnail.h has it
+    std::string out;  ///< folder, for NAME.png; empty: where the preset browser looks for them
+    bool progress = false;  ///< as progress_lines.h
+};
+
+/// In the cache only those are made that are not there yet. Returns 0, 1 when a preset could not be
+/// shown, or 128 and the signal that ended it; throws Error or UsageError.
+int runThumbnails(const ThumbnailOptions& options);
+
+}  // namespace neph
