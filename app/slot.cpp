@@ -25,13 +25,12 @@ void Slot::takeData() {
     }
 }
 
-void Slot::noteChanges(bool resting) {
+void Slot::noteChanges() {
     if (session.document != seen_) {
         changed_ = Clock::now();
         drawn_.reset();
         seen_ = session.document;
     }
-    if (resting) session.history.commit(session.document);
 }
 
 double Slot::restS() const {

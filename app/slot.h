@@ -37,9 +37,8 @@ class Slot {
 
     /// Takes in what was read since the last call, and hands it to the renderer.
     void takeData();
-    /// Notices what was changed since the last call, and makes a step of the history when
-    /// `resting`.
-    void noteChanges(bool resting);
+    /// Notices what was changed since the last call.
+    void noteChanges();
     /// Draws the next picture, if there is a better one than that shown. Returns whether it did;
     /// `profile` is brought up to date where it was asked for.
     bool draw(const DrawRequest& request, ui::Profile& profile);

@@ -16,6 +16,7 @@
 #include "app/script_player.h"
 #include "app/slots.h"
 #include "app/ui/actions.h"
+#include "app/ui/camera_view.h"
 #include "app/ui/places.h"
 #include "app/ui/ui.h"
 #include "app/workbench_host.h"
@@ -35,7 +36,6 @@ constexpr double kIdleWaitS = 1.0;   // between looks while nothing happens
 constexpr double kBusyWaitS = 0.05;  // while data load or the picture waits to be refined
 constexpr double kAwaitS = 0.2;      // between looks at a program that runs beside this one
 constexpr double kLingerS = 1.0;     // panels are drawn on after the last input: tooltips
-constexpr double kCommitS = 0.4;     // at rest for so long: the gesture is over, one step of undo
 constexpr double kPanelsS = 0.022;   // between two turns of the panels while a picture is drawn
 
 /// Of the files that readers take, as they say, without dots.
@@ -64,6 +64,7 @@ class Workbench {
     ui::LoadedPicture loadPicture(const std::filesystem::path& png);
     void offerServices();
     void openFirst(const SceneOptions& options);
+    void frameFirst();
     void takeInput();
     void open(const std::vector<std::filesystem::path>& files);
     bool drawPictures();
@@ -72,6 +73,7 @@ class Workbench {
     double panelsTurn();
     bool giveWay() const;
     void carryOut();
+    void keepSession();
     void noteChanges();
     void playScript();
     void setMemory(const std::string& memory);
@@ -95,6 +97,7 @@ class Workbench {
     ui::PixelBox place_;  // of the pictures, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
+    bool framesFirst_ = false;  // no camera was asked for: the first data choose it
 };
 
 Workbench::Workbench(const SceneOptions& options)
@@ -104,6 +107,7 @@ Workbench::Workbench(const SceneOptions& options)
     ui_.settings = remembered_ = loadSettings(warnings);
     budget_ = chooseBudget(options.memory, rendererBytes(gl::deviceMemory()), warnings);
     ui_.active = &session();
+    ui_.output.readers = readers_;
     session().setBudget(budget_);
     session().document = scene.document;
     session().homeCamera = scene.document.camera;
@@ -126,8 +130,18 @@ void Workbench::openFirst(const SceneOptions& options) {
     if (options.files.size() == 1 && kindOfFile(options.files.front()) == FileKind::session) {
         ui::openSessionFile(ui_, options.files.front());
     } else {
+        framesFirst_ = options.preset.empty() && options.camera.empty();
         session().open(options.files, parseFirstTime(options.time), parseRegion(options.region));
     }
+}
+
+/// The first data are shown whole, whatever the size of the window, from the preset's side.
+void Workbench::frameFirst() {
+    if (!framesFirst_ || !session().shown()) return;
+    framesFirst_ = false;
+    ui::look(ui_, View::fit);
+    session().homeCamera = session().document.camera;
+    session().history.restart(session().document);
 }
 
 std::unique_ptr<Slot> Workbench::makeSlot() {
@@ -188,10 +202,15 @@ bool Workbench::giveWay() const {
     return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close || !placed;
 }
 
+/// From when there is something to see: what was there at first is no change.
+void Workbench::keepSession() {
+    if (session().shown() != nullptr) autosave_.tick(ui_.services.state, Clock::now());
+}
+
 /// Draws the panels where they have waited long enough and there is something for them to see. A
 /// picture that takes long lags behind; panels do not.
 double Workbench::panelsTurn() {
-    autosave_.tick(ui_.services.state, Clock::now());  // a picture may take longer than an interval
+    keepSession();  // a picture may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
     if (!host_.inputWaits() && !ui_.animates) return 0.0;
     const auto start = Clock::now();
@@ -251,10 +270,8 @@ void Workbench::drawPanels() {
 /// Notices what the panels changed, and makes a step of the history when the hand rests.
 void Workbench::noteChanges() {
     slots_.link();
-    for (Slot* slot : slots_.all()) {
-        const bool rests = !moving() && !slot->changedSinceLastLook() && slot->restS() > kCommitS;
-        slot->noteChanges(rests && slot == &slots_.active());
-    }
+    for (Slot* slot : slots_.all()) slot->noteChanges();
+    session().history.settle(session().document, moving(), slots_.active().restS());
     if (ui_.settings != remembered_) rememberSettings();
 }
 
@@ -319,7 +336,7 @@ double Workbench::waitS() {
     for (Slot* slot : slots_.all()) {
         const Slot::Waiting waiting = slot->waiting(moving());
         if (waiting == Slot::Waiting::now) return 0.0;
-        const bool uncommitted = slot->restS() < 2.0 * kCommitS;
+        const bool uncommitted = slot->restS() < 2.0 * History::kRestS;
         if (waiting == Slot::Waiting::rest || uncommitted || slot->session.loading()) {
             seconds = kBusyWaitS;
         }
@@ -334,6 +351,7 @@ void Workbench::run() {
         if (script_) playScript();
         takeInput();
         for (Slot* slot : slots_.all()) slot->takeData();
+        frameFirst();
         const bool drew = drawPictures();
         // Where nothing happens nothing is drawn.
         if (drew || session().loading() || ui_.animates || ui_.awaits ||
@@ -342,7 +360,7 @@ void Workbench::run() {
         }
         noteChanges();
         carryOut();
-        autosave_.tick(ui_.services.state, Clock::now());
+        keepSession();
     }
     autosave_.finish(slots_.state());
 }
