@@ -98,15 +98,22 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
                       averages(request.moving));
     if (!next) return false;
     const render::FrameInputs inputs = inputsOf(*next, request);
+    // Until the data of another time are there the picture is of the time before.
+    const int time = session.shows(session.document.time) ? session.document.time : report.time;
     const std::optional<render::FrameStats> stats = render(*next, inputs, request);
     if (!stats) return false;
     // What the camera does not change is no measure of how finely to draw while it moves.
     const bool prepared = stats->bakedMedium || (engine == Engine::march && stats->marchedLight);
     if (stats->marchedEye && !prepared) quality_.measured(*next, stats->milliseconds, placePx_);
-    report = {stats->milliseconds,    engine,
-              stats->planes,          next->sample + 1,
-              next->sizePx,           next->step == ui::kFullStep,
-              renderer_.deviceName(), renderer_.gpuBytes()};
+    report = {stats->milliseconds,
+              engine,
+              stats->planes,
+              next->sample + 1,
+              next->sizePx,
+              next->step == ui::kFullStep,
+              renderer_.deviceName(),
+              renderer_.gpuBytes(),
+              time};
     if (inputs.profile) ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = next;
     for (std::string& message : renderer_.takeMessages()) {

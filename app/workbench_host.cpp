@@ -112,8 +112,7 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // panels stand where they stand
-    ui::applyTheme(window.contentScale());
-    ui::loadFont(window.contentScale());
+    ui::restyle(window.contentScale(), {});
     ImGui_ImplGlfw_InitForOpenGL(handle, true);  // chains the callbacks set above
     ImGui_ImplOpenGL3_Init("#version 450");
 }
@@ -149,10 +148,7 @@ void WorkbenchHost::holdTappedKeys() {
 }
 
 void WorkbenchHost::restyle(const Settings& settings) {
-    const float scale = window_.contentScale() * settings.textScale;
-    ImGui::GetIO().Fonts->Clear();
-    ui::applyTheme(scale);
-    ui::loadFont(scale);
+    ui::restyle(window_.contentScale(), settings);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }

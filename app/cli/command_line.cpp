@@ -14,6 +14,7 @@
 #include "app/cli/readers_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/thumbnails_command.h"
+#include "app/ui/key_table.h"
 #include "app/workbench.h"
 #include "core/names.h"
 #include "core/resources.h"
@@ -200,6 +201,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     addReaderOption(info, arguments.info.readers);
     CLI::App& readers = *app.add_subcommand("readers", "List reader plugins");
     addReaderOption(readers, arguments.readers);
+    app.add_subcommand("keys", "Print the table of the window's commands and keys");
 }
 
 void addBench(CLI::App& app, BenchOptions& options) {
@@ -255,6 +257,10 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("info")) return runInfo(arguments.info);
     if (app.got_subcommand("readers")) return runReaders(arguments.readers);
     if (app.got_subcommand("bench")) return runBench(arguments.bench);
+    if (app.got_subcommand("keys")) {
+        std::fputs(ui::keyTable().c_str(), stdout);
+        return 0;
+    }
     if (app.got_subcommand("presets")) {
         const auto chosen = app.get_subcommand("presets")->get_subcommands();
         return runPresets(chosen.empty() ? "list" : chosen.front()->get_name(), arguments.presets);

@@ -81,7 +81,7 @@ const std::array kActions{
            .run = [](Ui& ui) { scaleText(ui, -1); },
            .enabled = [](const Ui& ui) { return ui.settings.textScale > kTextScales.front(); }},
     Action{.id = "view.text_size",
-           .label = "Text of the monitor's own size",
+           .label = "Text of the usual size",
            .menu = Menu::view,
            .chord = {Key::n0, true},
            .help = "Takes larger and smaller back",

@@ -3,17 +3,21 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/ui/panels.h"
+#include "app/ui/places.h"
+#include "app/ui/theme.h"
 #include "core/memory_setting.h"
 
 namespace neph::ui {
 namespace {
 
 constexpr double kMPerKm = 1000.0;
-constexpr float kLabelEms = 4.5f;
+constexpr float kLabelEms = 4.0f;
+constexpr std::size_t kMostPaths = 12;  // in a tooltip
 
 void wrapped(const std::string& text) {
     ImGui::PushTextWrapPos(0.0f);
@@ -34,31 +38,63 @@ std::string kilometres(double metres) {
     return fmt::format("{:.4g}", metres / kMPerKm);
 }
 
+/// A label, and beside it where all values begin the place for one.
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelEms * ImGui::GetFontSize());
+}
+
+void fact(const char* name, const std::string& value) {
+    label(name);
+    wrapped(value);
+}
+
+/// Names of the series' files, full paths in the tooltip.
+void drawFiles(const DatasetInfo& info, int time) {
+    std::vector<std::filesystem::path> files;
+    for (const TimeInfo& when : info.times) {
+        if (files.empty() || files.back() != when.file) files.push_back(when.file);
+    }
+    const auto current = static_cast<std::size_t>(time);
+    if (current >= info.times.size()) return;
+    const std::string more =
+        files.size() > 1 ? fmt::format("  (of {} files)", files.size()) : std::string();
+    fact("File", info.times[current].file.filename().string() + more);
+    std::string paths;
+    for (std::size_t i = 0; i < std::min(files.size(), kMostPaths); ++i) {
+        paths += (i > 0 ? "\n" : "") + files[i].string();
+    }
+    if (files.size() > kMostPaths) paths += fmt::format("\nand {} more", files.size() - kMostPaths);
+    tooltip(paths.c_str());
+}
+
 void drawDomain(const DatasetInfo& info) {
     const std::string scheme = info.scheme.empty() ? "" : ", " + info.scheme;
-    wrapped(info.model + scheme);
+    fact("Model", info.model + scheme);
     const std::string spacing =
         info.spacingM.x == info.spacingM.y
             ? kilometres(info.spacingM.x)
-            : kilometres(info.spacingM.x) + " x " + kilometres(info.spacingM.y);
-    wrapped(fmt::format("{} x {} x {} cells of {} km, {} time{}", info.size.x, info.size.y,
-                        info.size.z, spacing, info.times.size(),
-                        info.times.size() == 1 ? "" : "s"));
+            : kilometres(info.spacingM.x) + " \u00d7 " + kilometres(info.spacingM.y);
+    fact("Grid", fmt::format("{} \u00d7 {} \u00d7 {} cells of {} km", info.size.x, info.size.y,
+                             info.size.z, spacing));
+    if (info.times.size() < 2) return fact("Time", info.times.front().label);
+    fact("Times", fmt::format("{}, from {} to {}", info.times.size(), info.times.front().label,
+                              info.times.back().label));
 }
 
 void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryBudget& budget) {
     const ReadPlan& plan = shown.plan;
     const std::string how = describe(plan, info);
-    if (plan.coarsening > 1) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0.95f, 0.80f, 0.45f, 1.0f});
-        wrapped(how);
-        ImGui::PopStyleColor();
-    } else {
-        wrapped(how.empty() ? "All of it, at full resolution." : how + " At full resolution.");
-    }
-    wrapped(fmt::format("Takes {} of {} here, {} of {} for pictures.",
-                        memoryText(plan.machineBytes), memoryText(budget.machine),
-                        memoryText(plan.gpuBytes), memoryText(budget.gpu)));
+    ImGui::PushStyleColor(ImGuiCol_Text, plan.coarsening > 1
+                                             ? warningColour()
+                                             : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    const std::string full = plan.coarsening > 1 ? "" : "At full resolution";
+    fact("Shown", how.empty() ? full : how + (full.empty() ? "" : " ") + full);
+    ImGui::PopStyleColor();
+    fact("Takes", fmt::format("{} of {}, and for pictures {} of {}", memoryText(plan.machineBytes),
+                              memoryText(budget.machine), memoryText(plan.gpuBytes),
+                              memoryText(budget.gpu)));
     tooltip(
         "Fields are held in the machine's memory; the renderer holds them once more, with what "
         "it makes of them, in the memory for pictures. Data that would take more than either "
@@ -72,17 +108,16 @@ Region domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
 }
 
 /// One axis of the region; true when the hand has let go of a change.
-bool editAxis(const char* label, float& lowKm, float& highKm, double leastM, double mostM) {
+bool editAxis(const char* name, float& lowKm, float& highKm, double leastM, double mostM) {
     const auto least = static_cast<float>(leastM / kMPerKm);
     const auto most = static_cast<float>(mostM / kMPerKm);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
+    label(name);
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::PushID(label);
+    ImGui::PushID(name);
     ImGui::DragFloatRange2("##range", &lowKm, &highKm, (most - least) / 400.0f, least, most,
                            "%.4g km", nullptr, ImGuiSliderFlags_AlwaysClamp);
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
+    place(std::string("data.") + name);
     tooltip(
         "The part of the domain that is shown, from its south-west corner; drag, or "
         "Ctrl+click to type. A smaller part is shown more finely where the whole is coarsened.");
@@ -125,15 +160,14 @@ void drawButtons(Ui& ui, const VolumeSummary& shown) {
 }
 
 void editMemory(Ui& ui) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Memory");
-    ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
+    label("Memory");
     ImGui::SetNextItemWidth(-1.0f);
     const std::string hint = memoryText(ui.session().budget().machine);
     if (ImGui::InputTextWithHint("##memory", hint.c_str(), &ui.memory,
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
         ui.requests.memory = ui.memory;
     }
+    place("data.memory");
     tooltip(
         "How much memory the times that are held may take: 2GiB, 512MiB, or 50% of what is "
         "free; empty for a quarter of what is free. Enter sets it, now and for the next time "
@@ -141,9 +175,10 @@ void editMemory(Ui& ui) {
 }
 
 void drawCache(const Session& session) {
-    const int held = session.timesHeld();
-    wrapped(fmt::format("{} of {} times in memory, {} of {}", held, session.info()->times.size(),
-                        memoryText(session.cache().bytes()), memoryText(session.cache().limit())));
+    fact("Held",
+         fmt::format("{} of {} times, {} of {}", session.timesHeld(), session.info()->times.size(),
+                     memoryText(session.cache().bytes()), memoryText(session.cache().limit())));
+    tooltip("Times in memory are shown at once; the time bar marks them.");
 }
 
 }  // namespace
@@ -166,6 +201,7 @@ void drawData(Ui& ui) {
         ImGui::TextDisabled("None yet");
         return;
     }
+    drawFiles(*info, ui.session().document.time);
     drawDomain(*info);
     ImGui::Spacing();
     drawPlan(*shown, *info, ui.session().budget());
@@ -176,6 +212,7 @@ void drawData(Ui& ui) {
     editMemory(ui);
     if (info->times.size() > 1) drawCache(ui.session());
     ImGui::Checkbox("Follow new times", &ui.session().follow);
+    place("data.follow");
     tooltip(
         "From the last time to a new last one, as soon as a file that is still being written "
         "has it. New times are noticed in any case.");

@@ -27,8 +27,11 @@ Section mouse() {
     return {{"", "Mouse"},
             {"Left drag", "Orbit"},
             {"Middle drag, Shift+left", "Pan"},
-            {"Wheel, right drag", "Nearer, farther"},
+            {"Wheel", "To the cursor, and away"},
+            {"Right drag", "Nearer, farther"},
+            {"W A S D E Q", "Fly: G, or right button held"},
             {"Ctrl+click a slider", "Type a value"},
+            {"Shift+drag a slider", "Finely"},
             {"Double click a label", "Back to the preset"},
             {"Right click", "Reset, copy, paste"},
             {"Drop a file", "Open data or a preset"}};
@@ -53,15 +56,15 @@ std::vector<Section> sections() {
     return all;
 }
 
-void drawLine(const Line& line, float left) {
+void drawLine(const Line& line) {
     if (line.what.empty()) {
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", line.does.c_str());
         return;
     }
+    const float start = ImGui::GetCursorScreenPos().x;
     ImGui::TextDisabled("%s", line.what.c_str());
-    const float after = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
-    ImGui::SameLine(
-        std::max(left + kKeyEms * ImGui::GetFontSize(), after + ImGui::GetStyle().ItemSpacing.x));
+    const float after = ImGui::GetItemRectMax().x - start + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SameLine(std::max(kKeyEms * ImGui::GetFontSize(), after));
     ImGui::TextUnformatted(line.does.c_str());
 }
 
@@ -75,6 +78,8 @@ void drawSections(const std::vector<Section>& all, int columns) {
     const float left = ImGui::GetCursorPosX();
     std::size_t used = 0;
     int column = 0;
+    // Close together: the whole of it at a glance.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1.0f});
     ImGui::BeginGroup();
     for (const Section& section : all) {
         if (used > 0 && used + section.size() / 2 > full && column + 1 < columns) {
@@ -84,12 +89,12 @@ void drawSections(const std::vector<Section>& all, int columns) {
             ImGui::SameLine(left + static_cast<float>(column) * width);
             ImGui::BeginGroup();
         }
-        const float start = left + static_cast<float>(column) * width;
-        for (const Line& line : section) drawLine(line, start);
+        for (const Line& line : section) drawLine(line);
         ImGui::Dummy({width - ImGui::GetFontSize(), 0.5f * ImGui::GetTextLineHeight()});
         used += section.size() + 1;
     }
     ImGui::EndGroup();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace

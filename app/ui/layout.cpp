@@ -13,7 +13,7 @@ namespace {
 constexpr float kLeastColumnEms = 15.0f;   // a label, a slider and its value
 constexpr float kLeastPictureEms = 12.0f;  // else there is nothing to look at
 constexpr float kEdgeEms = 0.75f;
-constexpr float kTimeEms = 3.9f;  // two rows
+constexpr float kTimeEms = 4.1f;  // two rows
 constexpr float kStatusEms = 1.75f;
 
 struct Widths {

@@ -29,11 +29,14 @@ std::string labelOf(const Ui& ui, int time) {
     return ui.session().info()->times.at(static_cast<std::size_t>(time)).label;
 }
 
-/// Whether the picture shows the document's time.
+/// Whether the picture shows the document's time. Of two pictures, or the other slot's, that is not
+/// told.
 bool isReady(const Ui& ui) {
+    if (!ui.session().info()) return true;
     const int time = ui.session().document.time;
-    return !ui.session().info() ||
-           (ui.session().shows(time) && (ui.report.time < 0 || ui.report.time == time));
+    const bool told =
+        ui.report.time >= 0 && ui.compare.mode == CompareMode::single && !ui.compare.peeking;
+    return ui.session().shows(time) && (!told || ui.report.time == time);
 }
 
 bool button(Ui& ui, const char* id, Icon icon) {
@@ -146,7 +149,8 @@ void drawEnds(const Ui& ui, bool path) {
     const float start = ImGui::GetCursorPosX();
     const float end = start + ImGui::GetContentRegionAvail().x;
     ImGui::TextDisabled("%s", first.c_str());
-    const bool waits = ui.playback.playing && !isReady(ui) && ui.session().info() != nullptr;
+    const bool waits = ui.playback.playing && ui.session().info() != nullptr &&
+                       !ui.session().shows(ui.session().document.time);
     const std::string waiting =
         waits ? "waiting for " + labelOf(ui, ui.session().document.time) : std::string();
     const auto widthOf = [](const std::string& text) {

@@ -2,7 +2,7 @@
 #include "app/ui/ui.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // the stack of popups
+#include <imgui_internal.h>  // popups and focus
 
 #include <algorithm>
 
@@ -16,13 +16,30 @@ namespace {
 constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the hand
 constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
 
+bool begin(const char* name, glm::vec2 at, glm::vec2 size, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({at.x, at.y});
+    ImGui::SetNextWindowSize({size.x, size.y});
+    return ImGui::Begin(name, nullptr,
+                        flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoCollapse |
+                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+/// Scrolls where it holds more than there is room for.
+bool beginColumn(const char* name, const Area& area) {
+    return begin(name, area.lower, area.size(), 0);
+}
+
 /// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
 /// where the column is to the left of it.
 void drawEdge(const char* name, const Area& area, float side, bool& open, float& ems) {
     if (area.empty()) return;
-    if (beginFixed(name, area.lower, area.size())) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    const bool drawn = beginFixed(name, area.lower, area.size());
+    ImGui::PopStyleVar();
+    if (drawn) {
         const glm::vec2 size = area.size();
-        ImGui::SetCursorPos({0.0f, 0.0f});
         ImGui::InvisibleButton("##edge", {size.x, size.y});
         place(side > 0.0f ? "view.left" : "view.right");
         const float dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x;
@@ -49,14 +66,14 @@ void drawEdge(const char* name, const Area& area, float side, bool& open, float&
 
 void drawColumns(Ui& ui, const Layout& layout) {
     if (!layout.left.empty()) {
-        if (beginFixed("##left", layout.left.lower, layout.left.size())) {
+        if (beginColumn("##left", layout.left)) {
             drawData(ui);
             drawFields(ui);
         }
         ImGui::End();
     }
     if (!layout.right.empty()) {
-        if (beginFixed("##right", layout.right.lower, layout.right.size())) {
+        if (beginColumn("##right", layout.right)) {
             drawFind(ui);
             drawPresets(ui);
             drawCamera(ui);
@@ -80,6 +97,14 @@ void closeOnEscape(int popupsBefore) {
     }
 }
 
+/// Whether ImGui needs another frame before it takes keys as what is on the screen suggests: a line
+/// that is about to have the keyboard, or has just given it up.
+bool unsettled() {
+    const ImGuiContext& gui = *GImGui;
+    return gui.NavMoveSubmitted || gui.NavNextActivateId != 0 ||
+           (gui.WantTextInputNextFrame == 1) != gui.IO.WantTextInput;
+}
+
 }  // namespace
 
 void openColumn(Ui& ui, bool left, bool open) {
@@ -88,13 +113,7 @@ void openColumn(Ui& ui, bool left, bool open) {
 }
 
 bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
-    ImGui::SetNextWindowPos({at.x, at.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
-    return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoCollapse |
-                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    return begin(name, at, size, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
 }
 
 void draw(Ui& ui) {
@@ -120,6 +139,7 @@ void draw(Ui& ui) {
     if (ui.showHelp) drawHelp(ui);
     drawPalette(ui);
     closeOnEscape(popups);
+    ui.animates |= unsettled();
 }
 
 }  // namespace neph::ui
