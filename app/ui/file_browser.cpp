@@ -115,7 +115,8 @@ fs::path pathOf(const FileBrowser& browser) {
 
 void refresh(FileBrowser& browser, bool again) {
     std::error_code error;
-    const fs::path folder = fs::absolute(expanded(headOf(browser.line))).lexically_normal();
+    const std::string head = headOf(browser.line);
+    const fs::path folder = fs::absolute(head.empty() ? "." : expanded(head)).lexically_normal();
     if ((folder == browser.folder && !again) || !fs::is_directory(folder, error)) return;
     browser.folder = folder;
     browser.entries.clear();

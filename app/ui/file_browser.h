@@ -35,6 +35,9 @@ struct FileBrowser {
     bool narrows = false;               ///< the line was typed: the list shows what agrees with it
     bool replaces = false;              ///< the file is there, and replacing it was asked for
     bool focus = false, toEnd = false;  ///< of the line, in the next frame
+    bool awaitsKeys = false;            ///< the line has asked for the keyboard
+    std::string early;                  ///< typed as the line got the keyboard
+    int earlyAt = 0;                    ///< where in the line it belongs
     std::string fault;
     std::vector<std::string> extensions;  ///< of files that readers take, as they say
 };

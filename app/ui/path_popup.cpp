@@ -44,30 +44,33 @@ std::string sizeText(std::uint64_t bytes) {
     return fmt::format("{:.{}f} {}", size, unit > 0 && size < 10.0 ? 1 : 0, kUnits.at(unit));
 }
 
+/// What ImGui has for whatever line has the keyboard, as UTF-8.
+std::string typedNow() {
+    std::string typed;
+    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+        const auto code = static_cast<unsigned>(c);
+        if (code < 32 || code == 127) continue;
+        if (code < 0x80) {
+            typed += static_cast<char>(code);
+            continue;
+        }
+        if (code < 0x800) {
+            typed += static_cast<char>(0xC0U | (code >> 6U));
+        } else {
+            typed += static_cast<char>(0xE0U | (code >> 12U));
+            typed += static_cast<char>(0x80U | ((code >> 6U) & 0x3FU));
+        }
+        typed += static_cast<char>(0x80U | (code & 0x3FU));
+    }
+    return typed;
+}
+
 /// Takes what was typed while the line had not the keyboard yet. True when Enter was among it.
 bool takeEarlyKeys(FileBrowser& browser) {
-    const ImGuiIO& io = ImGui::GetIO();
-    for (const ImWchar c : io.InputQueueCharacters) {
-        if (c < 32 || c == 127) continue;
-        char utf8[4]{};
-        const auto code = static_cast<unsigned>(c);
-        int size = 1;
-        if (code < 0x80) {
-            utf8[0] = static_cast<char>(code);
-        } else if (code < 0x800) {
-            utf8[0] = static_cast<char>(0xC0U | (code >> 6U));
-            utf8[1] = static_cast<char>(0x80U | (code & 0x3FU));
-            size = 2;
-        } else {
-            utf8[0] = static_cast<char>(0xE0U | (code >> 12U));
-            utf8[1] = static_cast<char>(0x80U | ((code >> 6U) & 0x3FU));
-            utf8[2] = static_cast<char>(0x80U | (code & 0x3FU));
-            size = 3;
-        }
-        browser.line.append(utf8, static_cast<std::size_t>(size));
-        browser.narrows = true;
-    }
+    const std::string typed = typedNow();
+    browser.line += typed;
     browser.line.erase(0, laterPath(browser.line));
+    browser.narrows |= !typed.empty();
     return pressed(ImGuiKey_Enter);
 }
 
@@ -108,6 +111,11 @@ int onLine(ImGuiInputTextCallbackData* data) {
         default:
             break;
     }
+    if (!browser.early.empty()) {
+        data->InsertChars(std::min(browser.earlyAt, data->BufTextLen), browser.early.c_str());
+        browser.early.clear();
+        browser.narrows = true;
+    }
     if (browser.toEnd) {
         data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
         browser.toEnd = false;
@@ -117,15 +125,28 @@ int onLine(ImGuiInputTextCallbackData* data) {
 
 /// True when what stands on the line is to be opened.
 bool drawLine(FileBrowser& browser) {
-    if (std::exchange(browser.focus, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(browser.focus, false)) {
+        ImGui::SetKeyboardFocusHere();
+        browser.awaitsKeys = true;
+    }
     ImGui::SetNextItemWidth(-1.0f);
+    std::string edited = browser.line;  // ImGui's own while it calls onLine, which sets the line
     const bool entered = ImGui::InputText(
-        "##path", &browser.line,
+        "##path", &edited,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion |
             ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackEdit |
             ImGuiInputTextFlags_CallbackAlways,
         onLine, &browser);
+    browser.line = edited;
     place("files.line");
+    if (ImGui::IsItemActive() && std::exchange(browser.awaitsKeys, false)) {
+        browser.early = typedNow();  // which ImGui passes over in the frame that gives the keyboard
+        browser.earlyAt = static_cast<int>(edited.size());
+        if (!pressed(ImGuiKey_Enter)) return false;
+        browser.line += std::exchange(browser.early, {});
+        browser.line.erase(0, laterPath(browser.line));
+        return true;
+    }
     if (entered) browser.focus = browser.toEnd = true;
     if (ImGui::IsItemActive() || entered) return entered;
     const bool inList =

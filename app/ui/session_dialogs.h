@@ -32,6 +32,7 @@ struct SessionDialogs {
     Autosave* autosave = nullptr;  ///< of the window; nullptr: nothing is kept
     bool offersCrashed = false;    ///< restoring what a crash left is offered
     std::string crashText;         ///< of the offer; made once
+    bool adopts = false;           ///< what a crash left is being opened
     std::filesystem::path file;    ///< session last opened or saved; empty: none
     FileBrowser browser;
     bool showRecent = false;  ///< opens the list in the next frame

@@ -49,7 +49,7 @@ void openFrom(Ui& ui, const fs::path& file, WaitingSession from) {
 void takeOver(Ui& ui, const WaitingSession& from) {
     SessionDialogs& dialogs = ui.sessionDialogs;
     if (ui.services.restore) ui.services.restore(from.state);
-    if (from.crashed && dialogs.autosave != nullptr) dialogs.autosave->adoptCrashed();
+    dialogs.adopts = from.crashed;
     dialogs.file = from.file;
     if (!from.file.empty()) {
         const std::string name = from.file.string();
@@ -152,6 +152,11 @@ void noteOpened(Ui& ui) {
         if (auto fault = dialogs.autosave->takeFault()) {
             say(ui, Message::Kind::warning, std::move(*fault));
         }
+    }
+    // What a crash left stays until its data are open: only then is it part of this session.
+    const bool opened = ui.session().info() != nullptr && !ui.session().loading();
+    if (opened && dialogs.autosave != nullptr && std::exchange(dialogs.adopts, false)) {
+        dialogs.autosave->adoptCrashed();
     }
     if (!ui.session().info() || ui.session().named() == dialogs.named) return;
     dialogs.named = ui.session().named();
