@@ -159,9 +159,10 @@ void Overlay::compass() const {
 /// Whole steps of height above a place that are in the picture.
 std::vector<Overlay::Tick> Overlay::ticksAt(glm::dvec2 placeM, double stepM) const {
     std::vector<Tick> ticks;
-    const double top = grid_.upperM().z;
-    for (double height = std::ceil(grid_.originM.z / stepM - 1e-6) * stepM; height <= top + 1e-3;
-         height += stepM) {
+    const int first = static_cast<int>(std::ceil(grid_.originM.z / stepM - 1e-6));
+    const int last = static_cast<int>(std::floor(grid_.upperM().z / stepM + 1e-6));
+    for (int i = first; i <= last; ++i) {
+        const double height = i * stepM;
         if (const auto at = screenOf({placeM.x, placeM.y, height})) ticks.push_back({height, *at});
     }
     return ticks;

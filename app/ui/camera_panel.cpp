@@ -109,8 +109,9 @@ void drawPose(Ui& ui, const RegularGrid& grid) {
 
 /// The same camera told by its eye. What is set here keeps the eye where it is, or the view.
 void drawObserver(Ui& ui, const RegularGrid& grid) {
-    if (!ImGui::TreeNodeEx("Observer", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
+    const bool open = ImGui::TreeNodeEx("Observer", ImGuiTreeNodeFlags_SpanAvailWidth);
     place("camera.observer_fold");
+    if (!open) return;
     CameraPose& pose = ui.session().document.camera;
     Observer observer = observerOf(pose, grid);
     const glm::dvec3 lower = (grid.originM - grid.extentM()) / kMPerKm;
