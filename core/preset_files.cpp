@@ -82,7 +82,7 @@ std::filesystem::path saveOwnPreset(const std::string& name, const Preset& prese
     std::filesystem::path file = userPresetFile(name);
     if (!replace && presetNameUse(name) == PresetNameUse::own) {
         throw Error({"", fmt::format("you have a preset {} already", name), "",
-                     "a name that is free, or leave to replace it",
+                     "a name that is free, or leave to replace it (--replace)",
                      fmt::format("for example {}", freePresetName(name))});
     }
     savePreset(file, preset);

@@ -19,9 +19,10 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kCardEms = 9.0f;   // least width; two stand in a column of usual width
-constexpr float kGridEms = 19.0f;  // greatest height: more is scrolled to
-constexpr double kLookS = 1.0;     // between looks whether files have changed
+constexpr float kCardEms = 7.0f;     // least width; two stand in a column of usual width
+constexpr float kGridEms = 19.0f;    // least height: more is scrolled to
+constexpr float kGridShare = 0.35f;  // of the window's height, where that is more
+constexpr double kLookS = 1.0;       // between looks whether files have changed
 constexpr std::size_t kTooltipRows = 12;
 
 void list(Ui& ui) {
@@ -114,10 +115,10 @@ void drawLoaded(Ui& ui) {
 
 void drawButtons(Ui& ui) {
     actionButton(ui, "Save", "preset.save", true);
-    actionButton(ui, "Save as...", "preset.save_as");
+    actionButton(ui, "Save as", "preset.save_as");
     actionButton(ui, "Copy", "preset.copy");
     actionButton(ui, "Paste", "preset.paste");
-    actionButton(ui, "From file...", "preset.open");
+    actionButton(ui, "Open", "preset.open");
 }
 
 void drawSearch(PresetBrowser& presets) {
@@ -166,7 +167,9 @@ void drawGrid(Ui& ui) {
                                                      : "No preset has these words");
         return;
     }
-    if (ImGui::BeginChild("##presets", {0.0f, kGridEms * ImGui::GetFontSize()})) {
+    const float height =
+        std::max(kGridEms * ImGui::GetFontSize(), kGridShare * ImGui::GetIO().DisplaySize.y);
+    if (ImGui::BeginChild("##presets", {0.0f, height})) {
         drawSection(ui, "Mine", own);
         drawSection(ui, "Bundled", bundled);
         ui.presets.revealed = true;
@@ -183,7 +186,8 @@ void drawApplied(Ui& ui) {
     if (session.history.undoLabel() != applied.step) return;
     const bool open = ImGui::TreeNodeEx(
         "##applied", ImGuiTreeNodeFlags_SpanFullWidth | ImGuiTreeNodeFlags_AllowItemOverlap,
-        "%s changed %zu", applied.name.c_str(), applied.rows.size());
+        "%zu %s by %s", applied.rows.size(), applied.rows.size() == 1 ? "change" : "changes",
+        applied.name.c_str());
     place("presets.applied");
     const float width = ImGui::CalcTextSize("Undo").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);

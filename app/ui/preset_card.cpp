@@ -42,6 +42,11 @@ void drawSky(const Look& look, glm::vec2 lower, glm::vec2 upper) {
     }
 }
 
+/// Of the place that opens the details: a finger's breadth more than its dots.
+float dotsWidth() {
+    return ImGui::CalcTextSize("...").x + 0.6f * ImGui::GetFontSize();
+}
+
 /// `text` with what does not fit into `width` replaced by dots.
 std::string shortened(const std::string& text, float width) {
     std::string shown = text;
@@ -66,7 +71,15 @@ bool restsOn(PresetBrowser& presets, const std::string& name) {
     return ImGui::GetTime() - presets.restedS > kTooltipDelayS;
 }
 
+/// Beside the column where there is room, so that the other cards stay in sight.
 void drawTooltip(const Session& session, const PresetCard& card) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float left = ImGui::GetWindowPos().x - ImGui::GetFontSize();
+    if (left > kTooltipEms * ImGui::GetFontSize()) {
+        const bool low = ImGui::GetItemRectMin().y > display.y / 2.0f;
+        const float y = low ? ImGui::GetItemRectMax().y : ImGui::GetItemRectMin().y;
+        ImGui::SetNextWindowPos({left, y}, 0, {1.0f, low ? 1.0f : 0.0f});
+    }
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipEms);
     ImGui::TextUnformatted(describePresetCard(session, card, kTooltipRows).c_str());
@@ -140,7 +153,7 @@ void drawFace(const Ui& ui, const PresetCard& card, glm::vec2 at, float width, b
     }
     const bool changed = loaded && presetChanged(ui.session());
     const std::string name = (changed ? "* " : "") + card.entry.name;
-    const float room = width - ImGui::CalcTextSize("...").x - ImGui::GetStyle().FramePadding.x;
+    const float room = width - dotsWidth();
     const bool fits = ImGui::CalcTextSize(name.c_str()).x <= room;
     const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     list.AddText({at.x, corner.y + 2.0f},
@@ -177,7 +190,7 @@ std::string describePresetCard(const Session& session, const PresetCard& card, s
 void drawPresetCard(Ui& ui, const PresetCard& card, float width) {
     ImGui::PushID(card.entry.name.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float dots = ImGui::CalcTextSize("...").x + 2.0f;
+    const float dots = dotsWidth();
     if (ImGui::InvisibleButton("##card", {width, presetCardHeight(width)})) {
         applyPreset(ui, card.entry.name);
     }
@@ -199,7 +212,7 @@ void drawPresetCard(Ui& ui, const PresetCard& card, float width) {
     const bool hot = ImGui::IsItemHovered();
     if (hot) ImGui::SetTooltip("What it would change, and parts of it");
     ImGui::GetWindowDrawList()->AddText(
-        {at.x + width - dots, at.y + width / kThumbnailAspect + 2.0f},
+        {at.x + width - ImGui::CalcTextSize("...").x, at.y + width / kThumbnailAspect + 2.0f},
         ImGui::GetColorU32(hot ? ImGuiCol_Text : ImGuiCol_TextDisabled), "...");
     ImGui::PopID();
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
@@ -241,6 +242,32 @@ TEST_CASE("Presets are listed, shown as a whole and checked") {
     CHECK(show.status == 0);
     CHECK(nlohmann::json::parse(show.out)["type"] == "nephoscope-look");
     CHECK(runProgram("presets check default").status == 0);
+}
+
+TEST_CASE("Presets are compared, and those of the user's are kept from the command line") {
+    const Outcome diff = runProgram("presets diff default fig06-physical");
+    CHECK(diff.status == 0);
+    CHECK(contains(diff.out, "Modes: Light Translucent -> Low albedo\n"));
+    CHECK(contains(diff.out, "Camera: Target east"));
+    CHECK(contains(runProgram("presets diff default default").out, "no difference"));
+    const TemporaryFolder home;
+    const auto run = [&](const std::string& arguments) {
+        return runProgram("presets " + arguments, home.path().string());
+    };
+    CHECK(run("save dusk --set sun.elevation=5 --title 'At dusk'").status == 0);
+    CHECK(run("save dusk").status == 1);  // nothing is replaced unasked
+    CHECK(run("duplicate dusk").out == "dusk 2\n");
+    CHECK(run("rename 'dusk 2' dawn").status == 0);
+    CHECK(run("describe dawn --description east").status == 0);
+    const Outcome list = run("list");
+    CHECK(std::regex_search(list.out, std::regex("dawn +yours +At dusk\n")));
+    CHECK(std::regex_search(list.out, std::regex("default +bundled +\\w")));
+    const auto dawn = nlohmann::json::parse(run("show dawn").out);
+    CHECK(dawn["look"]["sun.elevation"] == 5);
+    CHECK(dawn["description"] == "east");
+    CHECK(run("delete dawn default").status == 1);
+    CHECK_FALSE(contains(run("list").out, "dawn"));
+    CHECK(std::filesystem::exists(home / "Trash" / "files" / "dawn.json"));
 }
 
 TEST_CASE("Checking a preset with an unknown key fails and names the nearest one") {

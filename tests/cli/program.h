@@ -23,14 +23,15 @@ inline std::string readText(const std::filesystem::path& file) {
 }
 
 /// `arguments` as typed in a shell; without a display, and with a home of its own, so that neither
-/// the tester's presets nor screen play a part.
-inline Outcome runProgram(const std::string& arguments) {
+/// the tester's presets nor screen play a part; `home` where several runs share one.
+inline Outcome runProgram(const std::string& arguments, std::string home = {}) {
     const TemporaryFolder folder;
-    const std::string command =
-        "cd '" + folder.path().string() +
-        "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR "
-        "XDG_DATA_HOME=\"$PWD\" XDG_CONFIG_HOME=\"$PWD\" '" NEPH_TEST_PROGRAM "' " +
-        arguments + " >out 2>err";
+    if (home.empty()) home = folder.path().string();
+    const std::string command = "cd '" + folder.path().string() +
+                                "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR "
+                                "XDG_DATA_HOME='" +
+                                home + "' XDG_CONFIG_HOME=\"$PWD\" '" NEPH_TEST_PROGRAM "' " +
+                                arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
             readText(folder / "err")};
