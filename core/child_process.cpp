@@ -24,7 +24,7 @@ extern char** environ;
 namespace neph {
 namespace {
 
-constexpr auto kGrace = std::chrono::seconds(2);  // for a cancelled program to tidy up
+constexpr auto kGrace = std::chrono::seconds(4);  // for a cancelled program to tidy up
 constexpr int kWaitMs = 20;                       // between two looks
 constexpr std::size_t kMostWords = 4096;          // of stderr that are kept
 constexpr int kExecFailed = 127;                  // as a shell has it
@@ -151,11 +151,8 @@ ChildProcess::ChildProcess(const std::filesystem::path& program,
 }
 
 ChildProcess::~ChildProcess() {
-    if (!status_ && pid_ > 0) {
-        kill(-pid_, SIGKILL);
-        while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
+    cancel();
+    wait();
     closeAll();
 }
 
@@ -210,6 +207,11 @@ void ChildProcess::cancel() {
     if (status_ || killAt_) return;
     kill(-pid_, SIGTERM);
     killAt_ = Clock::now() + kGrace;
+}
+
+void ChildProcess::end() {
+    killAt_ = Clock::now();
+    wait();
 }
 
 bool ChildProcess::write(std::span<const std::byte> bytes) {

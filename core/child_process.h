@@ -30,7 +30,7 @@ class ChildProcess {
     /// Starts `program`, a path, with `arguments`. Throws Error.
     ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  const Options& options);
-    /// Ends it at once.
+    /// Ends it as cancel() does, and waits for that.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
@@ -47,8 +47,11 @@ class ChildProcess {
     /// None while it runs; 128 + signal where a signal ended it, as a shell has it.
     std::optional<int> status() const { return status_; }
 
-    /// Asks it to end (SIGTERM); polls after two seconds make it (SIGKILL).
+    /// Asks it to end (SIGTERM); polls after four seconds make it (SIGKILL).
     void cancel();
+
+    /// Ends it at once (SIGKILL).
+    void end();
 
     /// Gives it all of `bytes` to read, waiting as long as it takes. False when it has ended or
     /// closed its input.

@@ -20,6 +20,9 @@ class Film {
   public:
     /// Begins to write `file`, of pictures of `sizePx`, both even, shown for 1 / `fps` s each.
     Film(const std::filesystem::path& file, glm::ivec2 sizePx, double fps);
+    ~Film() { ffmpeg_.end(); }
+    Film(const Film&) = delete;
+    Film& operator=(const Film&) = delete;
 
     /// The next rows of a picture, from the top; the next picture begins where one is whole. Throws
     /// Error with ffmpeg's own words.

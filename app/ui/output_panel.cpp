@@ -161,11 +161,10 @@ bool drawFile(const Ui& ui, ExportSettings& settings) {
         const bool film = settings.format == ExportFormat::mp4;
         const std::string length =
             film ? fmt::format(", {}", durationText(count / settings.fps)) : std::string();
-        ImGui::TextDisabled("%s",
-                            fmt::format("{} picture{} of {} \u00d7 {} pixels{}. Files that are "
-                                        "there already are kept: a number is added.",
-                                        count, count == 1 ? "" : "s", size.x, size.y, length)
-                                .c_str());
+        ImGui::TextDisabled("%s", fmt::format("{} picture{} of {} \u00d7 {} pixels{}; "
+                                              "a number is added to a name that is taken",
+                                              count, count == 1 ? "" : "s", size.x, size.y, length)
+                                      .c_str());
     }
     ImGui::PopTextWrapPos();
     return fault.empty();
@@ -195,20 +194,20 @@ void drawEnd(Ui& ui) {
                     : ("Wrote " + file).c_str());
             break;
         case ExportJob::State::cancelled:
-            ImGui::Text("The export was stopped. Whole pictures that were written are kept: %d.",
-                        job.done());
+            ImGui::TextUnformatted(stoppedText(job).c_str());
             break;
         default:
             ImGui::TextColored(errorColour(), "The export failed");
             ImGui::TextUnformatted(job.fault().c_str());
     }
     ImGui::PopTextWrapPos();
-    if (!file.empty()) {
+    if (job.state() == ExportJob::State::done && !file.empty()) {
         if (ImGui::Button("Copy path")) ImGui::SetClipboardText(file.c_str());
         place("export.copy_path");
-        ImGui::SameLine();
+        if (!ui.output.open) ImGui::SameLine();
     }
-    const bool close = ImGui::Button("Close##notice");
+    if (ui.output.open) return;
+    const bool close = ImGui::Button("Close");
     place("export.dismiss");
     if (close) ui.output.job.reset();
 }
@@ -254,15 +253,16 @@ void drawDialogue(Ui& ui) {
     ImGui::End();
 }
 
-/// The same where the dialogue is closed: in the corner of the picture.
+/// The same where the dialogue is closed: in the picture's upper right corner, which no overlay
+/// has.
 void drawNotice(Ui& ui) {
     const PixelBox picture = pictureBox(ui);
     const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
     const ImVec2 corner{
         static_cast<float>(picture.upper.x) / io.DisplayFramebufferScale.x - em,
-        io.DisplaySize.y - static_cast<float>(picture.lower.y) / io.DisplayFramebufferScale.y - em};
-    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0f, 1.0f});
+        io.DisplaySize.y - static_cast<float>(picture.upper.y) / io.DisplayFramebufferScale.y + em};
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSize({kNoticeEms * em, 0.0f});
     if (ImGui::Begin("##export", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

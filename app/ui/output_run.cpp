@@ -29,6 +29,14 @@ void removeSession(OutputState& output) {
 
 }  // namespace
 
+std::string stoppedText(const ExportJob& job) {
+    if (job.done() == 0 || job.file().extension() == ".mp4") {
+        return "The export was stopped; nothing was written";
+    }
+    return fmt::format("The export was stopped; {} picture{} kept", job.done(),
+                       job.done() == 1 ? " is" : "s are");
+}
+
 bool exports(const Ui& ui) {
     return ui.output.job && ui.output.job->state() == ExportJob::State::running;
 }
@@ -76,9 +84,7 @@ void updateExport(Ui& ui) {
     if (state == ExportJob::State::done) {
         ui.session().say(Message::Kind::note, "Wrote " + output.job->file().string());
     } else if (state == ExportJob::State::cancelled) {
-        ui.session().say(
-            Message::Kind::note,
-            fmt::format("The export was stopped; {} pictures were written", output.job->done()));
+        ui.session().say(Message::Kind::note, stoppedText(*output.job));
     }
 }
 

@@ -16,6 +16,9 @@ void exportPicture(Ui& ui);
 /// Takes in what it said, and tells its end. To be called in every frame.
 void updateExport(Ui& ui);
 
+/// What is left of one that was stopped.
+std::string stoppedText(const ExportJob& job);
+
 /// What an export of the window depends on.
 ExportScene exportSceneOf(const Ui& ui);
 

@@ -70,6 +70,12 @@ TEST_CASE("A cancelled program may tidy up; one that does not heed it is ended")
         CHECK(child.wait() == 143);
         CHECK(child.takeLines() == std::vector<std::string>{"tidied"});
     }
+    SUBCASE("not asked") {
+        ChildProcess child("/bin/sh", script("trap '' TERM; echo up; exec sleep 600"), {});
+        while (child.takeLines().empty()) child.poll();
+        child.end();
+        CHECK(child.status() == 128 + SIGKILL);
+    }
     SUBCASE("not heeding") {
         ChildProcess child("/bin/sh", script("trap '' TERM; echo up; while :; do sleep 0.01; done"),
                            {});
