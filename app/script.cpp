@@ -21,13 +21,13 @@ struct Grammar {
 };
 constexpr std::size_t kAny = 1000;
 constexpr std::array kGrammar{
-    Grammar{"wait", 0, 0},   Grammar{"frames", 1, 1},       Grammar{"size", 1, 1},
-    Grammar{"action", 1, 1}, Grammar{"key", 1, 1},          Grammar{"text", 1, kAny},
-    Grammar{"move", 1, 1},   Grammar{"click", 1, 1},        Grammar{"right", 1, 1},
-    Grammar{"double", 1, 1}, Grammar{"drag", 3, 3},         Grammar{"orbit", 2, 2},
-    Grammar{"wheel", 2, 2},  Grammar{"open", 1, kAny},      Grammar{"set", 1, 1},
-    Grammar{"expect", 1, 1}, Grammar{"expect-place", 1, 1}, Grammar{"screenshot", 1, 1},
-    Grammar{"monkey", 2, 2},
+    Grammar{"wait", 0, 0},        Grammar{"frames", 1, 1},       Grammar{"size", 1, 1},
+    Grammar{"action", 1, 1},      Grammar{"key", 1, 1},          Grammar{"text", 1, kAny},
+    Grammar{"move", 1, 1},        Grammar{"click", 1, 1},        Grammar{"right", 1, 1},
+    Grammar{"double", 1, 1},      Grammar{"drag", 3, 3},         Grammar{"orbit", 2, 2},
+    Grammar{"wheel", 2, 2},       Grammar{"open", 1, kAny},      Grammar{"set", 1, 1},
+    Grammar{"expect", 1, 1},      Grammar{"expect-place", 1, 1}, Grammar{"expect-file", 1, 1},
+    Grammar{"expect-time", 1, 1}, Grammar{"screenshot", 1, 1},   Grammar{"monkey", 2, 2},
 };
 
 void check(const ScriptStep& step, const std::string& where) {

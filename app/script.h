@@ -3,7 +3,7 @@
 //
 // One command a line; '#' opens a comment. PLACE is a name of app/ui/places.h or "x,y" in shares of
 // the window; "picture" is where the picture is.
-//   wait                     until data are read and the picture is whole
+//   wait                     until data are read, the picture is whole and exports are done
 //   frames N                 so many frames
 //   size WxH                 of the window
 //   action ID                carries out an action
@@ -18,6 +18,8 @@
 //   set ID=VALUE             a parameter of the look
 //   expect ID=VALUE          fails where it is another
 //   expect-place PLACE       fails where there is none
+//   expect-file FILE         fails where there is none, or an empty one
+//   expect-time INDEX
 //   screenshot FILE.png      of the window
 //   monkey EVENTS SEED       random mouse, wheel, keys and text
 #pragma once

@@ -140,6 +140,17 @@ bool ScriptPlayer::playMonkey(const ScriptWorld& world) {
 }
 
 void ScriptPlayer::expect(const ScriptWorld& world) const {
+    if (step().command == "expect-file") {
+        std::error_code error;
+        const auto bytes = std::filesystem::file_size(word(0), error);
+        if (!error && bytes > 0) return;
+        throw Error({here(), word(0) + " is not there or is empty", error.message(), "", ""});
+    }
+    if (step().command == "expect-time") {
+        const int time = world.ui.session().document.time;
+        if (time == static_cast<int>(number(0))) return;
+        throw Error({here(), "another time is shown", std::to_string(time), word(0), ""});
+    }
     const std::size_t equals = word(0).find('=');
     const Parameter& row = parameter(word(0).substr(0, equals));
     const std::string wanted = equals == std::string::npos ? "" : word(0).substr(equals + 1);
@@ -155,7 +166,7 @@ bool ScriptPlayer::play(const ScriptWorld& world) {
     if (is("wait")) return beat_++ > kEarliestWait && world.settled();
     if (is("frames")) return ++beat_ >= static_cast<int>(number(0));
     if (is("monkey")) return playMonkey(world);
-    if (is("expect")) expect(world);
+    if (is("expect") || is("expect-file") || is("expect-time")) expect(world);
     if (is("expect-place")) return find(world, {0.5f, 0.5f}).has_value();
     if (is("screenshot")) world.screenshot(word(0));
     if (is("set")) applyAssignment(world.ui.session().document.look, word(0));

@@ -17,6 +17,7 @@
 #include "app/slots.h"
 #include "app/ui/actions.h"
 #include "app/ui/camera_view.h"
+#include "app/ui/output_run.h"
 #include "app/ui/places.h"
 #include "app/ui/ui.h"
 #include "app/workbench_host.h"
@@ -315,6 +316,7 @@ void Workbench::playScript() {
     const ScriptWorld world{ui_,
                             host_.sizePx(),
                             [this] {
+                                if (ui::exports(ui_)) return false;
                                 return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
                                     return !slot->session.loading() &&
                                            slot->waiting(false) == Slot::Waiting::no;
