@@ -272,7 +272,10 @@ void Workbench::drawPanels() {
 void Workbench::noteChanges() {
     slots_.link();
     for (Slot* slot : slots_.all()) slot->noteChanges();
-    session().history.settle(session().document, moving(), slots_.active().restS());
+    // A camera that is led by a path is nobody's change.
+    if (!ui_.cameraTools.led) {
+        session().history.settle(session().document, moving(), slots_.active().restS());
+    }
     if (ui_.settings != remembered_) rememberSettings();
 }
 

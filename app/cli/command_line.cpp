@@ -86,6 +86,11 @@ void addSessionOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("FILE");
     command.add_option("--slot", options.slot, "Of the session; else the one last edited")
         ->type_name("1|2");
+    command
+        .add_option("--observer", options.observer, "Look from a place; km, km, m, then degrees")
+        ->type_name("EAST,NORTH,HEIGHT,AZIMUTH,ELEVATION[,FOV]");
+    command.add_option("--view", options.view, "Look from a side, all clouds in the picture")
+        ->type_name("fit|plan|north|east|south|west|below");
     command.add_option("--path", options.path, "Pictures along a camera path")->type_name("FILE");
     command.add_flag("--along-path", options.alongPath, "Along the camera path of the session");
     command.add_option("--fps", options.fps, "Pictures a second, of films and paths")

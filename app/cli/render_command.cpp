@@ -17,6 +17,7 @@
 #include "app/cli/profile_text.h"
 #include "app/cli/progress_lines.h"
 #include "app/cli/render_sides.h"
+#include "app/cli/render_view.h"
 #include "app/cli/shots.h"
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
@@ -45,6 +46,7 @@ class Run {
     int timeOf(std::size_t index, const Shot& shot) const;
     Metadata describe(const Shot& shot, const Bands& bands) const;
     CameraPose poseOf(std::size_t index, const Shot& shot) const;
+    double aspect() const { return static_cast<double>(sizePx_.x) / sizePx_.y; }
     void write(const Shot& shot, Bands& bands);
     void picture(const Shot& shot, const std::function<void(Bands&)>& take,
                  const std::filesystem::path& file);
@@ -56,6 +58,8 @@ class Run {
     const RenderOptions& options_;
     Progress goesOn_;
     std::optional<CameraPath> path_;
+    RenderView from_;
+    std::optional<CameraPose> fromPose_;  // of the first time: it does not jump from time to time
     double splitAt_ = 0.5;
     gl::HeadlessContext context_;
     std::vector<std::unique_ptr<Side>> sides_;
@@ -81,7 +85,9 @@ std::optional<CameraPath> pathOf(const RenderOptions& options, const SideScene& 
 }
 
 Run::Run(const RenderOptions& options, Progress goesOn)
-    : options_(options), goesOn_(std::move(goesOn)) {
+    : options_(options),
+      goesOn_(std::move(goesOn)),
+      from_(parseRenderView(options.observer, options.view)) {
     std::vector<std::string> warnings;
     std::optional<SessionState> session;
     if (!options.session.empty()) session = loadSession(options.session, warnings);
@@ -125,12 +131,16 @@ int Run::timeOf(std::size_t index, const Shot& shot) const {
 CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
     const Side& side = *sides_[index];
     if (shot.pathS) return poseAt(*path_, side.shown().grid, *shot.pathS);
+    if (fromPose_) return *fromPose_;
     return sides_[side.what().ownCamera ? index : 0]->what().scene.document.camera;
 }
 
 DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     Side& side = *sides_[index];
     side.show(timeOf(index, shot), goesOn_);
+    if (from_.given() && !fromPose_) {
+        fromPose_ = neph::poseOf(from_, poseOf(index, shot), side.shown(), aspect());
+    }
     printAll("note", side.newNotes());
     DrawnSide drawn;
     drawn.renderer = &side.renderer();
@@ -140,8 +150,7 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     drawn.inputs.supersample = options_.supersample;
     drawn.inputs.backdrop = !options_.transparent;
     drawn.inputs.profile = options_.profile;
-    drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid,
-                                      static_cast<double>(sizePx_.x) / sizePx_.y);
+    drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid, aspect());
     const int split =
         sides_.size() == 1
             ? sizePx_.x

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "app/cli/film.h"
+#include "app/cli/render_view.h"
 #include "core/atomic_file.h"
 
 namespace neph {
@@ -84,6 +85,12 @@ void checkOptions(const RenderOptions& options) {
     checkRange("--slot", options.slot, 0, 2);
     if (options.format != "half" && options.format != "float") {
         throw UsageError({"--format", "is not known", options.format, "half or float", ""});
+    }
+    if (parseRenderView(options.observer, options.view).given() &&
+        (options.alongPath || !options.path.empty())) {
+        throw UsageError({.where = options.view.empty() ? "--observer" : "--view",
+                          .what = "there is a camera path as well",
+                          .hint = "give one of the two"});
     }
     if (options.frames != 0 && options.path.empty() && !options.alongPath) {
         throw UsageError({.where = "--frames",

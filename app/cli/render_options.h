@@ -26,6 +26,8 @@ struct RenderOptions {
     std::string size = "1280x720";
     int supersample = 1;  ///< rays a pixel, a side
     bool transparent = false;
+    std::string observer;  ///< as parseRenderView, as is `view`
+    std::string view;
     std::string path;             ///< camera path, a file
     bool alongPath = false;       ///< along the session's
     double fps = 25.0;            ///< of films, and of pictures along a path
