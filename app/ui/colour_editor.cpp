@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/ui/number_slider.h"
@@ -14,7 +15,7 @@ namespace neph::ui {
 namespace {
 
 constexpr float kPickerEms = 13.0f;
-constexpr float kLabelEms = 5.5f;
+constexpr float kLabelEms = 6.6f;
 
 ImU32 onScreen(const glm::vec3& linear) {
     const glm::vec3 srgb = srgbFromLinear(glm::clamp(linear, 0.0f, 1.0f));

@@ -13,6 +13,7 @@ namespace neph::ui {
 namespace {
 
 constexpr float kHeightEms = 3.2f;
+constexpr float kTooltipEms = 7.0f;  // as high as a tooltip gets
 
 /// As people say it: g/m³, or extinction by the kilometre.
 struct ScreenUnit {
@@ -79,6 +80,7 @@ void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec
     const auto bound = [&](int i) {
         return FieldHistogram::lowerBound(histogram.holding, i) * unit.scale;
     };
+    nextTooltipBeside({lower.x, lower.y}, {upper.x, upper.y});
     ImGui::SetTooltip(
         "%s to %s %s: %llu cells\nCells of the volume that is shown, heights logarithmic; before "
         "the mixing scale.",
@@ -87,6 +89,13 @@ void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec
 }
 
 }  // namespace
+
+void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper) {
+    const float em = ImGui::GetFontSize();
+    const bool below = upper.y + kTooltipEms * em < ImGui::GetIO().DisplaySize.y;
+    const float y = below ? upper.y + 0.3f * em : lower.y - 0.3f * em;
+    ImGui::SetNextWindowPos({lower.x, y}, ImGuiCond_Always, {0.0f, below ? 0.0f : 1.0f});
+}
 
 void drawHistogram(const FieldHistogram& histogram) {
     const Window window = windowOf(histogram);

@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -142,6 +144,7 @@ void readOut(const PhaseCurve::Made& curve, const Frame& frame) {
     if (!ImGui::IsItemHovered()) return;
     const float theta = frame.angleAt(ImGui::GetIO().MousePos);
     const std::string lines = isGrey(curve.table) ? "" : "\nRed, green, blue: 650, 550, 450 nm.";
+    nextTooltipBeside({frame.lower.x, frame.lower.y}, {frame.upper.x, frame.upper.y});
     ImGui::SetTooltip(
         "%.1f°: %s%s\nPhase function, logarithmic, %s to %s 1/sr; 0° is straight on. The dot is "
         "where\nsunlight turns to the eye at the middle of the picture. A click shows it %s.",

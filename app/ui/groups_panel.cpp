@@ -69,9 +69,16 @@ void drawFound(Ui& ui, const std::string& wanted) {
 
 void drawFind(Ui& ui) {
     if (!ImGui::IsAnyItemActive()) ui.fields.atPress = ui.session().document.look;
-    ImGui::SetNextItemWidth(-1.0f);
+    const float clear = ImGui::GetFrameHeight();
+    const bool typed = !ui.fields.find.empty();
+    ImGui::SetNextItemWidth(typed ? -clear - ImGui::GetStyle().ItemSpacing.x : -1.0f);
     ImGui::InputTextWithHint("##find", "Find a parameter", &ui.fields.find);
     place("find");
+    if (typed) {
+        ImGui::SameLine();
+        if (ImGui::Button("x##clear", {clear, 0.0f})) ui.fields.find.clear();
+        place("find.clear");
+    }
     const std::string wanted = lower(ui.fields.find);
     if (wanted.find_first_not_of(' ') != std::string::npos) drawFound(ui, wanted);
 }

@@ -240,4 +240,6 @@ TEST_CASE("A parameter is found by part of its label, id or help, of any field")
     panel.frame();
     CHECK(ui::placeOf("view.exposure").has_value());
     CHECK_FALSE(ui::placeOf("snow.albedo").has_value());
+    panel.click("find.clear");
+    CHECK(panel.state.fields.find.empty());
 }

@@ -4,13 +4,15 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 
+#include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/ui/format.h"
 #include "app/ui/places.h"
 #include "core/choice_help.h"
 #include "core/error.h"
-#include "tests/text.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
