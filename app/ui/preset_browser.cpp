@@ -59,7 +59,7 @@ bool contains(const std::string& text, const std::string& part) {
         return std::tolower(static_cast<unsigned char>(a)) ==
                std::tolower(static_cast<unsigned char>(b));
     };
-    return !std::ranges::search(text, part, same).empty() || part.empty();
+    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 /// Every word that is searched for stands in the name, the title or the description.
@@ -68,7 +68,7 @@ bool isFound(const PresetCard& card, const std::string& search) {
         card.entry.name + "\n" + card.preset.title + "\n" + card.preset.description;
     for (std::size_t at = 0; at < search.size();) {
         const std::size_t end = std::min(search.find(' ', at), search.size());
-        if (!contains(all, search.substr(at, end - at))) return false;
+        if (end > at && !contains(all, search.substr(at, end - at))) return false;
         at = end + 1;
     }
     return true;

@@ -76,7 +76,7 @@ void openFiles(Ui& ui, const std::vector<std::string>& names) {
             openSessionFile(ui, names.front());
             break;
         case FileKind::preset:
-            ui.session().loadPreset(names.front());
+            applyPreset(ui, names.front());
             break;
         case FileKind::data:
             ui.session().open(names);

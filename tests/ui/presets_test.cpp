@@ -124,14 +124,17 @@ TEST_CASE("A card tells title, description and what it would change, the first d
 
 TEST_CASE("A search leaves the cards with all of its words, in whatever case") {
     Browser browser;
-    for (const auto& [search, storm, mine] :
-         {std::tuple{"STOR test", true, false}, std::tuple{"mine", false, true},
-          std::tuple{"storm mine", false, false}, std::tuple{"", true, true}}) {
-        CAPTURE(search);
-        browser.state.presets.search = search;
+    struct Case {
+        const char* search;
+        bool storm, mine;
+    };
+    for (const Case& c : {Case{"STOR test", true, false}, Case{"mine", false, true},
+                          Case{"storm mine", false, false}, Case{"", true, true}}) {
+        CAPTURE(c.search);
+        browser.state.presets.search = c.search;
         browser.frame();
-        CHECK(ui::placeOf("preset:storm").has_value() == storm);
-        CHECK(ui::placeOf("preset:mine").has_value() == mine);
+        CHECK(ui::placeOf("preset:storm").has_value() == c.storm);
+        CHECK(ui::placeOf("preset:mine").has_value() == c.mine);
     }
 }
 
