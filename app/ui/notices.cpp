@@ -8,6 +8,7 @@
 #include "app/ui/notice_box.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
+#include "app/ui/theme.h"
 #include "core/autosave.h"
 #include "core/recent.h"
 
@@ -50,7 +51,7 @@ void drawLoading(const Ui& ui, Session& session) {
 void drawError(Ui& ui, const std::string& text) {
     bool close = false;
     if (beginNotice(ui, "##error", NoticeAt::top)) {
-        ImGui::TextColored({0.95f, 0.55f, 0.45f, 1.0f}, "Error");
+        ImGui::TextColored(errorColour(), "Error");
         ImGui::TextUnformatted(text.c_str());
         close = ImGui::Button("Close");
         place("error.close");

@@ -12,7 +12,13 @@ namespace {
 // In letters: width, margin to the picture's edge, and where values end.
 constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.0f;
 constexpr float kOpacity = 0.80f;  // legible on a bright cloud, and the cloud still shows
-const ImVec4 kDim{0.66f, 0.70f, 0.76f, 1.0f};  // labels: brighter than on the panels
+
+/// Nearer to that of values than on the panels, since the picture shows through.
+ImVec4 labelColour() {
+    const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const ImVec4 label = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    return {(text.x + label.x) / 2.0f, (text.y + label.y) / 2.0f, (text.z + label.z) / 2.0f, 1.0f};
+}
 
 void textUpTo(float end, const std::string& text, bool dim) {
     ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
@@ -68,7 +74,7 @@ void drawProfile(const Ui& ui) {
         {picture.upper.x - (kWidthEms + kMarginEms) * em, picture.lower.y + kMarginEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
     ImGui::SetNextWindowBgAlpha(kOpacity);
-    ImGui::PushStyleColor(ImGuiCol_TextDisabled, kDim);
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, labelColour());
     // Without inputs: the hand reaches the picture through it.
     if (ImGui::Begin("##profile", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
