@@ -156,7 +156,12 @@ int chooseByButton(const Parameter& row, int chosen) {
 
 int chooseFromList(const Parameter& row, int chosen) {
     const std::string current(row.choiceLabels[static_cast<std::size_t>(chosen)]);
-    if (!ImGui::BeginCombo("##value", current.c_str())) return chosen;
+    // Where the words need the room there is no arrow.
+    const float words =
+        ImGui::CalcTextSize(current.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    const bool tight = words + ImGui::GetFrameHeight() > ImGui::CalcItemWidth();
+    const auto flags = tight ? ImGuiComboFlags_NoArrowButton : ImGuiComboFlags_None;
+    if (!ImGui::BeginCombo("##value", current.c_str(), flags)) return chosen;
     for (int i = 0; i < static_cast<int>(row.choiceLabels.size()); ++i) {
         const std::string label(row.choiceLabels[static_cast<std::size_t>(i)]);
         if (ImGui::Selectable(label.c_str(), i == chosen)) chosen = i;
