@@ -23,7 +23,7 @@ constexpr float kCardEms = 7.0f;     // least width; two stand in a column of us
 constexpr float kGridEms = 19.0f;    // least height: more is scrolled to
 constexpr float kGridShare = 0.35f;  // of the window's height, where that is more
 constexpr double kLookS = 1.0;       // between looks whether files have changed
-constexpr std::size_t kTooltipRows = 12;
+constexpr std::size_t kTooltipRows = 12, kChangeRows = 10;
 
 void list(Ui& ui) {
     std::vector<PresetCard> cards;
@@ -37,6 +37,7 @@ void list(Ui& ui) {
         }
     }
     keepThumbnails(ui, cards);
+    if (ui.presets.cards.empty()) ui.presets.revealed = false;  // the first list
     ui.presets.cards = std::move(cards);
     ui.presets.listed = true;
     ui.presets.triedThumbnails = false;
@@ -178,6 +179,15 @@ void drawGrid(Ui& ui) {
     place("presets.grid");
 }
 
+/// A line each, broken where the column is too narrow.
+void drawChanges(const std::vector<PresetDifference>& rows) {
+    const auto lines = static_cast<float>(std::min(rows.size(), kChangeRows));
+    if (ImGui::BeginChild("##changes", {0.0f, lines * ImGui::GetTextLineHeightWithSpacing()})) {
+        for (const PresetDifference& row : rows) ImGui::TextWrapped("%s", lineOf(row).c_str());
+    }
+    ImGui::EndChild();
+}
+
 /// What the last preset changed, for as long as that can be undone at once.
 void drawApplied(Ui& ui) {
     PresetApplied& applied = ui.presets.applied;
@@ -194,7 +204,7 @@ void drawApplied(Ui& ui) {
     const bool undo = ImGui::SmallButton("Undo");
     place("presets.undo");
     if (open) {
-        drawPresetRows(applied.rows, kPresetAll, "Before", "Now");
+        drawChanges(applied.rows);
         ImGui::TreePop();
     }
     if (undo) session.undo();

@@ -76,10 +76,8 @@ void drawRow(const PresetDifference& row, bool lit) {
     ImGui::PopStyleColor();
 }
 
-}  // namespace
-
-void drawPresetRows(const std::vector<PresetDifference>& rows, PresetParts lit, const char* before,
-                    const char* after) {
+/// Those of `lit` parts stand out.
+void drawRows(const std::vector<PresetDifference>& rows, PresetParts lit) {
     const int lines = std::min(kMostLines, static_cast<int>(rows.size()) + 1);
     const float height = static_cast<float>(lines) *
                              (ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y) +
@@ -88,13 +86,15 @@ void drawPresetRows(const std::vector<PresetDifference>& rows, PresetParts lit, 
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("##rows", 3, flags, {0.0f, height})) return;
     ImGui::TableSetupColumn("Parameter", 0, 2.0f);
-    ImGui::TableSetupColumn(before, 0, 1.0f);
-    ImGui::TableSetupColumn(after, 0, 1.0f);
+    ImGui::TableSetupColumn("Now", 0, 1.0f);
+    ImGui::TableSetupColumn("Preset", 0, 1.0f);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableHeadersRow();
     for (const PresetDifference& row : rows) drawRow(row, (row.part & lit) != 0);
     ImGui::EndTable();
 }
+
+}  // namespace
 
 void drawPresetDetails(Ui& ui) {
     if (std::exchange(ui.presets.openDetails, false)) ImGui::OpenPopup("##preset details");
@@ -116,7 +116,7 @@ void drawPresetDetails(Ui& ui) {
         if (rows.empty()) {
             ImGui::TextDisabled("The present look and camera are just those of the preset");
         } else {
-            drawPresetRows(rows, lit, "Now", "Preset");
+            drawRows(rows, lit);
         }
     }
     ImGui::EndPopup();

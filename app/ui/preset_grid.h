@@ -12,8 +12,4 @@ void updateThumbnails(Ui& ui);
 /// Hands the pictures of the present cards to new ones of the same content, and drops the others.
 void keepThumbnails(Ui& ui, std::vector<PresetCard>& cards);
 
-/// A table of differences; those of `lit` parts stand out.
-void drawPresetRows(const std::vector<PresetDifference>& rows, PresetParts lit, const char* before,
-                    const char* after);
-
 }  // namespace neph::ui
