@@ -14,7 +14,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kColumnEms = 18.0f, kKeyEms = 7.2f;
+constexpr float kColumnEms = 18.0f, kKeyEms = 7.6f;
 constexpr int kMostColumns = 4;
 
 struct Line {
@@ -26,10 +26,10 @@ using Section = std::vector<Line>;
 Section mouse() {
     return {{"", "Mouse"},
             {"Left drag", "Orbit"},
-            {"Middle drag, Shift+left", "Pan"},
+            {"Middle, Shift+drag", "Pan"},
             {"Wheel", "To the cursor, and away"},
             {"Right drag", "Nearer, farther"},
-            {"W A S D E Q", "Fly: G, or right button held"},
+            {"W A S D E Q", "Fly (G, or right button)"},
             {"Ctrl+click a slider", "Type a value"},
             {"Shift+drag a slider", "Finely"},
             {"Double click a label", "Back to the preset"},
@@ -68,30 +68,40 @@ void drawLine(const Line& line) {
     ImGui::TextUnformatted(line.does.c_str());
 }
 
-/// Sections one below the other; a new column where the one before is full.
-void drawSections(const std::vector<Section>& all, int columns) {
-    std::size_t lines = 0;
-    for (const Section& section : all) lines += section.size() + 1;
-    const std::size_t full =
-        (lines + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
-    const float width = kColumnEms * ImGui::GetFontSize();
-    const float left = ImGui::GetCursorPosX();
+/// For each section the column that it stands in, where a column has room for `full` lines.
+std::vector<int> columnsOf(const std::vector<Section>& all, std::size_t full) {
+    std::vector<int> columns;
     std::size_t used = 0;
     int column = 0;
+    for (const Section& section : all) {
+        if (used > 0 && used + section.size() > full) {
+            ++column;
+            used = 0;
+        }
+        used += section.size();
+        columns.push_back(column);
+    }
+    return columns;
+}
+
+/// Sections one below the other, in columns as short as they can be.
+void drawSections(const std::vector<Section>& all, int columns) {
+    std::size_t full = 1;
+    while (columnsOf(all, full).back() >= columns) ++full;
+    const std::vector<int> placed = columnsOf(all, full);
+    const float width = kColumnEms * ImGui::GetFontSize();
+    const float left = ImGui::GetCursorPosX();
     // Close together: the whole of it at a glance.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1.0f});
     ImGui::BeginGroup();
-    for (const Section& section : all) {
-        if (used > 0 && used + section.size() / 2 > full && column + 1 < columns) {
-            ++column;
-            used = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i > 0 && placed[i] != placed[i - 1]) {
             ImGui::EndGroup();
-            ImGui::SameLine(left + static_cast<float>(column) * width);
+            ImGui::SameLine(left + static_cast<float>(placed[i]) * width);
             ImGui::BeginGroup();
         }
-        for (const Line& line : section) drawLine(line);
-        ImGui::Dummy({width - ImGui::GetFontSize(), 0.5f * ImGui::GetTextLineHeight()});
-        used += section.size() + 1;
+        for (const Line& line : all[i]) drawLine(line);
+        ImGui::Dummy({width - ImGui::GetFontSize(), 0.3f * ImGui::GetTextLineHeight()});
     }
     ImGui::EndGroup();
     ImGui::PopStyleVar();
@@ -102,7 +112,7 @@ void drawSections(const std::vector<Section>& all, int columns) {
 void drawHelp(Ui& ui) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
-    const ImVec2 room{display.x - 2.0f * em, display.y - 2.0f * em};
+    const ImVec2 room{display.x - em, display.y - em};
     const int columns = std::clamp(static_cast<int>(room.x / (kColumnEms * em)), 1, kMostColumns);
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, room);
