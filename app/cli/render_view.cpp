@@ -92,9 +92,13 @@ CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSu
     }
     if (!from.observer) return pose;
     if (const auto stood = poseOf(*from.observer, shown.grid)) return *stood;
-    throw UsageError({"--observer", "is too far from the domain", "",
-                      "a view that meets the domain, or one domain's width around it",
-                      "nephoscope info FILE... tells the domain"});
+    const glm::dvec3 lower = shown.grid.originM / kMPerKm, upper = shown.grid.upperM() / kMPerKm;
+    throw UsageError(
+        {"--observer", "is too far from the domain", "",
+         "a view that meets the domain, or one domain's width around it",
+         fmt::format("the domain goes from {:.4g} to {:.4g} km east and from {:.4g} to {:.4g} "
+                     "km north",
+                     lower.x, upper.x, lower.y, upper.y)});
 }
 
 }  // namespace neph

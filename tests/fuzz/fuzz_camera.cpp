@@ -1,7 +1,28 @@
-// fuzz_camera.cpp: any file is a camera, a preset with one, or an Error.
+// fuzz_camera.cpp: any file is a camera, a preset with one, a camera path, or an Error; a path that
+// is read can be written and read again, and leads somewhere at any time.
+#include <cstdlib>
+
+#include "core/camera_format.h"
 #include "core/error.h"
 #include "core/preset.h"
 #include "tests/fuzz/scratch.h"
+
+namespace {
+
+void readPath(const std::filesystem::path& file) {
+    std::vector<std::string> warnings;
+    const neph::CameraPath path = neph::loadCameraPath(file, warnings);
+    if (neph::parseCameraPath(neph::formatCameraPath(path), "again", warnings) != path) {
+        std::abort();
+    }
+    const neph::RegularGrid grid{{8, 8, 4}, {0.0, 0.0, 0.0}, {1e3, 1e3, 500.0}};
+    for (int i = 0; i < 8; ++i) {
+        const neph::CameraPose pose = neph::poseAt(path, grid, neph::durationS(path) * i / 7.0);
+        neph::parseCamera(neph::formatCamera(pose), "there", warnings);
+    }
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     static const fuzz::Scratch scratch;
@@ -10,6 +31,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         std::vector<std::string> warnings;
         neph::loadCamera(file.string(), warnings);
     } catch (const neph::Error&) {  // the expected answer to nonsense
+    }
+    try {
+        readPath(file);
+    } catch (const neph::Error&) {
     }
     return 0;
 }
