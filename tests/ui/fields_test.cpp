@@ -181,7 +181,7 @@ TEST_CASE("A curve is computed when its phase function changes, droplets beside 
     curve = ui::curveOf(state, look, Species::cloud);
     REQUIRE((curve != nullptr));
     CHECK(curve->spec.radiusM == 2e-6f);
-    CHECK(curve->asymmetry == Approx(phaseAsymmetry(look.of(Species::cloud).phase)));
+    CHECK(curve->asymmetry == phaseAsymmetry(look.of(Species::cloud).phase));
 }
 
 TEST_CASE("The depth along the view is that of what is shown, and follows look and camera") {
@@ -204,9 +204,9 @@ TEST_CASE("Field colours change to those that the colour-blind can tell, and bac
     CHECK(ui::runAction(panel.state, "edit.accessible_colours"));
     CHECK(hasFieldColours(panel.look(), FieldColours::accessible));
     // Blue of Okabe and Ito is (0, 114, 178) of 255 in sRGB.
-    const glm::vec3 srgb = srgbFromLinear(panel.look().of(Species::rain).colour) * 255.0f;
-    CHECK(srgb.g == Approx(114.0f).epsilon(1e-4));
-    CHECK(srgb.b == Approx(178.0f).epsilon(1e-4));
+    const glm::dvec3 srgb(srgbFromLinear(panel.look().of(Species::rain).colour) * 255.0f);
+    CHECK(srgb.g == Approx(114.0).epsilon(1e-4));
+    CHECK(srgb.b == Approx(178.0).epsilon(1e-4));
     CHECK(panel.session.history.undoLabel() == "Colour-blind-safe field colours");
     CHECK(ui::runAction(panel.state, "edit.accessible_colours"));
     CHECK((panel.look() == Look{}));
