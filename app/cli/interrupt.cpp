@@ -17,8 +17,11 @@ void note(int signal) {
 void noteInterrupts() {
     struct sigaction action {};
     action.sa_handler = note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    // One whose parent ends gets SIGTERM once for each thread of the parent.
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    action.sa_flags |= static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
     std::signal(SIGPIPE, SIG_IGN);
 }
 

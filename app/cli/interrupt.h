@@ -4,7 +4,7 @@
 
 namespace neph {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted; a second one ends the program. Writing to a
+/// From now on SIGINT, SIGTERM and SIGHUP are noted; a second SIGINT ends the program. Writing to a
 /// pipe that nobody reads is no signal but a failed write.
 void noteInterrupts();
 
