@@ -161,7 +161,8 @@ void drawWhole(Ui& ui) {
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::BeginDisabled(path.keys.size() < 2);
     const bool plays = ui.playback.playing && ui.playback.alongPath;
-    if (ImGui::Button(plays ? "Pause" : "Play")) {
+    const float width = ImGui::CalcTextSize("Pause").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::Button(plays ? "Pause" : "Play", {width, 0.0f})) {
         ui.playback.alongPath = true;
         runAction(ui, "time.play");
     }
