@@ -218,6 +218,21 @@ TEST_CASE("An export that is told to stop stops, keeps whole pictures and leaves
     }
 }
 
+TEST_CASE("A film that is told to stop, and not only once, leaves no part of it") {
+    const TemporaryFolder folder;
+    makeFfmpeg(folder.path());
+    const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));
+    // As many signals as the program that started it had threads.
+    const std::string script =
+        "cd \"$1\"; \"$0\" render cumulus --time all --size 64x48 --samples 1024 --quality 0.25 "
+        "--progress --out f.mp4 > log 2> errors & p=$!\n"
+        "while ! grep -q done log; do sleep 0.02; done; kill $p; kill $p; kill $p; wait $p";
+    ChildProcess child("/bin/sh", {"-c", script, NEPH_TEST_PROGRAM, folder.path().string()}, {});
+    CHECK(child.wait() == 128 + SIGTERM);
+    CHECK(contains(readText(folder / "errors"), "stopped"));
+    CHECK(countFiles(folder.path()) == 3);  // ffmpeg, log and errors
+}
+
 TEST_CASE("Thumbnails are made where the browser looks for them, once") {
     const TemporaryFolder folder;
     const Environment cache("XDG_CACHE_HOME", folder.path().string());
