@@ -72,7 +72,7 @@ const Accent kLight{
 
 /// A grey with a little blue in it.
 ImVec4 grey(float level) {
-    return {level * 0.97f, level, std::min(1.0f, level * 1.05f), 1.0f};
+    return {level - 0.005f, level, level + 0.01f, 1.0f};
 }
 
 void colour(Theme theme) {
