@@ -182,7 +182,7 @@ void drawPresetDialogs(Ui& ui) {
     place("preset_dialog.ok");
     ImGui::EndDisabled();
     if (verdict.fits && (done || entered) && carryOut(ui)) {
-        presets.listed = false;
+        presets.listed = presets.revealed = false;
         ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();
