@@ -62,6 +62,8 @@ FileEntry entryOf(const fs::directory_entry& item) {
     struct stat status {};
     if (::stat(item.path().c_str(), &status) != 0) return entry;
     entry.folder = S_ISDIR(status.st_mode);
+    if (!entry.folder && !S_ISREG(status.st_mode))
+        entry.fits = false;  // a device is not looked into
     entry.bytes = static_cast<std::uint64_t>(status.st_size);
     entry.changed = status.st_mtime;
     return entry;

@@ -66,8 +66,7 @@ std::string typedNow() {
 }
 
 /// Takes what was typed while the line had not the keyboard yet. True when Enter was among it.
-bool takeEarlyKeys(FileBrowser& browser) {
-    const std::string typed = typedNow();
+bool takeEarlyKeys(FileBrowser& browser, const std::string& typed) {
     browser.line += typed;
     browser.line.erase(0, laterPath(browser.line));
     browser.narrows |= !typed.empty();
@@ -130,7 +129,8 @@ bool drawLine(FileBrowser& browser) {
         browser.awaitsKeys = true;
     }
     ImGui::SetNextItemWidth(-1.0f);
-    std::string edited = browser.line;  // ImGui's own while it calls onLine, which sets the line
+    const std::string typed = typedNow();  // before ImGui uses it up
+    std::string edited = browser.line;     // ImGui's own while it calls onLine, which sets the line
     const bool entered = ImGui::InputText(
         "##path", &edited,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion |
@@ -140,7 +140,7 @@ bool drawLine(FileBrowser& browser) {
     browser.line = edited;
     place("files.line");
     if (ImGui::IsItemActive() && std::exchange(browser.awaitsKeys, false)) {
-        browser.early = typedNow();  // which ImGui passes over in the frame that gives the keyboard
+        browser.early = typed;  // which ImGui passes over in the frame that gives the keyboard
         browser.earlyAt = static_cast<int>(edited.size());
         if (!pressed(ImGuiKey_Enter)) return false;
         browser.line += std::exchange(browser.early, {});
@@ -152,7 +152,7 @@ bool drawLine(FileBrowser& browser) {
     const bool inList =
         !ImGui::IsWindowFocused() && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     if (inList && pressed(ImGuiKey_Backspace)) goUp(browser);
-    return takeEarlyKeys(browser);
+    return takeEarlyKeys(browser, typed);
 }
 
 /// A row of the list. True when it was double-clicked.
