@@ -165,7 +165,9 @@ void WorkbenchHost::endFrame(std::span<const HostPicture> pictures, Image8* shot
                      picture.widthShare);
     }
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (shot != nullptr) *shot = window_.read();
+    if (shot != nullptr) {
+        *shot = {{window_.framebufferWidth(), window_.framebufferHeight()}, window_.readRgba()};
+    }
     window_.swap();
 }
 

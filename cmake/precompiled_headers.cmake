@@ -4,6 +4,8 @@
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
+# Programs are compiled as libraries are: a precompiled header serves one kind of code.
+set(CMAKE_CXX_COMPILE_OPTIONS_PIE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
 
 set(NEPH_STD_HEADERS <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <cstring> <filesystem>
   <fstream> <functional> <map> <memory> <mutex> <optional> <set> <span> <string> <string_view>

@@ -97,7 +97,6 @@ constexpr std::array kRows{
     Row{"text_scale", "a number from 0.5 to 4",
         [](const Json& j, Settings& s) { return take(j, s.textScale, 0.5, 4.0); },
         [](const Settings& s) { return Json(asWritten(s.textScale)); }},
-    switchRow<&Settings::accessibleColours>("accessible_colours"),
     Row{"frames_per_second", "a number from 1 to 240",
         [](const Json& j, Settings& s) { return take(j, s.framesPerSecond, 1.0, 240.0); },
         [](const Settings& s) { return Json(s.framesPerSecond); }},

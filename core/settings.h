@@ -11,7 +11,6 @@ struct Settings {
     std::string memory;  ///< as parseMemory of memory_setting.h; empty: the program chooses
     Theme theme = Theme::dark;
     float textScale = 1.0f;          ///< of text and panels, besides the monitor's own scale
-    bool accessibleColours = false;  ///< swatches and field colours that the colour-blind can tell
     double framesPerSecond = 30.0;   ///< to be held while something moves
     bool leftColumn = true, rightColumn = true;
     bool scaleBar = true, compass = true, heightRuler = false;  ///< over the picture

@@ -8,7 +8,7 @@ build_packages=(
   nlohmann-json3-dev libcli11-dev libfmt-dev
 )
 runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-roboto-unhinted fonts-dejavu-core)
-test_packages=(doctest-dev clang-format)
+test_packages=(doctest-dev clang-format xvfb xauth)
 sanitizer_packages=(clang libclang-rt-dev llvm)  # llvm: names and lines in the reports
 
 # Installs those of its arguments that are missing; silent and quick when none is.

@@ -140,18 +140,20 @@ void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm:
     glDeleteFramebuffers(1, &frame);
 }
 
-Image8 Window::read() const {
-    Image8 image{{framebufferWidth(), framebufferHeight()}, {}};
-    const auto row = static_cast<std::size_t>(image.size.x) * 4;
-    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(image.size.y));
+std::vector<std::uint8_t> Window::readRgba() const {
+    const int width = framebufferWidth(), height = framebufferHeight();
+    const auto row = static_cast<std::size_t>(width) * 4;
+    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
-    for (int y = image.size.y; y-- > 0;) {
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(upward.size());
+    for (int y = height; y-- > 0;) {
         const auto* from = upward.data() + row * static_cast<std::size_t>(y);
-        image.rgba.insert(image.rgba.end(), from, from + row);
+        rgba.insert(rgba.end(), from, from + row);
     }
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-    return image;
+    for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 255;
+    return rgba;
 }
 
 DeviceMemory deviceMemory() {

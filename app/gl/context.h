@@ -5,8 +5,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
-
-#include "app/image_io/image.h"
+#include <vector>
 
 struct GLFWwindow;
 
@@ -47,8 +46,8 @@ class Window {
     /// between two shares of its width, interpolated; both have row 0 at the bottom.
     void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
               glm::vec2 widthShare = {0.0f, 1.0f});
-    /// What has been drawn since the last swap, row 0 on top, opaque.
-    Image8 read() const;
+    /// What has been drawn since the last swap: sRGB with an alpha of 255, row 0 on top.
+    std::vector<std::uint8_t> readRgba() const;
 
   private:
     GLFWwindow* window_ = nullptr;

@@ -68,7 +68,6 @@ TEST_CASE("Every setting reads back as it was saved") {
     settings.memory = "50%";
     settings.theme = Theme::light;
     settings.textScale = 1.1f;
-    settings.accessibleColours = true;
     settings.framesPerSecond = 60.5;
     settings.leftColumn = settings.rightColumn = false;
     settings.scaleBar = settings.compass = false;
