@@ -10,8 +10,8 @@ enum class Theme : int { dark, light };
 struct Settings {
     std::string memory;  ///< as parseMemory of memory_setting.h; empty: the program chooses
     Theme theme = Theme::dark;
-    float textScale = 1.0f;          ///< of text and panels, besides the monitor's own scale
-    double framesPerSecond = 30.0;   ///< to be held while something moves
+    float textScale = 1.0f;         ///< of text and panels, besides the monitor's own scale
+    double framesPerSecond = 30.0;  ///< to be held while something moves
     bool leftColumn = true, rightColumn = true;
     bool scaleBar = true, compass = true, heightRuler = false;  ///< over the picture
     std::vector<std::string> recent;  ///< data and sessions opened, newest first, absolute paths
