@@ -62,7 +62,7 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
                           Case{"render --samples 0", "from 1 to 1024"},
                           Case{"render --samples 1.5", "--samples"},
                           Case{"render --format double", "half or float"},
-                          Case{"render --out a.jpg", ".png or .exr"},
+                          Case{"render --out a.jpg", ".png, .exr or .mp4"},
                           Case{"render --region 1:2", "x0:x1,y0:y1"},
                           Case{"render --region 1:2,4:3", "lower before upper"},
                           Case{"render --region 1:2,3:4,", "x0:x1,y0:y1"},
