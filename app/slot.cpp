@@ -84,6 +84,7 @@ std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
 
 bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     if (!session.shown()) return false;
+    noteChanges();  // a further sample of another picture would be no average
     if (placePx_ != request.placePx) {
         placePx_ = request.placePx;
         changed_ = Clock::now();
