@@ -131,8 +131,8 @@ TEST_CASE("The picture has what the panels leave of the window, and all of it wi
     ui::Ui state(session);
     gui.frame([&] { ui::draw(state); });
     const ui::PixelBox box = ui::pictureBox(state);
-    // Letters of 13 pixels: columns of 20, edges of 3/4; the status line of 7/4, and a line of menus
-    // with 3 pixels above and below.
+    // Letters of 13 pixels: columns of 20, edges of 3/4; the status line of 7/4, and a line of
+    // menus with 3 pixels above and below.
     CHECK(box.lower == glm::ivec2(260 + 10, 23));
     CHECK(box.upper == glm::ivec2(1280 - 260 - 10, 720 - 19));
     state.showPanels = false;
