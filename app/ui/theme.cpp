@@ -96,7 +96,6 @@ void colour(Theme theme) {
 
 void space(float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowMinSize = {1.0f, 1.0f};
     style.WindowRounding = style.ChildRounding = style.ScrollbarRounding = 0.0f;
     style.FrameRounding = style.GrabRounding = style.TabRounding = 3.0f;
     style.PopupRounding = 4.0f;
@@ -108,6 +107,8 @@ void space(float scale) {
     style.IndentSpacing = 14.0f;
     style.ScrollbarSize = 11.0f;
     style.ScaleAllSizes(scale);
+    style.WindowMinSize = {1.0f,
+                           1.0f};  // less than a pixel, which ImGui refuses, if it were scaled
 }
 
 bool isLight() {

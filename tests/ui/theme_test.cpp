@@ -76,6 +76,15 @@ TEST_CASE("Sizes follow the scale, however often the style is made anew") {
     CHECK(ImGui::GetStyle().GrabMinSize == 10.0f);  // as ImGui has it
 }
 
+TEST_CASE("ImGui takes the sizes of the smallest and of the largest text") {
+    Headless gui;
+    for (const float scale : {0.5f, 0.75f, 3.0f, 6.0f}) {
+        ui::applyTheme(scale, Theme::dark);
+        CHECK(ImGui::GetStyle().WindowMinSize.x >= 1.0f);  // ImGui's own check of a frame
+        gui.frame([] {});
+    }
+}
+
 TEST_CASE("The font follows the scale of the text and has the signs that panels write") {
     Headless gui;
     Settings settings;
