@@ -131,11 +131,12 @@ bool drawLine(FileBrowser& browser) {
     ImGui::SetNextItemWidth(-1.0f);
     const std::string typed = typedNow();  // before ImGui uses it up
     std::string edited = browser.line;     // ImGui's own while it calls onLine, which sets the line
+    // ImGui's undo does not know what onLine changes, and would reach beyond the text.
     const bool entered = ImGui::InputText(
         "##path", &edited,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion |
             ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackEdit |
-            ImGuiInputTextFlags_CallbackAlways,
+            ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo,
         onLine, &browser);
     browser.line = edited;
     place("files.line");
