@@ -55,6 +55,12 @@ const std::vector<Action>& actions() {
     return all;
 }
 
+std::string tooltipOf(const Action& action) {
+    const std::string chord = chordText(action.chord);
+    return std::string(action.label) + ": " + std::string(action.help) +
+           (chord.empty() ? "" : "  " + chord);
+}
+
 bool isEnabled(const Action& action, const Ui& ui) {
     return action.enabled == nullptr || action.enabled(ui);
 }

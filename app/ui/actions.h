@@ -126,6 +126,8 @@ std::span<const Action> helpActions();
 /// All of them, menu by menu.
 const std::vector<Action>& actions();
 
+/// Label, help and chord: "Undo: Takes the last step back  Ctrl+Z".
+std::string tooltipOf(const Action& action);
 bool isEnabled(const Action& action, const Ui& ui);
 /// nullptr when there is none of that id.
 const Action* findAction(std::string_view id);

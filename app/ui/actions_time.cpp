@@ -3,16 +3,12 @@
 #include <array>
 
 #include "app/ui/actions.h"
+#include "app/ui/panels.h"
 
 namespace neph::ui {
 namespace {
 
 constexpr int kManyTimes = 10;
-
-int lastTime(const Ui& ui) {
-    const DatasetInfo* info = ui.session().info();
-    return info == nullptr ? 0 : static_cast<int>(info->times.size()) - 1;
-}
 
 bool hasTimes(const Ui& ui) {
     return lastTime(ui) > 0;

@@ -10,6 +10,7 @@
 
 #include "app/ui/actions.h"
 #include "app/ui/camera_view.h"
+#include "app/ui/input.h"
 #include "app/ui/places.h"
 #include "core/camera_format.h"
 #include "core/camera_path_edit.h"
@@ -27,10 +28,6 @@ struct Asked {
     Wish wish = Wish::none;
 };
 
-void tip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
-
 /// Width of `count` square buttons at the end of a line.
 float buttonsWidth(int count) {
     return static_cast<float>(count) *
@@ -40,7 +37,7 @@ float buttonsWidth(int count) {
 bool squareButton(const char* label, const char* help) {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0.0f});
-    tip(help);
+    tooltip(help);
     return pressed;
 }
 
@@ -78,7 +75,7 @@ Wish bookmarkRow(const Bookmark& bookmark, std::size_t row) {
     const float width = ImGui::GetContentRegionAvail().x - buttonsWidth(1);
     Wish wish = ImGui::Button(bookmark.name.c_str(), {width, 0.0f}) ? Wish::go : Wish::none;
     place(fmt::format("bookmark:{}", row));
-    tip("Click to go there; right click to put it here, rename or delete it");
+    tooltip("Click to go there; right click to put it here, rename or delete it");
     const Wish chosen = bookmarkMenu();
     if (chosen != Wish::none) wish = chosen;
     if (squareButton("x", "Delete")) wish = Wish::remove;
@@ -107,7 +104,7 @@ Wish keyRow(CameraPath& path, std::size_t row) {
     ImGui::DragFloat("##at", &atS, 0.05f, 0.0f, static_cast<float>(kMaxPathS), format.c_str());
     if (ImGui::IsItemEdited()) setKeyTime(path, row, static_cast<double>(atS));
     place(fmt::format("path.at:{}", row));
-    tip("When the camera is there; drag, or Ctrl+click to type");
+    tooltip("When the camera is there; drag, or Ctrl+click to type");
     if (squareButton(">", "Go there")) wish = Wish::go;
     place(fmt::format("path.go:{}", row));
     if (squareButton("=", "Put this key where the camera is now")) wish = Wish::put;
@@ -167,7 +164,8 @@ void drawWhole(Ui& ui) {
         runAction(ui, "time.play");
     }
     place("path.play");
-    tip("Shows the path. The camera comes back when it is left, or stays where a hand moves it");
+    tooltip(
+        "Shows the path. The camera comes back when it is left, or stays where a hand moves it");
     ImGui::SameLine(0.0f, inner);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5.5f);
     auto whole = static_cast<float>(durationS(path));
@@ -175,24 +173,24 @@ void drawWhole(Ui& ui) {
         setDuration(path, static_cast<double>(whole));
     }
     place("path.duration");
-    tip("How long the whole path takes: all keys are moved in proportion");
+    tooltip("How long the whole path takes: all keys are moved in proportion");
     ImGui::EndDisabled();
     ImGui::SameLine(0.0f, inner);
     if (ImGui::Button("Copy")) ImGui::SetClipboardText(formatCameraPath(path).c_str());
     place("path.copy");
-    tip("The path as JSON, as `render --path FILE` takes it");
+    tooltip("The path as JSON, as `render --path FILE` takes it");
     ImGui::SameLine(0.0f, inner);
     if (ImGui::Button("Paste")) pastePath(ui);
     place("path.paste");
-    tip("A path from JSON in the clipboard");
+    tooltip("A path from JSON in the clipboard");
     ImGui::Checkbox("With the data's times", &path.withTime);
     place("path.with_time");
-    tip("From the first to the last time of the data while the path is played");
+    tooltip("From the first to the last time of the data while the path is played");
     if (!ui.cameraTools.led) return;
     ImGui::SameLine();
     if (ImGui::Button("Leave")) ui.playback.alongPath = ui.playback.playing = false;
     place("path.leave");
-    tip("Back to the camera as it was before");
+    tooltip("Back to the camera as it was before");
 }
 
 }  // namespace

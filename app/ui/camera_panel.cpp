@@ -9,6 +9,7 @@
 #include "app/ui/actions.h"
 #include "app/ui/camera_lists.h"
 #include "app/ui/camera_view.h"
+#include "app/ui/input.h"
 #include "app/ui/number_slider.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -35,7 +36,7 @@ bool numberRow(const NumberRow& row, double& value) {
     const float start = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(row.label);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.help);
+    tooltip(row.help);
     ImGui::SameLine(start + line * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);
     double shown = value + 0.0;  // no "-0"
@@ -62,12 +63,7 @@ void actionButton(Ui& ui, const char* id, const char* label, float width, bool l
     if (ImGui::Button(label, {width, 0.0f})) runAction(ui, id);
     ImGui::EndDisabled();
     place(id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        const std::string chord = chordText(action->chord);
-        ImGui::SetTooltip("%s: %s%s%s", std::string(action->label).c_str(),
-                          std::string(action->help).c_str(), chord.empty() ? "" : "  ",
-                          chord.c_str());
-    }
+    tooltip(tooltipOf(*action));
     if (!last) ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
@@ -167,9 +163,7 @@ void drawObserver(Ui& ui, const RegularGrid& grid) {
 void drawFlight(Ui& ui, const RegularGrid& grid) {
     ImGui::Checkbox("Fly", &ui.cameraTools.flying);
     place("camera.fly");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s  G", std::string(findAction("camera.fly")->help).c_str());
-    }
+    tooltip(tooltipOf(*findAction("camera.fly")));
     ImGui::SameLine(0.0f, ImGui::GetFontSize());
     const double extentM = std::max(grid.extentM().x, grid.extentM().y);
     const std::string speed = lengthText(ui.cameraTools.flySpeed * extentM) + "/s";

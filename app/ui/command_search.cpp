@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/ui/words.h"
+
 namespace neph::ui {
 namespace {
 
@@ -10,12 +12,6 @@ constexpr int kInMore = 1, kWithinWord = 2, kWithinMore = 3;  // worse and worse
 
 bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) > 127;
-}
-
-std::string lower(std::string_view text) {
-    std::string plain(text);
-    for (char& c : plain) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return plain;
 }
 
 std::vector<std::string> wordsOf(std::string_view text) {

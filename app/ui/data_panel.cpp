@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/ui/input.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
 #include "app/ui/theme.h"
@@ -23,15 +24,6 @@ void wrapped(const std::string& text) {
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-}
-
-void tooltip(const char* text) {
-    if (!ImGui::IsItemHovered()) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
 }
 
 std::string kilometres(double metres) {

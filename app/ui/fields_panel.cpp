@@ -7,6 +7,7 @@
 #include "app/ui/fields_icons.h"
 #include "app/ui/fields_link.h"
 #include "app/ui/fields_plots.h"
+#include "app/ui/input.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
 #include "app/ui/places.h"
@@ -42,10 +43,6 @@ Absence absence(const Session& session, Species s) {
                 fmt::format("There is no {} at this time in what is shown.", info(s).id)};
     }
     return {};
-}
-
-void tooltip(const std::string& text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
 void column(float start, float ems) {

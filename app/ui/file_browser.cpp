@@ -4,11 +4,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
 
+#include "app/ui/words.h"
 #include "core/file_kind.h"
 #include "core/names.h"
 #include "core/session_file.h"
@@ -19,11 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxEntries = 20000;  // of one folder
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 std::string tailOf(const std::string& line) {
     const std::size_t slash = line.rfind('/');

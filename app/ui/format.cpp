@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/ui/words.h"
 #include "core/error.h"
 
 namespace neph::ui {
@@ -14,12 +15,6 @@ namespace {
 ParameterValue bound(const Parameter& row, double value) {
     if (row.kind == ParameterKind::integer) return static_cast<int>(value);
     return static_cast<float>(value);
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(" \t\r\n");
-    if (from == std::string_view::npos) return {};
-    return text.substr(from, text.find_last_not_of(" \t\r\n") - from + 1);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/ui/fields_link.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_widget.h"
 #include "app/ui/places.h"
+#include "app/ui/words.h"
 
 namespace neph::ui {
 namespace {
@@ -23,24 +23,10 @@ bool beginGroup(const std::string& group) {
     return shown;
 }
 
-std::string lower(std::string_view text) {
-    std::string made(text);
-    std::ranges::transform(made, made.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return made;
-}
-
-/// Whether every word of `wanted` is somewhere in what is known of the row.
 bool matches(const Parameter& row, const std::string& wanted) {
-    const std::string known =
-        lower(row.group + " " + row.label + " " + row.id + " " + row.help + " " + row.displayUnit);
-    std::size_t from = 0;
-    while (from < wanted.size()) {
-        const std::size_t to = std::min(wanted.find(' ', from), wanted.size());
-        if (known.find(wanted.substr(from, to - from)) == std::string::npos) return false;
-        from = to + 1;
-    }
-    return true;
+    return holdsWords(
+        row.group + " " + row.label + " " + row.id + " " + row.help + " " + row.displayUnit,
+        wanted);
 }
 
 void drawFound(Ui& ui, const std::string& wanted) {
@@ -79,7 +65,7 @@ void drawFind(Ui& ui) {
         if (ImGui::Button("x##clear", {clear, 0.0f})) ui.fields.find.clear();
         place("find.clear");
     }
-    const std::string wanted = lower(ui.fields.find);
+    const std::string& wanted = ui.fields.find;
     if (wanted.find_first_not_of(' ') != std::string::npos) drawFound(ui, wanted);
 }
 

@@ -3,6 +3,7 @@
 // A drag moves by what the mouse moved, so that it can go on more finely when Shift is pressed on
 // the way. Only one slider has the hand or is typed into at a time: that state is here.
 #include "app/ui/number_slider.h"
+#include "app/ui/words.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -62,16 +63,10 @@ double tidyAt(double share, double sharePerPx, const NumberRange& range) {
     return std::clamp(std::round(value / step) * step, range.lo, range.hi);
 }
 
-std::string trimmed(const std::string& text) {
-    const std::size_t from = text.find_first_not_of(" \t");
-    if (from == std::string::npos) return {};
-    return text.substr(from, text.find_last_not_of(" \t") - from + 1);
-}
-
 /// A number, with or without its unit.
 std::optional<double> parse(const std::string& typed, const std::string& unit) {
-    std::string text = trimmed(typed);
-    const std::string suffix = trimmed(unit);
+    std::string_view text = trimmed(typed);
+    const std::string_view suffix = trimmed(unit);
     if (!suffix.empty() && text.ends_with(suffix)) {
         text = trimmed(text.substr(0, text.size() - suffix.size()));
     }
@@ -118,7 +113,8 @@ bool typeIn(double& value, const NumberRange& range, const std::string& unit) {
             return changed;
         }
         typing.fault = "\"" + typing.text + "\" is no number. Enter takes one" +
-                       (trimmed(unit).empty() ? "" : " in " + trimmed(unit)) + ", Esc leaves it.";
+                       (trimmed(unit).empty() ? "" : " in " + std::string(trimmed(unit))) +
+                       ", Esc leaves it.";
         typing.begun = false;  // Enter took the keyboard away
     } else if (ImGui::IsItemEdited()) {
         typing.fault.clear();

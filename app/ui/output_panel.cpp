@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/ui/input.h"
 #include "app/ui/output_run.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -56,7 +57,7 @@ void drawFormat(ExportSettings& settings) {
     choice("PNG", "export.png", settings.format, ExportFormat::png);
     ImGui::SameLine();
     choice("EXR", "export.exr", settings.format, ExportFormat::exr);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Linear light, for further work");
+    tooltip("Linear light, for further work");
     ImGui::SameLine();
     std::string reason;
     if (settings.what == ExportWhat::picture) {
@@ -97,8 +98,7 @@ void drawSize(const Ui& ui, ExportSettings& settings) {
                      "4 \u00d7 4\0")) {
         settings.supersample = rays + 1;
     }
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("More make edges smoother, and take as much longer");
+    tooltip("More make edges smoother, and take as much longer");
     place("export.supersample");
 }
 
@@ -109,9 +109,7 @@ void drawQuality(const Ui& ui, ExportSettings& settings) {
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("Pictures that are averaged: more are smoother");
-        }
+        tooltip("Pictures that are averaged: more are smoother");
         place("export.samples");
     }
     if (settings.format == ExportFormat::mp4 || settings.what == ExportWhat::path) {

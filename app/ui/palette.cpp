@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ui/command_search.h"
+#include "app/ui/input.h"
 #include "app/ui/layout.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -19,10 +20,6 @@ constexpr float kWidthEms = 34.0f;
 constexpr int kRows = 14;
 constexpr std::size_t kMostRecent = 8;
 constexpr const char* kName = "##palette";
-
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-}
 
 bool canRun(const Command& command, const Ui& ui) {
     return command.action == nullptr || isEnabled(*command.action, ui);

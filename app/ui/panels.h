@@ -16,6 +16,7 @@ void drawPresets(Ui& ui);         ///< in the right column
 void drawPresetDetails(Ui& ui);   ///< what a preset would change; drawPresets has it
 void drawPresetDialogs(Ui& ui);   ///< ask for names of presets
 void playOn(Ui& ui);              ///< moves on where something is played
+int lastTime(const Ui& ui);       ///< index of the last time of the data, 0 before any
 void drawTimeBar(Ui& ui);         ///< below the columns
 void drawStatus(Ui& ui);          ///< along the bottom
 void drawNotices(Ui& ui);         ///< loading, errors, empty states; messages when asked for

@@ -12,6 +12,7 @@
 #include <array>
 #include <utility>
 
+#include "app/ui/input.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
 
@@ -31,10 +32,6 @@ constexpr std::array<Words, 4> kWords{{
     {"Where are the data?###files", "The file that has moved, or the folder it is in now.",
      "Look there"},
 }};
-
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-}
 
 std::string sizeText(std::uint64_t bytes) {
     constexpr std::array kUnits{"B", "KiB", "MiB", "GiB", "TiB"};

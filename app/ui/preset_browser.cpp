@@ -5,14 +5,15 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "app/ui/actions.h"
+#include "app/ui/input.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
 #include "app/ui/preset_grid.h"
 #include "app/ui/theme.h"
+#include "app/ui/words.h"
 #include "core/error.h"
 #include "core/preset_files.h"
 
@@ -55,24 +56,10 @@ void keepListed(Ui& ui) {
     list(ui);
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) ==
-               std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
 /// Every word that is searched for stands in the name, the title or the description.
 bool isFound(const PresetCard& card, const std::string& search) {
-    const std::string all =
-        card.entry.name + "\n" + card.preset.title + "\n" + card.preset.description;
-    for (std::size_t at = 0; at < search.size();) {
-        const std::size_t end = std::min(search.find(' ', at), search.size());
-        if (end > at && !contains(all, search.substr(at, end - at))) return false;
-        at = end + 1;
-    }
-    return true;
+    return holdsWords(card.entry.name + "\n" + card.preset.title + "\n" + card.preset.description,
+                      search);
 }
 
 /// A button for an action, on the line of those before while there is room.
@@ -87,11 +74,7 @@ void actionButton(Ui& ui, const char* label, std::string_view id, bool first = f
     }
     if (ImGui::Button(label)) runAction(ui, id);
     place("panel:" + std::string(id));
-    if (ImGui::IsItemHovered()) {
-        const std::string chord = chordText(action->chord);
-        ImGui::SetTooltip("%s%s%s", std::string(action->help).c_str(), chord.empty() ? "" : "\n",
-                          chord.c_str());
-    }
+    tooltip(tooltipOf(*action));
 }
 
 /// The loaded preset, and what is otherwise now.

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <utility>
 
+#include "app/ui/input.h"
 #include "app/ui/notice_box.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -75,9 +76,7 @@ bool drawQuestion(Ui& ui, WaitingSession& waiting) {
     ImGui::SameLine();
     if (ImGui::Button("Open without them")) leaveOut(ui, waiting);
     place("moved.without");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Look and camera are taken over and shown with the data that are open");
-    }
+    tooltip("Look and camera are taken over and shown with the data that are open");
     ImGui::SameLine();
     const bool left = ImGui::Button("Cancel");
     place("moved.cancel");

@@ -7,6 +7,7 @@
 
 #include "app/ui/actions.h"
 #include "app/ui/camera_view.h"
+#include "app/ui/input.h"
 #include "app/ui/layout.h"
 #include "app/ui/panels.h"
 #include "app/ui/places.h"
@@ -19,11 +20,6 @@ namespace {
 constexpr float kButtonEms = 1.75f;  // width
 constexpr float kSpeedEms = 6.4f;
 constexpr double kLongestFrameS = 0.25;  // along a path: a hitch is no leap
-
-int lastTime(const Ui& ui) {
-    const DatasetInfo* info = ui.session().info();
-    return info == nullptr ? 0 : static_cast<int>(info->times.size()) - 1;
-}
 
 std::string labelOf(const Ui& ui, int time) {
     return ui.session().info()->times.at(static_cast<std::size_t>(time)).label;
@@ -47,10 +43,7 @@ bool button(Ui& ui, const char* id, Icon icon) {
     const bool pressed = iconButton(id, icon, kButtonEms * ImGui::GetFontSize(), on);
     ImGui::EndDisabled();
     place(id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s  %s", std::string(action->label).c_str(),
-                          chordText(action->chord).c_str());
-    }
+    tooltip(tooltipOf(*action));
     if (pressed) runAction(ui, id);
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     return pressed;
@@ -77,15 +70,13 @@ void drawSpeed(Ui& ui, float width) {
         ui.playback.timesPerSecond = static_cast<double>(speed);
     }
     place("time.speed");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("How fast playing goes; drag, or Ctrl+click to type");
-    }
+    tooltip("How fast playing goes; drag, or Ctrl+click to type");
     ImGui::SameLine(0.0f, inner);
     ImGui::SetNextItemWidth(width - speedWidth - inner);
     ImGui::DragInt("##step", &ui.playback.step, 0.05f, 1, std::max(1, lastTime(ui)), "step %d",
                    ImGuiSliderFlags_AlwaysClamp);
     place("time.step");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("How many times on with each step of playing");
+    tooltip("How many times on with each step of playing");
 }
 
 /// A '%' in a model's own label must not be read as a format.
@@ -122,9 +113,7 @@ void drawTimes(Ui& ui) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::SliderInt("##slider", &time, 0, last, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     place("time.slider");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Times of the data. The line below marks those in memory.");
-    }
+    tooltip("Times of the data. The line below marks those in memory.");
     markHeld(ui);
 }
 
@@ -166,6 +155,11 @@ void drawEnds(const Ui& ui, bool path) {
 }
 
 }  // namespace
+
+int lastTime(const Ui& ui) {
+    const DatasetInfo* info = ui.session().info();
+    return info == nullptr ? 0 : static_cast<int>(info->times.size()) - 1;
+}
 
 void playOn(Ui& ui) {
     Playback& playback = ui.playback;

@@ -1,0 +1,17 @@
+// words.h: what people type, made comparable.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace neph::ui {
+
+/// With small letters for A to Z; other letters stay.
+std::string lower(std::string_view text);
+
+/// Without blanks at either end.
+std::string_view trimmed(std::string_view text);
+
+/// Whether every word of `wanted` stands somewhere in `text`, in capitals or not.
+bool holdsWords(std::string_view text, std::string_view wanted);
+
+}  // namespace neph::ui
