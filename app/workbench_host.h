@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/gl/context.h"
-#include "app/image_io/image.h"
 #include "app/script_player.h"
 #include "app/ui/actions.h"
 #include "app/ui/ui.h"
+#include "core/image.h"
 #include "core/settings.h"
 
 namespace neph {

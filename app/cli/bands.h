@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "app/image_io/image.h"
 #include "app/render/renderer.h"
+#include "core/image.h"
 #include "core/progress.h"
 
 namespace neph {

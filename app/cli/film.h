@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "app/image_io/image.h"
 #include "core/child_process.h"
+#include "core/image.h"
 #include "core/progress.h"
 
 namespace neph {

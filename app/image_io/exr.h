@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/image_io/image.h"
 #include "app/image_io/metadata.h"
+#include "core/image.h"
 
 namespace neph {
 

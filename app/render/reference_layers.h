@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "app/image_io/image.h"
+#include "core/image.h"
 #include "core/species.h"
 
 namespace neph::render {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/image_io/image.h"
 #include "app/render/frame_inputs.h"
+#include "core/image.h"
 #include "core/progress.h"
 #include "core/species.h"
 

@@ -4,8 +4,8 @@
 // Shares with the engine what is geometry (planSlices) and what is a table (phase, noise); every
 // equation is its own.
 #pragma once
-#include "app/image_io/image.h"
 #include "app/render/frame_inputs.h"
+#include "core/image.h"
 #include "core/species.h"
 
 namespace neph::test {
