@@ -43,6 +43,8 @@ constexpr std::array kEntries{
     Entry{"light.phase_display", "physical", "The true value times 4 pi."},
     Entry{"view.engine", "march", "Light once for every view; rays of steps that fit the data."},
     Entry{"view.engine", "slicing", "The method of [Riley03]: light anew for every view."},
+    Entry{"view.engine", "reference",
+          "Paths of light, scattered as often as it takes: slow, and right. docs/accuracy.md"},
     Entry{"view.tone_map", "linear", "Clipped where it is too bright."},
     Entry{"view.tone_map", "filmic", "Toe and shoulder as film has them. [Narkowicz15]"},
     Entry{".noise_character", "billow", "Rounded heaps, as convective cloud has."},

@@ -227,7 +227,7 @@ void applyAssignment(Look& look, std::string_view assignment) {
 }
 
 bool applies(const Parameter& row, const Look& look) {
-    if (row.engine && *row.engine != look.engine) return false;
+    if ((row.engines & bitOf(look.engine)) == 0) return false;
     if (row.ofConstantRadius) {
         return look.of(*row.species).radiusSource == RadiusSource::constant;
     }

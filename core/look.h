@@ -19,7 +19,14 @@
 
 namespace neph {
 
-enum class Engine : int { march, slicing };
+enum class Engine : int { march, slicing, reference };
+
+/// Engines as a set of bits.
+constexpr unsigned bitOf(Engine engine) {
+    return 1u << static_cast<unsigned>(engine);
+}
+inline constexpr unsigned kAllEngines = 7u;
+
 enum class Transport : int { lowAlbedo, translucent };
 enum class PhaseMode : int { uniform, perField };
 enum class ExtinctionMode : int { physical, equal };
@@ -88,6 +95,8 @@ struct Look {
     Engine engine = Engine::march;
     float quality = 1.0f;  ///< steps a voxel of the march
     int planes = 256;
+    float targetError = 0.02f;  ///< relative standard error at which the reference rests
+    int seed = 0;
     float exposureEv = 0.4f;
     ToneMap toneMap = ToneMap::filmic;
 
@@ -125,8 +134,8 @@ struct Parameter {
     /// Of a parameter of a phase function: which one, and where in Look its PhaseSpec lies.
     float PhaseSpec::*phaseMember = nullptr;
     std::size_t phaseOffset = 0;
-    bool ofConstantRadius = false;  ///< acts only where the radius of `species` is a constant
-    std::optional<Engine> engine;   ///< acts only with this engine
+    bool ofConstantRadius = false;   ///< acts only where the radius of `species` is a constant
+    unsigned engines = kAllEngines;  ///< with which it acts, bits
 };
 
 /// All parameters in the order of the panels.

@@ -213,19 +213,27 @@ TEST_CASE("A phase function shows the parameters that it has, and no others") {
     CHECK(acting(PhaseKind::roughAggregate) == Ids{"cloud.phase_radius"});
 }
 
-TEST_CASE("What is no parameter of a phase function always acts, with the engine that it is of") {
+TEST_CASE("What is no parameter of a phase function acts with the engines that it is of") {
     Look look;
     for (const Parameter& row : lookTable()) {
-        look.engine = row.engine.value_or(Engine::march);
         const bool ofPhase = row.id.find("phase_") != std::string::npos &&
                              row.id.find(".phase_truncation") == std::string::npos &&
                              row.id.find(".phase_display") == std::string::npos;
         CAPTURE(row.id);
-        if (!ofPhase) CHECK(applies(row, look));
-        if (!row.engine) continue;
-        look.engine = *row.engine == Engine::march ? Engine::slicing : Engine::march;
-        CHECK_FALSE(applies(row, look));
+        for (const Engine engine : {Engine::march, Engine::slicing, Engine::reference}) {
+            look.engine = engine;
+            const bool acts = (row.engines & bitOf(engine)) != 0;
+            if (!ofPhase || !acts) CHECK(applies(row, look) == acts);
+        }
     }
+    look.engine = Engine::reference;
+    CHECK_FALSE(applies(parameter("sky.skylight"), look));
+    CHECK_FALSE(applies(parameter("light.phase_display"), look));
+    CHECK(applies(parameter("sky.intensity"), look));
+    CHECK(applies(parameter("view.seed"), look));
+    look.engine = Engine::march;
+    CHECK_FALSE(applies(parameter("view.seed"), look));
+    CHECK(applies(parameter("sky.skylight"), look));
 }
 
 TEST_CASE("A change of where radii come from has the data read again, before anything else") {
