@@ -108,6 +108,9 @@ void seedDocuments() {
     seed("camera", "path", R"({"type": "nephoscope-camera-path", "version": 1, "with_time": true,
  "keys": [{"at_s": 0, "camera": {"azimuth_deg": 350}}, {"at_s": 2.5, "camera": {"azimuth_deg": 20}},
  {"at_s": 4, "camera": {"distance": 0.2, "fov_deg": 60}}]})");
+    for (const auto& entry : fs::directory_iterator(neph::resourcePath("tests/validation"))) {
+        seed("validation", entry.path().filename().string(), contentOf(entry.path()));
+    }
     for (const std::string memory : {"2GiB", "50%", "800M", ""}) {
         seed("settings", "memory" + memory,
              R"({"type": "nephoscope-settings", "version": 1, "memory": ")" + memory +

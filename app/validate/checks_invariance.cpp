@@ -1,0 +1,175 @@
+// checks_invariance.cpp: the same light comes out of the same medium, however it is described, and
+// none of it is lost.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/validate/checks.h"
+
+namespace neph::validate {
+namespace {
+
+using render::DetectorKind;
+using render::MeterScene;
+
+constexpr double kFluxTolerance = 3e-3;      // relative, docs/validation.md
+constexpr double kRadianceTolerance = 1e-2;  // relative
+
+glm::dvec3 extentOf(const MeterScene& scene) {
+    return glm::dvec3(scene.size) * scene.spacingM;
+}
+
+void aimSun(MeterScene& scene, double zenithDeg) {
+    const double zenith = glm::radians(zenithDeg);
+    scene.towardsSun = {-std::sin(zenith), 0.0, std::cos(zenith)};
+}
+
+/// `level` is about what is expected: tolerances are relative.
+void add(Trial& trial, const std::string& name, const render::Detector& detector, double factor,
+         double level, double tolerance) {
+    trial.detectors.push_back(detector);
+    trial.quantities.push_back({name,
+                                {{trial.detectors.size() - 1, factor}},
+                                0.0,
+                                Expected{level, tolerance * level, ""}});
+}
+
+/// R, T and a radiance to the side, as shares of the light that falls in.
+void addFluxes(Trial& trial, double r, double t, double slant) {
+    const glm::dvec3 extentM = extentOf(trial.scene);
+    const double mu = trial.scene.towardsSun.z;
+    add(trial, "R", {DetectorKind::flux, {0.0, 0.0, extentM.z}, extentM, {0.0, 0.0, -1.0}},
+        1.0 / mu, r, kFluxTolerance);
+    add(trial, "T", {DetectorKind::flux, {0.0, 0.0, 0.0}, {extentM.x, extentM.y, 0.0}}, 1.0 / mu, t,
+        kFluxTolerance);
+    const double side = std::sqrt(0.75);  // sine of 60 degrees
+    const glm::dvec3 looking{0.6 * side, 0.8 * side, -0.5};
+    add(trial, "radiance leaving the top at 60°",
+        {DetectorKind::radiance, {0.0, 0.0, extentM.z}, extentM, looking}, M_PI / mu, slant,
+        kRadianceTolerance);
+}
+
+/// A slab of one voxel.
+MeterScene slabScene() {
+    MeterScene scene;
+    scene.spacingM = {16000.0, 16000.0, 1000.0};
+    aimSun(scene, 50.0);
+    return scene;
+}
+
+render::MeterField uniform(const MeterScene& scene, double extinctionPerM, double albedo,
+                           const PhaseSpec& phase) {
+    return {Array3f(scene.size, static_cast<float>(extinctionPerM)), albedo, phase};
+}
+
+/// Two fields, one of them absorbing, and the field that Eq. 18 makes of them.
+Trial mixtureTrial() {
+    Trial trial;
+    trial.name = "Mixture of two fields = one field by Eq. 18";
+    trial.source = "one field with the summed extinction and the mean phase function";
+    trial.scene = slabScene();
+    Twin twin{trial.scene, {}};
+    constexpr double kBeta1 = 2e-3, kBeta2 = 3e-3, kAlbedo2 = 0.9;
+    trial.scene.fields = {uniform(trial.scene, kBeta1, 1.0, henyeyGreenstein(0.85)),
+                          uniform(trial.scene, kBeta2, kAlbedo2, henyeyGreenstein(-0.2))};
+    PhaseSpec mean;
+    mean.kind = PhaseKind::doubleHenyeyGreenstein;
+    mean.g = 0.85f;
+    mean.g2 = -0.2f;
+    mean.weight = static_cast<float>(kBeta1 / (kBeta1 + kAlbedo2 * kBeta2));
+    twin.scene.fields = {uniform(trial.scene, kBeta1 + kBeta2,
+                                 (kBeta1 + kAlbedo2 * kBeta2) / (kBeta1 + kBeta2), mean)};
+    trial.twin = std::move(twin);
+    addFluxes(trial, 0.5, 0.3, 0.5);
+    return trial;
+}
+
+MeterScene randomScene(double albedo) {
+    MeterScene scene;
+    scene.size = {17, 18, 16};
+    scene.spacingM = {60.0, 60.0, 50.0};
+    aimSun(scene, 50.0);
+    scene.fields = {{randomExtinction(scene.size, 0.01, 3), albedo, henyeyGreenstein(0.85)}};
+    return scene;
+}
+
+Trial majorantTrial(double scale, int brickVoxels) {
+    Trial trial;
+    trial.name =
+        fmt::format("Random medium: bounds {:g} times as large, bricks of {}", scale, brickVoxels);
+    trial.source = "bounds as they are, bricks of 4";
+    trial.scene = randomScene(1.0);
+    trial.settings.majorantScale = scale;
+    trial.settings.brickVoxels = brickVoxels;
+    trial.twin = Twin{trial.scene, {}};
+    addFluxes(trial, 0.4, 0.6, 0.5);
+    return trial;
+}
+
+/// g 0.85, optical depth 8, sun overhead. docs/validation.md has where the values come from.
+Trial resolutionTrial(glm::ivec3 size, bool trilinear) {
+    Trial trial;
+    trial.name = fmt::format("Uniform slab of {} x {} x {} {}", size.x, size.y, size.z,
+                             trilinear ? "voxels, interpolated" : "voxels");
+    trial.source = "adding-doubling";
+    trial.scene.size = size;
+    trial.scene.spacingM = glm::dvec3(4000.0, 4000.0, 1000.0) / glm::dvec3(size);
+    trial.scene.trilinear = trilinear;
+    trial.scene.fields = {uniform(trial.scene, 8e-3, 1.0, henyeyGreenstein(0.85))};
+    addFluxes(trial, 0.35843207, 0.64156793, 0.38601262);
+    return trial;
+}
+
+/// What falls in is sent back, comes through or stays.
+Trial balanceTrial() {
+    Trial trial;
+    trial.name = "Random medium that absorbs: balance of energy";
+    trial.source = "R + T + A = 1";
+    trial.scene = randomScene(0.95);
+    addFluxes(trial, 0.4, 0.6, 0.5);
+    trial.quantities.pop_back();
+    trial.detectors.pop_back();
+    const glm::dvec3 extentM = extentOf(trial.scene);
+    const double mu = trial.scene.towardsSun.z;
+    trial.detectors.push_back({DetectorKind::absorption, {0.0, 0.0, 0.0}, extentM});
+    const double perVolume = extentM.z / mu;
+    for (Quantity& quantity : trial.quantities) quantity.expected.reset();
+    trial.quantities.push_back({"A", {{2, perVolume}}, 0.0, {}});
+    trial.quantities.push_back({"R + T + A",
+                                {{0, 1.0 / mu}, {1, 1.0 / mu}, {2, perVolume}},
+                                0.0,
+                                Expected{1.0, kFluxTolerance, ""}});
+    return trial;
+}
+
+/// Ground under clear air.
+Trial groundTrial() {
+    constexpr double kAlbedo = 0.3;
+    Trial trial;
+    trial.name = "Lambert ground of albedo 0.3 under the sun at 50°";
+    trial.source = "pi I / (mu0 F0) = albedo";
+    trial.scene = slabScene();
+    trial.scene.fields = {uniform(trial.scene, 0.0, 1.0, {})};
+    trial.scene.surfaceAlbedo = kAlbedo;
+    addFluxes(trial, kAlbedo, 1.0, kAlbedo);
+    return trial;
+}
+
+}  // namespace
+
+std::vector<Trial> invarianceTrials() {
+    std::vector<Trial> trials;
+    trials.push_back(mixtureTrial());
+    trials.push_back(majorantTrial(3.0, 4));
+    trials.push_back(majorantTrial(1.0, 2));
+    trials.push_back(majorantTrial(1.0, 16));
+    trials.push_back(resolutionTrial({1, 1, 1}, false));
+    trials.push_back(resolutionTrial({7, 5, 16}, false));
+    trials.push_back(resolutionTrial({7, 5, 16}, true));
+    trials.push_back(balanceTrial());
+    trials.push_back(groundTrial());
+    return trials;
+}
+
+}  // namespace neph::validate

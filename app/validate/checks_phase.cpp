@@ -1,0 +1,66 @@
+// checks_phase.cpp: Kolmogorov and Smirnov's test of the scattering angles that paths draw.
+// [Knuth98] 3.3.1
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/validate/checks.h"
+
+namespace neph::validate {
+namespace {
+
+constexpr double kChance = 1e-4;  // that a right sampler is found wrong
+
+std::vector<PhaseSpec> everyKind() {
+    std::vector<PhaseSpec> specs;
+    for (int kind = 0; kind < kPhaseKindCount; ++kind) {
+        PhaseSpec spec;
+        spec.kind = static_cast<PhaseKind>(kind);
+        spec.alpha = 5.0f;
+        const bool ice =
+            spec.kind == PhaseKind::roughAggregate || spec.kind == PhaseKind::solidColumn;
+        if (ice) spec.radiusM = 30e-6f;
+        specs.push_back(spec);
+    }
+    return specs;
+}
+
+/// The largest distance between the share of cosines below a value and what it should be.
+double distance(std::vector<float> cosines, const PhaseSpec& spec) {
+    std::ranges::sort(cosines);
+    const auto count = static_cast<double>(cosines.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+        const double theta = std::acos(std::clamp(static_cast<double>(cosines[i]), -1.0, 1.0));
+        const double below =
+            1.0 - static_cast<double>(phaseCumulative(spec, static_cast<float>(theta)));
+        const auto n = static_cast<double>(i);
+        largest = std::max({largest, below - n / count, (n + 1.0) / count - below});
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::vector<Row> phaseRows(render::TraceMeter& meter, bool quick) {
+    const int count = quick ? 1 << 16 : 1 << 20;
+    std::vector<Row> rows;
+    for (const PhaseSpec& spec : everyKind()) {
+        const auto kind = static_cast<std::size_t>(spec.kind);
+        Row row;
+        row.trial = fmt::format("Phase functions: {} scattering angles drawn", count);
+        row.source = fmt::format("cumulative of the phase function, p = {}", kChance);
+        row.quantity = fmt::format("D of {}", kPhaseIds[kind]);
+        row.expected = 0.0;
+        const auto seed = static_cast<std::uint32_t>(1 + kind);
+        row.measured = distance(meter.sampledCosines(spec, count, seed), spec);
+        row.tolerance = std::sqrt(-0.5 * std::log(kChance / 2.0) / count);
+        row.samples = static_cast<std::uint64_t>(count);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace neph::validate

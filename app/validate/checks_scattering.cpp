@@ -1,0 +1,146 @@
+// checks_scattering.cpp: light scattered once, which has a closed form, and light scattered any
+// number of times in surroundings that are the same everywhere, which nothing changes.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/validate/checks.h"
+
+namespace neph::validate {
+namespace {
+
+using render::DetectorKind;
+
+constexpr double kHeightM = 1000.0;
+constexpr double kWidthM = 8000.0;
+
+/// Radiance that a slab of optical depth t sends up (mu > 0) or down, of a beam of 1 from mu0,
+/// scattered once; P in 1/sr. [Chandrasekhar60] ch. III
+double scatteredOnce(double t, double albedo, double phase, double mu0, double mu) {
+    const double m = std::abs(mu);
+    const double front = albedo * phase * mu0;
+    if (mu > 0.0) return front / (m + mu0) * (1.0 - std::exp(-t * (1.0 / m + 1.0 / mu0)));
+    if (std::abs(m - mu0) < 1e-9) return front * t / (mu0 * mu0) * std::exp(-t / mu0);
+    return front / (mu0 - m) * (std::exp(-t / mu0) - std::exp(-t / m));
+}
+
+struct Slab {
+    double depth, albedo;
+    PhaseSpec phase;
+    std::string name;
+};
+
+Trial singleTrial(const Slab& slab, double sunZenithDeg) {
+    Trial trial;
+    trial.name = fmt::format("Single scattering: {}, sun at {:g}°", slab.name, sunZenithDeg);
+    trial.source = "closed form [Chandrasekhar60]";
+    trial.scene.spacingM = {kWidthM, kWidthM, kHeightM};
+    trial.scene.fields.push_back({Array3f(glm::ivec3(1), static_cast<float>(slab.depth / kHeightM)),
+                                  slab.albedo, slab.phase});
+    const double sun = glm::radians(sunZenithDeg);
+    trial.scene.towardsSun = {-std::sin(sun), 0.0, std::cos(sun)};
+    trial.settings.maxScatterings = 1;
+    for (const double zenithDeg : {0.0, 35.0, 70.0, 110.0, 145.0, 180.0}) {
+        // Past straight on: towards the sun's disc itself there is no radiance of a single value.
+        if (std::abs(180.0 - zenithDeg - sunZenithDeg) < 1.0 && slab.name != "isotropic") continue;
+        const double zenith = glm::radians(zenithDeg);
+        const glm::dvec3 leaving{std::sin(zenith), 0.0, std::cos(zenith)};
+        const double z = leaving.z > 0.0 ? kHeightM : 0.0;
+        trial.detectors.push_back(
+            {DetectorKind::radiance, {0.0, 0.0, z}, {kWidthM, kWidthM, z}, -leaving});
+        const double cosTheta = -glm::dot(leaving, trial.scene.towardsSun);
+        const double phase =
+            static_cast<double>(phaseValue(slab.phase, static_cast<float>(cosTheta)).y);
+        const double expected =
+            scatteredOnce(slab.depth, slab.albedo, phase, trial.scene.towardsSun.z, leaving.z);
+        trial.quantities.push_back({fmt::format("radiance leaving at {:g}°", zenithDeg),
+                                    {{trial.detectors.size() - 1, 1.0}},
+                                    0.0,
+                                    Expected{expected, 5e-3 * expected, ""}});
+    }
+    return trial;
+}
+
+PhaseSpec specOf(PhaseKind kind) {
+    PhaseSpec spec;
+    spec.kind = kind;
+    return spec;
+}
+
+/// Three fields of random extinction, one of them of water droplets.
+render::MeterScene furnace(bool periodic, bool trilinear) {
+    render::MeterScene scene;
+    scene.size = {9, 8, 10};
+    scene.spacingM = {100.0, 110.0, 90.0};
+    scene.periodic = periodic;
+    scene.trilinear = trilinear;
+    scene.sunIrradiance = 0.0;
+    scene.skyRadiance = 1.0;
+    std::uint32_t seed = 11;
+    for (const PhaseKind kind :
+         {PhaseKind::waterDroplets, PhaseKind::rayleigh, PhaseKind::doubleHenyeyGreenstein}) {
+        scene.fields.push_back({randomExtinction(scene.size, 3e-3, ++seed), 1.0, specOf(kind)});
+    }
+    return scene;
+}
+
+void addFurnaceViews(Trial& trial) {
+    const glm::dvec3 extentM = glm::dvec3(trial.scene.size) * trial.scene.spacingM;
+    const glm::dvec3 middleM = 0.5 * extentM;
+    const auto add = [&](const std::string& name, const render::Detector& detector, double unit) {
+        trial.detectors.push_back(detector);
+        trial.quantities.push_back(
+            {name, {{trial.detectors.size() - 1, 1.0 / unit}}, 0.0, Expected{1.0, 1e-3, ""}});
+    };
+    const glm::dvec3 slant = glm::normalize(glm::dvec3(0.6, -0.5, 0.4));
+    add("radiance inside, upwards", {DetectorKind::radiance, middleM, middleM}, 1.0);
+    add("radiance inside, slanting", {DetectorKind::radiance, middleM, middleM, slant}, 1.0);
+    add("radiance of the top, from above",
+        {DetectorKind::radiance, {0.0, 0.0, extentM.z}, extentM, {0.0, 0.0, -1.0}}, 1.0);
+    add("irradiance of the middle plane",
+        {DetectorKind::flux, {0.0, 0.0, middleM.z}, {extentM.x, extentM.y, middleM.z}}, M_PI);
+}
+
+Trial furnaceTrial(bool periodic, bool trilinear) {
+    Trial trial;
+    trial.name = fmt::format("White furnace: random medium, {}, {} sides",
+                             trilinear ? "interpolated" : "voxels", periodic ? "periodic" : "open");
+    trial.source = "radiance 1 everywhere";
+    trial.scene = furnace(periodic, trilinear);
+    addFurnaceViews(trial);
+    return trial;
+}
+
+/// A white ground sends back what a white medium above it lets through.
+Trial furnaceWithGround() {
+    Trial trial = furnaceTrial(true, false);
+    trial.name = "White furnace: random medium over white ground";
+    trial.scene.surfaceAlbedo = 1.0;
+    return trial;
+}
+
+}  // namespace
+
+std::vector<Trial> singleScatteringTrials() {
+    std::vector<Trial> trials;
+    const Slab isotropic{1.0, 1.0, {}, "isotropic"};
+    const Slab forward{0.7, 0.9, henyeyGreenstein(0.85), "Henyey-Greenstein, g 0.85"};
+    const Slab droplets{0.5, 1.0, specOf(PhaseKind::waterDroplets), "water droplets"};
+    for (const Slab& slab : {isotropic, forward, droplets}) {
+        for (const double zenithDeg : {0.0, 60.0}) trials.push_back(singleTrial(slab, zenithDeg));
+    }
+    return trials;
+}
+
+std::vector<Trial> furnaceTrials() {
+    std::vector<Trial> trials;
+    for (const bool periodic : {false, true}) {
+        for (const bool trilinear : {false, true}) {
+            trials.push_back(furnaceTrial(periodic, trilinear));
+        }
+    }
+    trials.push_back(furnaceWithGround());
+    return trials;
+}
+
+}  // namespace neph::validate

@@ -1,0 +1,157 @@
+// runner.cpp: a first round of paths tells how many each detector needs; up to three more supply
+// them.
+//
+// That the number of paths depends on what the first of them measured biases a mean by less than
+// its standard error over the square root of their number.
+#include "app/validate/runner.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "core/hash.h"
+
+namespace neph::validate {
+namespace {
+
+using render::Measured;
+using Wanted = std::vector<std::uint64_t>;  // more paths, for each detector
+
+constexpr int kMoreRounds = 3;
+constexpr double kGrowthOfARound = 32.0;  // a first estimate of a standard error is a rough one
+
+/// Both together, each by its share of the paths.
+Measured pooled(const Measured& a, const Measured& b) {
+    const auto n = static_cast<double>(a.samples), m = static_cast<double>(b.samples);
+    if (n + m <= 0.0) return a;
+    return {(n * a.mean + m * b.mean) / (n + m), std::hypot(n * a.sigma, m * b.sigma) / (n + m),
+            a.samples + b.samples};
+}
+
+struct Value {
+    double mean = 0.0, sigma = 0.0;
+    std::uint64_t samples = 0;
+};
+
+Value valueOf(const Quantity& quantity, const std::vector<Measured>& readings) {
+    Value value{quantity.offset, 0.0, 0};
+    for (const Term& term : quantity.terms) {
+        const Measured& reading = readings[term.detector];
+        value.mean += term.factor * reading.mean;
+        value.sigma = std::hypot(value.sigma, term.factor * reading.sigma);
+        value.samples += reading.samples;
+    }
+    return value;
+}
+
+class Measurement {
+  public:
+    Measurement(render::TraceMeter& meter, const Trial& trial, const render::MeterScene& scene,
+                const render::MeterSettings& settings, const Progress& progress)
+        : meter_(meter),
+          trial_(trial),
+          scene_(scene),
+          settings_(settings),
+          progress_(progress),
+          readings_(trial.detectors.size()) {
+        settings_.seed ^= static_cast<std::uint32_t>(hashOf(trial.name));
+    }
+
+    /// Until the standard error of each quantity is `share` of its tolerance, as far as `effort`
+    /// goes.
+    void run(const Effort& effort, double share) {
+        add(Wanted(readings_.size(), effort.first));
+        for (int round = 0; round < kMoreRounds; ++round) {
+            const Wanted more = wanted(effort, share);
+            if (std::ranges::all_of(more, [](std::uint64_t n) { return n == 0; })) return;
+            add(more);
+        }
+    }
+    Value of(const Quantity& quantity) const { return valueOf(quantity, readings_); }
+
+  private:
+    Wanted wanted(const Effort& effort, double share) const {
+        constexpr double kReserve = 1.2;
+        Wanted more(readings_.size(), 0);
+        for (const Quantity& quantity : trial_.quantities) {
+            if (!quantity.expected) continue;
+            const double target = share * effort.toleranceFactor * quantity.expected->tolerance;
+            const double ratio = of(quantity).sigma / target;
+            if (ratio <= 1.0) continue;
+            const double growth = std::min(kReserve * ratio * ratio, kGrowthOfARound);
+            for (const Term& term : quantity.terms) {
+                const std::uint64_t have = readings_[term.detector].samples;
+                const auto want = std::min(
+                    static_cast<std::uint64_t>(growth * static_cast<double>(have)), effort.most);
+                more[term.detector] = std::max(more[term.detector], want - std::min(want, have));
+            }
+        }
+        return more;
+    }
+
+    /// Detectors that want about as many paths are measured together.
+    void add(const Wanted& more) {
+        std::map<std::uint64_t, std::vector<std::size_t>> groups;
+        for (std::size_t i = 0; i < more.size(); ++i) {
+            if (more[i] > 0) groups[std::bit_ceil(more[i])].push_back(i);
+        }
+        for (const auto& [samples, members] : groups) {
+            std::vector<render::Detector> detectors;
+            settings_.samples = 0;
+            for (const std::size_t i : members) {
+                detectors.push_back(trial_.detectors[i]);
+                settings_.samples = std::max(settings_.samples, more[i]);
+            }
+            settings_.seed += 0x9E3779B9U;  // other paths in every call
+            const auto read = meter_.measure(scene_, detectors, settings_, progress_);
+            for (std::size_t k = 0; k < members.size(); ++k) {
+                readings_[members[k]] = pooled(readings_[members[k]], read[k]);
+            }
+        }
+    }
+
+    render::TraceMeter& meter_;
+    const Trial& trial_;
+    const render::MeterScene& scene_;
+    render::MeterSettings settings_;
+    const Progress& progress_;
+    std::vector<Measured> readings_;
+};
+
+}  // namespace
+
+std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const Effort& effort,
+                          const Progress& progress) {
+    // Two measurements share the standard error of their difference.
+    const double share = effort.sigmaOverTolerance / (trial.twin ? std::sqrt(2.0) : 1.0);
+    Measurement here(meter, trial, trial.scene, trial.settings, progress);
+    here.run(effort, share);
+    std::optional<Measurement> there;
+    if (trial.twin) {
+        render::MeterSettings other = trial.twin->settings;
+        other.seed += 1;
+        there.emplace(meter, trial, trial.twin->scene, other, progress);
+        there->run(effort, share);
+    }
+    std::vector<Row> rows;
+    for (const Quantity& quantity : trial.quantities) {
+        const Value value = here.of(quantity);
+        Row row{trial.name, quantity.name, trial.source, {},
+                value.mean, value.sigma,   0.0,          value.samples};
+        if (quantity.expected) {
+            row.expected = quantity.expected->value;
+            row.tolerance = quantity.expected->tolerance * effort.toleranceFactor;
+            if (!quantity.expected->source.empty()) row.source = quantity.expected->source;
+        }
+        if (there) {
+            const Value other = there->of(quantity);
+            row.expected = other.mean;
+            row.sigma = std::hypot(row.sigma, other.sigma);
+            row.samples += other.samples;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace neph::validate

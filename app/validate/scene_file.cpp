@@ -1,0 +1,317 @@
+// scene_file.cpp: scenes out of JSON from strangers; every fault becomes an Error.
+#include "app/validate/scene_file.h"
+
+#include <array>
+
+#include "app/validate/json_object.h"
+#include "app/validate/scene_medium.h"
+
+namespace neph::validate {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  // a grid of a few million cells, inline
+constexpr double kMaxLengthM = 1e6;
+constexpr double kMaxExtinctionPerM = 1e3;
+constexpr double kMaxOpticalDepth = 1e4;
+constexpr double kMaxLight = 1e9;
+constexpr int kMaxRepeat = 2048;
+constexpr std::size_t kMaxViews = 1000;
+constexpr std::size_t kMaxExperiments = 50;
+constexpr std::size_t kMaxValues = std::size_t{1} << 26;  // of all fields, in each experiment
+
+struct PhaseParameter {
+    std::string_view key;
+    float PhaseSpec::*member;
+    Range range;
+    double unit;  ///< in SI
+};
+
+constexpr std::array<PhaseParameter, 5> kPhaseParameters{
+    {{"g", &PhaseSpec::g, {-0.999, 0.999}, 1.0},
+     {"g2", &PhaseSpec::g2, {-0.999, 0.999}, 1.0},
+     {"weight", &PhaseSpec::weight, {0.0, 1.0}, 1.0},
+     {"alpha", &PhaseSpec::alpha, {0.0, 1000.0}, 1.0},
+     {"radius_um", &PhaseSpec::radiusM, {1.0, 110.0}, 1e-6}}};
+
+PhaseSpec parsePhase(const Object& entry) {
+    PhaseSpec spec;
+    if (entry.has("g") && entry.has("phase")) {
+        throw Error({entry.where, "has both \"g\" and \"phase\"", "", "one of the two", ""});
+    }
+    if (entry.has("g")) {
+        spec.kind = PhaseKind::henyeyGreenstein;
+        spec.g = static_cast<float>(entry.number("g", kPhaseParameters[0].range));
+        return spec;
+    }
+    const Json& phase = entry.need("phase", "the name of a phase function, or \"g\"");
+    const Json named = Json::object({{"kind", phase}});
+    const Object object(phase.is_string() ? named : phase, entry.where + ": phase",
+                        {"kind", "g", "g2", "weight", "alpha", "radius_um"});
+    object.need("kind", "the name of a phase function");
+    const std::string id = object.word("kind", kPhaseIds);
+    spec.kind = static_cast<PhaseKind>(std::ranges::find(kPhaseIds, id) - kPhaseIds.begin());
+    for (const PhaseParameter& parameter : kPhaseParameters) {
+        if (!object.has(parameter.key)) continue;
+        if (!phaseReads(spec.kind, parameter.member)) {
+            throw Error({object.where, fmt::format("{} has no \"{}\"", id, parameter.key), "", "",
+                         "remove the key"});
+        }
+        spec.*parameter.member =
+            static_cast<float>(object.number(parameter.key, parameter.range) * parameter.unit);
+    }
+    return spec;
+}
+
+/// The keys that layers and columns share; `baseM` is that of an entry that states none.
+Slab parseSlab(const Object& entry, double baseM) {
+    Slab slab;
+    slab.baseM = entry.number("base_m", {0.0, kMaxLengthM}, baseM);
+    if (entry.has("thickness_m") == entry.has("top_m")) {
+        throw Error({entry.where, "needs one of \"thickness_m\" and \"top_m\"",
+                     entry.has("top_m") ? "both" : "none", "", ""});
+    }
+    slab.topM = entry.has("top_m") ? entry.number("top_m", {slab.baseM, kMaxLengthM})
+                                   : slab.baseM + entry.number("thickness_m", {0.0, kMaxLengthM});
+    if (slab.topM <= slab.baseM) {
+        throw Error({entry.where, "has no thickness",
+                     fmt::format("base {} m, top {} m", slab.baseM, slab.topM), "", ""});
+    }
+    if (entry.has("extinction_per_m") == entry.has("optical_depth")) {
+        throw Error({entry.where, "needs one of \"extinction_per_m\" and \"optical_depth\"",
+                     entry.has("optical_depth") ? "both" : "none", "", ""});
+    }
+    slab.extinctionPerM =
+        entry.has("optical_depth")
+            ? entry.number("optical_depth", {0.0, kMaxOpticalDepth}) / (slab.topM - slab.baseM)
+            : entry.number("extinction_per_m", {0.0, kMaxExtinctionPerM});
+    slab.albedo = entry.number("albedo", {0.0, 1.0}, 1.0);
+    slab.phase = parsePhase(entry);
+    return slab;
+}
+
+Medium parseLayers(const Object& scene) {
+    std::vector<Slab> slabs;
+    double baseM = 0.0;
+    const Json& list = scene.list("layers", kMaxRepeat);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Object entry(list[i], scene.below("layers", i),
+                           {"base_m", "top_m", "thickness_m", "extinction_per_m", "optical_depth",
+                            "albedo", "g", "phase"});
+        slabs.push_back(parseSlab(entry, baseM));
+        baseM = slabs.back().topM;
+    }
+    return rasterise(slabs, scene.where + ": layers");
+}
+
+Medium parseColumns(const Object& scene) {
+    std::vector<Slab> slabs;
+    double leftM = 0.0;
+    const Json& list = scene.list("columns", kMaxRepeat);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Object entry(list[i], scene.below("columns", i),
+                           {"base_m", "top_m", "thickness_m", "extinction_per_m", "optical_depth",
+                            "albedo", "g", "phase", "width_m", "repeat"});
+        Slab slab = parseSlab(entry, 0.0);
+        const double widthM = entry.number("width_m", {1e-3, kMaxLengthM});
+        const int repeat = entry.integer("repeat", 1, kMaxRepeat, 1);
+        // One box a column, so that the grid's cells are no wider than the columns.
+        for (int n = 0; n < repeat && slabs.size() <= kMaxRepeat; ++n) {
+            slab.leftM = leftM;
+            slab.rightM = leftM += widthM;
+            slabs.push_back(slab);
+        }
+    }
+    return rasterise(slabs, scene.where + ": columns");
+}
+
+glm::dvec3 parseThree(const Object& object, std::string_view key, Range range) {
+    glm::dvec3 three{0.0};
+    const std::string expected = fmt::format("three numbers from {} to {}", range.low, range.high);
+    const Json& list = object.need(key, expected);
+    if (!list.is_array() || list.size() != 3)
+        refuseJson(object.where, key, excerpt(list), expected);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Json& item = list[static_cast<std::size_t>(axis)];
+        three[axis] = item.is_number() ? item.get<double>() : -1.0;
+        if (!(three[axis] >= range.low && three[axis] <= range.high)) {
+            refuseJson(object.where, key, excerpt(list), expected);
+        }
+    }
+    return three;
+}
+
+std::vector<float> parseValues(const Object& entry, std::size_t count,
+                               const std::filesystem::path& folder) {
+    if (entry.has("csv") + entry.has("raw") + entry.has("values") != 1) {
+        throw Error({entry.where, "needs one of \"values\", \"csv\" and \"raw\"", "", "", ""});
+    }
+    if (entry.has("csv")) return readCsv(folder / entry.text("csv"), count);
+    if (entry.has("raw")) return readRaw(folder / entry.text("raw"), count);
+    std::vector<float> values;
+    for (const Json& item : entry.list("values", count)) {
+        values.push_back(item.is_number() ? item.get<float>() : -1.0f);
+    }
+    checkExtinction(values, count, entry.where + ": values");
+    return values;
+}
+
+Medium parseGrid(const Object& scene, const std::filesystem::path& folder, bool& trilinear) {
+    constexpr std::size_t kMaxFields = 6;
+    const Object grid(*scene.find("grid"), scene.where + ": grid",
+                      {"size", "spacing_m", "trilinear", "fields"});
+    Medium medium;
+    const glm::dvec3 size = parseThree(grid, "size", {1.0, 2048.0});
+    medium.size = glm::ivec3(size);
+    if (glm::dvec3(medium.size) != size) {
+        refuseJson(grid.where, "size", excerpt(*grid.find("size")), "whole numbers");
+    }
+    checkCellCount(medium.size, grid.where);
+    medium.spacingM = parseThree(grid, "spacing_m", {1e-3, kMaxLengthM});
+    trilinear = grid.flag("trilinear", false);
+    grid.need("fields", "a list");
+    const Json& list = grid.list("fields", kMaxFields);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Object entry(list[i], grid.below("fields", i),
+                           {"values", "csv", "raw", "scale", "albedo", "g", "phase"});
+        render::MeterField field{Array3f(medium.size), entry.number("albedo", {0.0, 1.0}, 1.0),
+                                 parsePhase(entry)};
+        field.extinctionPerM.values =
+            parseValues(entry, field.extinctionPerM.values.size(), folder);
+        const auto scale = static_cast<float>(entry.number("scale", {0.0, 1e6}, 1.0));
+        for (float& value : field.extinctionPerM.values) value *= scale;
+        medium.fields.push_back(std::move(field));
+    }
+    return medium;
+}
+
+Medium parseMedium(const Object& scene, const std::filesystem::path& folder, bool& trilinear) {
+    if (scene.has("layers") + scene.has("columns") + scene.has("grid") != 1) {
+        throw Error({scene.where, "needs one of \"layers\", \"columns\" and \"grid\"", "", "", ""});
+    }
+    if (scene.has("layers")) return parseLayers(scene);
+    if (scene.has("columns")) return parseColumns(scene);
+    return parseGrid(scene, folder, trilinear);
+}
+
+void parseSun(const Object& experiment, render::MeterScene& scene) {
+    scene.sunIrradiance = 0.0;
+    const Json* json = experiment.find("sun");
+    if (json == nullptr) return;
+    const Object sun(*json, experiment.where + ": sun",
+                     {"zenith_deg", "azimuth_deg", "irradiance", "angular_radius_deg"});
+    const double zenith = glm::radians(sun.number("zenith_deg", {0.0, 89.9}));
+    const double azimuth = glm::radians(sun.number("azimuth_deg", {-360.0, 360.0}, 0.0));
+    scene.towardsSun = {-std::sin(zenith) * std::cos(azimuth),
+                        -std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+    scene.sunIrradiance = sun.number("irradiance", {0.0, kMaxLight}, 1.0);
+    scene.sunRadiusRad = glm::radians(
+        sun.number("angular_radius_deg", {0.01, 10.0}, glm::degrees(render::kSunRadiusRad)));
+}
+
+void parseDetectors(const Object& parent, Experiment& experiment) {
+    constexpr std::array<std::string_view, 6> kFluxes{"R",         "T", "T_direct",
+                                                      "T_diffuse", "A", "balance"};
+    const Object detectors(parent.need("detectors", "an object in braces"),
+                           parent.where + ": detectors", {"fluxes", "radiances", "per_column"});
+    experiment.perColumn = detectors.flag("per_column", false);
+    for (const Json& item : detectors.list("fluxes", kFluxes.size())) {
+        const Json named = Json::object({{"fluxes", item}});
+        experiment.fluxes.push_back(
+            Object(named, detectors.where, {"fluxes"}).word("fluxes", kFluxes));
+    }
+    const Json& list = detectors.list("radiances", kMaxViews);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        constexpr std::array<std::string_view, 2> kSides{"top", "bottom"};
+        const Object entry(list[i], detectors.below("radiances", i),
+                           {"name", "leaving", "zenith_deg", "azimuth_deg"});
+        experiment.views.push_back({entry.neededText("name"),
+                                    entry.word("leaving", kSides) == "top",
+                                    entry.number("zenith_deg", {0.0, 89.9}),
+                                    entry.number("azimuth_deg", {-360.0, 360.0}, 0.0)});
+    }
+}
+
+void parseExpected(const Object& parent, Experiment& experiment) {
+    constexpr std::size_t kMostExpected = 10000;
+    const Json& list = parent.list("expect", kMostExpected);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Object entry(list[i], parent.below("expect", i),
+                           {"quantity", "value", "relative", "absolute", "source"});
+        const double value = entry.number("value", {-kMaxLight, kMaxLight});
+        if (entry.has("relative") == entry.has("absolute")) {
+            throw Error({entry.where, "needs one of \"relative\" and \"absolute\"", "", "", ""});
+        }
+        const double tolerance = entry.has("absolute")
+                                     ? entry.number("absolute", {1e-9, kMaxLight})
+                                     : entry.number("relative", {1e-6, 1.0}) * std::abs(value);
+        experiment.expected.push_back(
+            {entry.neededText("quantity"), {value, tolerance, entry.text("source")}});
+    }
+}
+
+Experiment parseExperiment(const Json& json, const std::string& where) {
+    const Object object(json, where,
+                        {"name", "sun", "sky_radiance", "surface_albedo", "detectors", "expect"});
+    Experiment experiment;
+    experiment.name = object.text("name");
+    parseSun(object, experiment.scene);
+    experiment.scene.skyRadiance = object.number("sky_radiance", {0.0, kMaxLight}, 0.0);
+    if (object.has("surface_albedo")) {
+        experiment.scene.surfaceAlbedo = object.number("surface_albedo", {0.0, 1.0});
+    }
+    if (experiment.scene.skyRadiance <= 0.0 && experiment.scene.sunIrradiance <= 0.0) {
+        throw Error({where, "has no light", "", "a \"sun\" or a \"sky_radiance\"", ""});
+    }
+    parseDetectors(object, experiment);
+    parseExpected(object, experiment);
+    return experiment;
+}
+
+/// Every experiment has a copy of its own.
+void checkMemory(const std::vector<render::MeterField>& fields, std::size_t experiments,
+                 const std::string& where) {
+    std::size_t values = 0;
+    for (const auto& field : fields) values += field.extinctionPerM.values.size() * experiments;
+    if (values <= kMaxValues) return;
+    throw Error({where, "is too large",
+                 fmt::format("{} values of extinction in {} experiments", values, experiments),
+                 fmt::format("at most {}", kMaxValues), "spread the experiments over files"});
+}
+
+}  // namespace
+
+SceneFile parseSceneFile(std::string_view text, const std::string& where,
+                         const std::filesystem::path& folder) {
+    const Json document = parseStrictJson<Json>(text, where);
+    checkJsonHeader(document, where, "a validation case", "nephoscope-validation-case", 1);
+    const Object object(document, where,
+                        {"type", "version", "name", "source", "quick", "layers", "columns", "grid",
+                         "sides", "experiments"});
+    SceneFile file;
+    file.name = object.neededText("name");
+    file.source = object.text("source");
+    file.quick = object.flag("quick", true);
+    bool trilinear = false;
+    Medium medium = parseMedium(object, folder, trilinear);
+    file.fields = std::move(medium.fields);
+    constexpr std::array<std::string_view, 2> kSides{"periodic", "open"};
+    object.need("experiments", "a list");
+    const Json& list = object.list("experiments", kMaxExperiments);
+    checkMemory(file.fields, list.size(), where);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        file.experiments.push_back(parseExperiment(list[i], object.below("experiments", i)));
+        render::MeterScene& scene = file.experiments.back().scene;
+        scene.size = medium.size;
+        scene.spacingM = medium.spacingM;
+        scene.trilinear = trilinear;
+        scene.periodic = object.word("sides", kSides) == "periodic";
+    }
+    return file;
+}
+
+SceneFile loadSceneFile(const std::filesystem::path& file) {
+    return parseSceneFile(readJsonText(file, "a validation case", kMaxBytes), file.string(),
+                          file.parent_path());
+}
+
+}  // namespace neph::validate

@@ -1,0 +1,177 @@
+// scene_trials.cpp: the instruments that a scene file asks for.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/validate/scene_file.h"
+#include "core/error.h"
+#include "core/names.h"
+
+namespace neph::validate {
+namespace {
+
+using render::Detector;
+using render::DetectorKind;
+using render::MeterScene;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr std::size_t kMostQuantities = 20000;
+
+/// A part of the scene seen from above, and what is added to the names of its quantities.
+struct Footprint {
+    glm::dvec2 lowerM{0.0}, upperM{0.0};
+    std::string suffix;
+};
+
+glm::dvec3 extentOf(const MeterScene& scene) {
+    return glm::dvec3(scene.size) * scene.spacingM;
+}
+
+/// The whole, then each column, x fastest.
+std::vector<Footprint> footprints(const Experiment& experiment, const std::string& where) {
+    const MeterScene& scene = experiment.scene;
+    std::vector<Footprint> all{{{0.0, 0.0}, glm::dvec2(extentOf(scene)), ""}};
+    if (!experiment.perColumn) return all;
+    const int columns = scene.size.x * scene.size.y;
+    const std::size_t each = experiment.fluxes.size() + experiment.views.size();
+    if (static_cast<std::size_t>(columns) * each > kMostQuantities) {
+        throw Error({where, "has too many detectors",
+                     fmt::format("{} columns, {} quantities of each", columns, each),
+                     fmt::format("a product of at most {}", kMostQuantities),
+                     "leave out \"per_column\", or ask for fewer quantities"});
+    }
+    const glm::dvec2 step(scene.spacingM);
+    for (int i = 0; i < columns; ++i) {
+        const glm::dvec2 lower = glm::dvec2(i % scene.size.x, i / scene.size.x) * step;
+        all.push_back({lower, lower + step, fmt::format("[{}]", i)});
+    }
+    return all;
+}
+
+/// Light on a horizontal plane above the scene.
+double incidentOn(const MeterScene& scene) {
+    return scene.towardsSun.z * scene.sunIrradiance + kPi * scene.skyRadiance;
+}
+
+class TrialMaker {
+  public:
+    TrialMaker(const SceneFile& file, const Experiment& experiment)
+        : incident_(incidentOn(experiment.scene)), heightM_(extentOf(experiment.scene).z) {
+        trial_.name = file.name;
+        if (!experiment.name.empty()) trial_.name += ": " + experiment.name;
+        trial_.source = file.source;
+        trial_.quick = file.quick;
+        trial_.scene = experiment.scene;
+        trial_.scene.fields = file.fields;
+    }
+
+    void addFlux(const std::string& flux, const Footprint& part) {
+        const double share = 1.0 / incident_;
+        std::vector<Term> terms;
+        if (flux == "R" || flux == "balance") {
+            terms.push_back({plane(DetectorKind::flux, part, heightM_, -1.0), share});
+        }
+        if (flux == "T" || flux == "balance") {
+            // What a surface sends back is not lost to the scene.
+            const double kept = flux == "T" ? 1.0 : 1.0 - trial_.scene.surfaceAlbedo.value_or(0.0);
+            terms.push_back({plane(DetectorKind::flux, part, 0.0, 1.0), share * kept});
+        }
+        if (flux == "T_direct") {
+            terms.push_back({plane(DetectorKind::flux, part, 0.0, 1.0), share});
+        }
+        if (flux == "T_diffuse") {
+            terms.push_back({plane(DetectorKind::diffuseFlux, part, 0.0, 1.0), share});
+        }
+        if (flux == "A" || flux == "balance") {
+            trial_.detectors.push_back(
+                {DetectorKind::absorption, {part.lowerM, 0.0}, {part.upperM, heightM_}});
+            terms.push_back({trial_.detectors.size() - 1, share * heightM_});
+        }
+        trial_.quantities.push_back({flux + part.suffix, std::move(terms), 0.0, {}});
+    }
+
+    void addView(const View& view, const Footprint& part) {
+        const double zenith = glm::radians(view.zenithDeg), azimuth = glm::radians(view.azimuthDeg);
+        const glm::dvec3 leaving{std::sin(zenith) * std::cos(azimuth),
+                                 std::sin(zenith) * std::sin(azimuth),
+                                 view.top ? std::cos(zenith) : -std::cos(zenith)};
+        const double z = view.top ? heightM_ : 0.0;
+        trial_.detectors.push_back(
+            {DetectorKind::radiance, {part.lowerM, z}, {part.upperM, z}, -leaving});
+        trial_.quantities.push_back(
+            {view.name + part.suffix, {{trial_.detectors.size() - 1, kPi / incident_}}, 0.0, {}});
+    }
+
+    Trial take() { return std::move(trial_); }
+    Trial& trial() { return trial_; }
+
+  private:
+    std::size_t plane(DetectorKind kind, const Footprint& part, double z, double up) {
+        trial_.detectors.push_back(
+            {kind, {part.lowerM, z}, {part.upperM, z}, glm::dvec3(0.0, 0.0, up)});
+        return trial_.detectors.size() - 1;
+    }
+
+    Trial trial_;
+    double incident_ = 1.0, heightM_ = 0.0;
+};
+
+/// Direct light is all that comes through where nothing scatters.
+void makeBlack(MeterScene& scene) {
+    for (render::MeterField& field : scene.fields) field.albedo = 0.0;
+    scene.skyRadiance = 0.0;
+    scene.surfaceAlbedo.reset();
+}
+
+void attachExpected(std::vector<Trial>& trials, const Experiment& experiment,
+                    const std::string& where) {
+    std::vector<std::string_view> names;
+    for (const Trial& trial : trials) {
+        for (const Quantity& quantity : trial.quantities) {
+            if (!quantity.name.ends_with(']')) names.push_back(quantity.name);
+        }
+    }
+    for (const auto& [name, expected] : experiment.expected) {
+        bool found = false;
+        for (Trial& trial : trials) {
+            for (Quantity& quantity : trial.quantities) {
+                if (quantity.name != name) continue;
+                quantity.expected = expected;
+                found = true;
+            }
+        }
+        if (found) continue;
+        const std::string_view near = nearestName(name, names);
+        throw Error({where, fmt::format("expects \"{}\", which no detector measures", name), "",
+                     fmt::format("one of {}", fmt::join(names, ", ")),
+                     near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
+    }
+}
+
+}  // namespace
+
+std::vector<Trial> trialsOf(const SceneFile& file, const std::string& where) {
+    std::vector<Trial> all;
+    for (const Experiment& experiment : file.experiments) {
+        const bool direct = std::ranges::count(experiment.fluxes, "T_direct") > 0;
+        std::vector<TrialMaker> makers(direct ? 2 : 1, TrialMaker(file, experiment));
+        if (direct) makeBlack(makers.back().trial().scene);
+        for (const Footprint& part : footprints(experiment, where)) {
+            for (const std::string& flux : experiment.fluxes) {
+                (flux == "T_direct" ? makers.back() : makers.front()).addFlux(flux, part);
+            }
+            for (const View& view : experiment.views) makers.front().addView(view, part);
+        }
+        std::vector<Trial> trials;
+        for (TrialMaker& maker : makers) {
+            if (!maker.trial().quantities.empty()) trials.push_back(maker.take());
+        }
+        attachExpected(trials, experiment, where);
+        std::ranges::move(trials, std::back_inserter(all));
+    }
+    return all;
+}
+
+}  // namespace neph::validate
