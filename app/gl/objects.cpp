@@ -16,6 +16,7 @@ std::size_t bytesPerTexel(GLenum format) {
             return 16;
         case GL_RGBA16:
         case GL_RGBA16F:
+        case GL_RG32F:
             return 8;
         case GL_R32F:
         case GL_R32UI:

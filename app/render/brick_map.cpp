@@ -11,36 +11,6 @@ namespace {
 
 using Bytes = Array3<std::uint8_t>;
 
-/// Chebyshev distance to the nearest occupied brick, by a forward and a backward sweep over the 13
-/// earlier neighbours.
-Bytes distances(const Array3f& bricks, float threshold) {
-    constexpr std::uint8_t kFar = 255;
-    Bytes distance(bricks.size, kFar);
-    const glm::ivec3 n = bricks.size;
-    for (std::size_t i = 0; i < bricks.values.size(); ++i) {
-        if (bricks.values[i] > threshold) distance.values[i] = 0;
-    }
-    const auto relax = [&](glm::ivec3 p, int sign) {
-        std::uint8_t& here = distance.at(p.x, p.y, p.z);
-        for (int k = 0; k < 13; ++k) {
-            const glm::ivec3 q = p - sign * glm::ivec3(1 - k % 3, 1 - k / 3 % 3, 1 - k / 9);
-            if (glm::any(glm::lessThan(q, glm::ivec3(0))) ||
-                glm::any(glm::greaterThanEqual(q, n))) {
-                continue;
-            }
-            here = std::min<std::uint8_t>(here, static_cast<std::uint8_t>(std::min<int>(
-                                                    distance.at(q.x, q.y, q.z) + 1, kFar)));
-        }
-    };
-    for (int z = 0; z < n.z; ++z)
-        for (int y = 0; y < n.y; ++y)
-            for (int x = 0; x < n.x; ++x) relax({x, y, z}, 1);
-    for (int z = n.z - 1; z >= 0; --z)
-        for (int y = n.y - 1; y >= 0; --y)
-            for (int x = n.x - 1; x >= 0; --x) relax({x, y, z}, -1);
-    return distance;
-}
-
 std::uint8_t levelOf(float extinctionPerM) {
     if (extinctionPerM <= 0.0f) return 0;
     const float level = std::ceil(kLevelsPerOctave * std::log2(extinctionPerM)) + kLevelOfOne;
@@ -89,9 +59,39 @@ SliceBox boundsOf(const Bytes& distance, glm::dvec3 brickM, glm::dvec3 extentM) 
 
 }  // namespace
 
+// By a forward and a backward sweep over the 13 earlier neighbours.
+Array3<std::uint8_t> emptyDistances(const Array3f& bricks, float threshold) {
+    constexpr std::uint8_t kFar = 255;
+    Bytes distance(bricks.size, kFar);
+    const glm::ivec3 n = bricks.size;
+    for (std::size_t i = 0; i < bricks.values.size(); ++i) {
+        if (bricks.values[i] > threshold) distance.values[i] = 0;
+    }
+    const auto relax = [&](glm::ivec3 p, int sign) {
+        std::uint8_t& here = distance.at(p.x, p.y, p.z);
+        for (int k = 0; k < 13; ++k) {
+            const glm::ivec3 q = p - sign * glm::ivec3(1 - k % 3, 1 - k / 3 % 3, 1 - k / 9);
+            if (glm::any(glm::lessThan(q, glm::ivec3(0))) ||
+                glm::any(glm::greaterThanEqual(q, n))) {
+                continue;
+            }
+            here = std::min<std::uint8_t>(here, static_cast<std::uint8_t>(std::min<int>(
+                                                    distance.at(q.x, q.y, q.z) + 1, kFar)));
+        }
+    };
+    for (int z = 0; z < n.z; ++z)
+        for (int y = 0; y < n.y; ++y)
+            for (int x = 0; x < n.x; ++x) relax({x, y, z}, 1);
+    for (int z = n.z - 1; z >= 0; --z)
+        for (int y = n.y - 1; y >= 0; --y)
+            for (int x = n.x - 1; x >= 0; --x) relax({x, y, z}, -1);
+    return distance;
+}
+
 BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth) {
     const double diagonalM = glm::length(grid.extentM());
-    const Bytes distance = distances(maximumPerM, static_cast<float>(invisibleDepth / diagonalM));
+    const Bytes distance =
+        emptyDistances(maximumPerM, static_cast<float>(invisibleDepth / diagonalM));
     const Bytes levels = levelsOf(maximumPerM);
     std::vector<std::uint8_t> texels;
     texels.reserve(2 * distance.values.size());

@@ -25,6 +25,10 @@ struct BrickMap {
     bool empty() const { return occupied.lowerM == occupied.upperM; }
 };
 
+/// Chebyshev distance of each brick to the nearest whose value is above `threshold`, up to 255; 0
+/// where its own is.
+Array3<std::uint8_t> emptyDistances(const Array3f& bricks, float threshold);
+
 /// `maximumPerM`: the largest extinction that interpolation can give in each brick. Bricks that
 /// would not give a ray through the whole domain `invisibleDepth` are empty.
 BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth);

@@ -13,14 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "app/render/engines/path_tracer.h"
 #include "core/grid.h"
 #include "core/phase.h"
 #include "core/progress.h"
 
 namespace neph::render {
-
-/// Angular radius of the sun's disc at its mean distance, rad. docs/physics.md
-inline constexpr double kSunRadiusRad = 0.004675;
 
 enum class DetectorKind : int {
     radiance,     ///< that arrives at the detector's points from `direction`; no direct sunlight
