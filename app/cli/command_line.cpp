@@ -9,11 +9,14 @@
 #include <new>
 
 #include "app/cli/bench_command.h"
+#include "app/cli/compare_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/presets_command.h"
 #include "app/cli/readers_command.h"
 #include "app/cli/render_command.h"
+#include "app/cli/scene_arguments.h"
 #include "app/cli/thumbnails_command.h"
+#include "app/cli/validate_command.h"
 #include "app/ui/key_table.h"
 #include "app/workbench.h"
 #include "core/names.h"
@@ -32,6 +35,7 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope render wrfout_d01 --region 20:60,30:70 --memory 2GiB --out core.png
   nephoscope render --session s.nephoscope.json --along-path --out flight.mp4
   nephoscope render --preset fig06-physical --preset-b fig05-equal-extinction --out ab.png
+  nephoscope compare march.exr reference.exr        how far one picture is from another
   nephoscope presets show default > mine.json       a preset to edit
   nephoscope info wrfout_d01 --json                 what is in a file
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
@@ -41,44 +45,14 @@ struct Arguments {
     SceneOptions workbench;
     std::string session;
     RenderOptions render;
+    ComparisonOptions compare;
     InfoOptions info;
     BenchOptions bench;
     ThumbnailOptions thumbnails;
     PresetsOptions presets;
+    ValidateOptions validate;
     std::vector<std::string> readers;
 };
-
-void addReaderOption(CLI::App& command, std::vector<std::string>& readers) {
-    command.add_option("--reader", readers, "Reader plugin to use; may be repeated")
-        ->type_name("LIBRARY|FOLDER")
-        ->allow_extra_args(false);  // what follows is a file
-}
-
-void addMemoryOption(CLI::App& command, std::string& memory) {
-    command.add_option("--memory", memory, "For fields: 2GiB, 512MiB or 50% of the free")
-        ->type_name("SIZE|SHARE");
-}
-
-void addSceneOptions(CLI::App& command, SceneOptions& options) {
-    command.add_option("FILE", options.files,
-                       "Files of one series, or a folder; none: the bundled storm");
-    command.add_option("--preset", options.preset, "Preset, by name or file")
-        ->type_name("NAME|FILE");
-    command
-        .add_option("--parts", options.parts, "Of the preset: fields,light,view,camera; else all")
-        ->type_name("LIST");
-    command.add_option("--set", options.assignments, "Set one parameter; may be repeated")
-        ->type_name("ID=VALUE")
-        ->allow_extra_args(false);
-    command.add_option("--camera", options.camera, "Camera of a preset, or a file with one")
-        ->type_name("NAME|FILE");
-    command.add_option("--time", options.time, "Time index, a:b or all; else the middle one")
-        ->type_name("INDEX|a:b|all");
-    command.add_option("--region", options.region, "Part of the domain in km; else all of it")
-        ->type_name("x0:x1,y0:y1[,z0:z1]");
-    addMemoryOption(command, options.memory);
-    addReaderOption(command, options.readers);
-}
 
 /// Where the picture starts from, where the camera goes, and what is beside it.
 void addSessionOptions(CLI::App& command, RenderOptions& options) {
@@ -86,11 +60,7 @@ void addSessionOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("FILE");
     command.add_option("--slot", options.slot, "Of the session; else the one last edited")
         ->type_name("1|2");
-    command
-        .add_option("--observer", options.observer, "Look from a place; km, km, m, then degrees")
-        ->type_name("EAST,NORTH,HEIGHT,AZIMUTH,ELEVATION[,FOV]");
-    command.add_option("--view", options.view, "Look from a side, all clouds in the picture")
-        ->type_name("fit|plan|north|east|south|west|below");
+    addViewOptions(command, options.observer, options.view);
     command.add_option("--path", options.path, "Pictures along a camera path")->type_name("FILE");
     command.add_flag("--along-path", options.alongPath, "Along the camera path of the session");
     command.add_option("--fps", options.fps, "Pictures a second, of films and paths")
@@ -116,7 +86,9 @@ void addRender(CLI::App& app, RenderOptions& options) {
     command.add_option("--size", options.size, "In pixels")
         ->type_name("WxH")
         ->capture_default_str();
-    command.add_option("--engine", options.engine, "Instead of view.engine: march or slicing")
+    command
+        .add_option("--engine", options.engine,
+                    "Instead of view.engine: march, slicing or reference")
         ->type_name("NAME");
     command
         .add_option("--quality", options.quality, "Steps a voxel, march; instead of view.quality")
@@ -135,6 +107,36 @@ void addRender(CLI::App& app, RenderOptions& options) {
     command.add_flag("--profile", options.profile, "Tell the time of each pass, samples, memory");
     command.add_flag("--progress", options.progress, "A JSON object a picture on stdout");
     addSessionOptions(command, options);
+}
+
+void addCompare(CLI::App& app, ComparisonOptions& options) {
+    CLI::App& command = *app.add_subcommand("compare", "How far pictures are from a reference");
+    RenderOptions& render = options.render;
+    addSceneOptions(command, render.scene);
+    command.get_option("FILE")->description("A and B, PNG or EXR, B is the reference; or data");
+    command
+        .add_option("--engine", options.engines,
+                    "Draw the data with these; the last is the reference")
+        ->type_name("NAME[:ID=VALUE]...,NAME...")
+        ->allow_extra_args(false);
+    addViewOptions(command, render.observer, render.view);
+    command.add_option("--size", render.size, "In pixels, of what engines draw")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_option("--planes", render.planes, "Slices, slicing; instead of view.planes")
+        ->type_name("N");
+    command.add_flag("--json", options.json, "As JSON");
+    command.add_option("--error-picture", options.errorPicture, "Relative errors as colours")
+        ->type_name("FILE.png");
+    command.add_flag("--signed", options.bothSigns, "What is too bright or too dark, in those");
+    command.add_option("--error-to", options.errorTo, "End of their scale; else what fits")
+        ->type_name("PERCENT");
+    command.add_option("--flip-picture", options.flipPicture, "FLIP as colours")
+        ->type_name("FILE.png");
+    command.add_option("--exposure", options.exposureEv, "Of FLIP; else all the reference has")
+        ->type_name("EV");
+    command.add_option("--out,-o", options.out, "Keep what engines draw, and pictures of errors")
+        ->type_name("FOLDER");
 }
 
 void addThumbnails(CLI::App& app, ThumbnailOptions& options) {
@@ -243,6 +245,18 @@ void addBench(CLI::App& app, BenchOptions& options) {
     addReaderOption(command, options.readers);
 }
 
+void addValidate(CLI::App& app, ValidateOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "validate", "Prove the path tracer against published results, or measure a scene");
+    command.add_option("CASE.json", options.files, "Scenes to measure; none: all that is bundled");
+    command.add_flag("--quick", options.quick, "In a minute, with tolerances five times as wide");
+    command.add_flag("--json", options.json, "As JSON");
+    command.add_option("--only", options.only, "What has this in its name")->type_name("TEXT");
+    command.add_option("--samples", options.samples, "Paths a detector, at least")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1 << 30));
+}
+
 /// A file that is not there may be a command that was mistyped.
 void checkForCommand(const CLI::App& app, const SceneOptions& options) {
     if (options.files.empty() || std::filesystem::exists(options.files.front())) return;
@@ -258,10 +272,12 @@ void checkForCommand(const CLI::App& app, const SceneOptions& options) {
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("render")) return runRender(arguments.render);
+    if (app.got_subcommand("compare")) return runCompare(arguments.compare);
     if (app.got_subcommand("thumbnails")) return runThumbnails(arguments.thumbnails);
     if (app.got_subcommand("info")) return runInfo(arguments.info);
     if (app.got_subcommand("readers")) return runReaders(arguments.readers);
     if (app.got_subcommand("bench")) return runBench(arguments.bench);
+    if (app.got_subcommand("validate")) return runValidate(arguments.validate);
     if (app.got_subcommand("keys")) {
         std::fputs(ui::keyTable().c_str(), stdout);
         return 0;
@@ -311,10 +327,12 @@ int parseAndRun(int argc, char** argv) {
     app.add_option("--script", arguments.workbench.script, "Commands to play into the window")
         ->type_name("FILE");
     addRender(app, arguments.render);
+    addCompare(app, arguments.compare);
     addThumbnails(app, arguments.thumbnails);
     addPresets(app, arguments.presets);
     addOthers(app, arguments);
     addBench(app, arguments.bench);
+    addValidate(app, arguments.validate);
     app.footer(std::string(kExamples));  // after the commands, which would take it over
     try {
         app.parse(argc, argv);

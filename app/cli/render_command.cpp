@@ -201,8 +201,10 @@ void Run::write(const Shot& shot, Bands& bands) {
         ImageF first = bands.nextLinear();
         const Metadata metadata = describe(shot, bands);
         writeExr(shot.file, sizePx_, metadata,
-                 options_.format == "float" ? ExrPixels::full : ExrPixels::half,
-                 [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextLinear(); });
+                 options_.format == "float" ? ExrPixels::full : ExrPixels::half, {}, [&] {
+                     return LayeredImage{
+                         first.size.y > 0 ? std::exchange(first, {}) : bands.nextLinear(), {}};
+                 });
     }
 }
 

@@ -1,4 +1,4 @@
-// exr.cpp: OpenEXR behind two functions; its exceptions end here.
+// exr.cpp: OpenEXR behind a few functions; its exceptions end here.
 #include "app/image_io/exr.h"
 
 #include <ImfArray.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -23,29 +24,39 @@ namespace {
 constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
-Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type) {
+Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type,
+                       const std::vector<std::string>& layers) {
     Imf::Header header(sizePx.x, sizePx.y);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : kChannels) header.channels().insert(name, Imf::Channel(type));
+    for (const std::string& name : layers) {
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    }
     for (const auto& [key, text] : metadata) {
         header.insert(key.c_str(), Imf::StringAttribute(text));
     }
     return header;
 }
 
+/// A slice whose value at column `lower.x` and row `lower.y` is the first. The library addresses
+/// pixels from (0, 0), which need not be within the picture.
+template <typename T>
+Imf::Slice sliceFrom(T* first, std::size_t components, glm::ivec2 size, glm::ivec2 lower,
+                     Imf::PixelType type, double fill) {
+    const std::size_t xStride = components * sizeof(T);
+    const std::size_t yStride = xStride * static_cast<std::size_t>(size.x);
+    char* origin = reinterpret_cast<char*>(first) - static_cast<std::ptrdiff_t>(xStride) * lower.x -
+                   static_cast<std::ptrdiff_t>(yStride) * lower.y;
+    return {type, origin, xStride, yStride, 1, 1, fill};
+}
+
 /// Slices over interleaved RGBA of the component type T, row 0 on top.
 template <typename T>
 Imf::FrameBuffer interleaved(T* first, glm::ivec2 size, glm::ivec2 lower, Imf::PixelType type) {
-    const std::size_t xStride = 4 * sizeof(T);
-    const std::size_t yStride = xStride * static_cast<std::size_t>(size.x);
-    // The library addresses pixels from (0, 0), which need not be within the picture.
-    char* origin = reinterpret_cast<char*>(first) - static_cast<std::ptrdiff_t>(xStride) * lower.x -
-                   static_cast<std::ptrdiff_t>(yStride) * lower.y;
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < kChannels.size(); ++c) {
         const double fill = c == 3 ? 1.0 : 0.0;
-        frame.insert(kChannels[c],
-                     Imf::Slice(type, origin + c * sizeof(T), xStride, yStride, 1, 1, fill));
+        frame.insert(kChannels[c], sliceFrom(first + c, kChannels.size(), size, lower, type, fill));
     }
     return frame;
 }
@@ -61,28 +72,43 @@ std::vector<half> toHalf(const ImageF& image) {
     return values;
 }
 
-/// The next rows of the file; `row` is the first of them.
-void writeBand(Imf::OutputFile& out, const ImageF& band, int row, ExrPixels pixels) {
-    if (pixels == ExrPixels::half) {
-        std::vector<half> values = toHalf(band);
-        out.setFrameBuffer(interleaved(values.data(), band.size, {0, row}, Imf::HALF));
-        out.writePixels(band.size.y);
-    } else {
-        std::vector<glm::vec4> values = band.pixels;
-        out.setFrameBuffer(interleaved(&values.data()->x, band.size, {0, row}, Imf::FLOAT));
-        out.writePixels(band.size.y);
+/// Adds slices over the layers of a band whose first row is `row`.
+void addLayers(Imf::FrameBuffer& frame, LayeredImage& band, int row) {
+    for (ImageLayer& layer : band.layers) {
+        assert(layer.values.size() == band.colours.pixels.size());
+        frame.insert(layer.name, sliceFrom(layer.values.data(), 1, band.colours.size, {0, row},
+                                           Imf::FLOAT, 0.0));
     }
 }
 
+/// The next rows of the file; `row` is the first of them.
+void writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrPixels pixels) {
+    ImageF& colours = band.colours;
+    std::vector<half> halves;
+    Imf::FrameBuffer frame;
+    if (pixels == ExrPixels::half) {
+        halves = toHalf(colours);
+        frame = interleaved(halves.data(), colours.size, {0, row}, Imf::HALF);
+    } else {
+        frame = interleaved(&colours.pixels.data()->x, colours.size, {0, row}, Imf::FLOAT);
+    }
+    addLayers(frame, band, row);
+    out.setFrameBuffer(frame);
+    out.writePixels(colours.size.y);
+}
+
 void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
-             ExrPixels pixels, const std::function<ImageF()>& next) {
+             ExrPixels pixels, const std::vector<std::string>& layers,
+             const std::function<LayeredImage()>& next) {
     const Imf::PixelType type = pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT;
-    Imf::OutputFile out(file.c_str(), makeHeader(sizePx, metadata, type));
+    Imf::OutputFile out(file.c_str(), makeHeader(sizePx, metadata, type, layers));
     for (int row = 0; row < sizePx.y;) {
-        const ImageF band = next();
-        assert(band.size.x == sizePx.x && band.size.y >= 1);
-        writeBand(out, band, row, pixels);
-        row += band.size.y;
+        LayeredImage band = next();
+        const int rows = band.colours.size.y;
+        assert(band.colours.size.x == sizePx.x && rows >= 1);
+        assert(std::ranges::equal(band.layers, layers, {}, &ImageLayer::name));
+        writeBand(out, std::move(band), row, pixels);
+        row += rows;
     }
 }
 
@@ -106,13 +132,32 @@ ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
     return image;
 }
 
+std::vector<std::vector<float>> layersFrom(const std::filesystem::path& file,
+                                           const std::vector<std::string>& names) {
+    Imf::InputFile in(file.c_str());
+    const auto window = in.header().dataWindow();
+    const glm::ivec2 size{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+    std::vector<std::vector<float>> layers(names.size());
+    Imf::FrameBuffer frame;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (in.header().channels().findChannel(names[i]) == nullptr) continue;
+        layers[i].resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+        frame.insert(names[i], sliceFrom(layers[i].data(), 1, size, {window.min.x, window.min.y},
+                                         Imf::FLOAT, 0.0));
+    }
+    in.setFrameBuffer(frame);
+    if (frame.begin() != frame.end()) in.readPixels(window.min.y, window.max.y);
+    return layers;
+}
+
 }  // namespace
 
 void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
-              ExrPixels pixels, const std::function<ImageF()>& next) {
+              ExrPixels pixels, const std::vector<std::string>& layers,
+              const std::function<LayeredImage()>& next) {
     replaceFile(file, [&](const std::filesystem::path& aside) {
         try {
-            writeTo(aside, sizePx, metadata, pixels, next);
+            writeTo(aside, sizePx, metadata, pixels, layers, next);
         } catch (const Iex::BaseExc& fault) {
             throw Error({file.string(), "cannot be written as OpenEXR", fault.what(), "", ""});
         }
@@ -121,12 +166,21 @@ void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metada
 
 void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
               ExrPixels pixels) {
-    writeExr(file, image.size, metadata, pixels, [&] { return image; });
+    writeExr(file, image.size, metadata, pixels, {}, [&] { return LayeredImage{image, {}}; });
 }
 
 ImageF readExr(const std::filesystem::path& file, Metadata* metadata) {
     try {
         return readFrom(file, metadata);
+    } catch (const std::exception& fault) {
+        throw Error({file.string(), "cannot be read as OpenEXR", fault.what(), "", ""});
+    }
+}
+
+std::vector<std::vector<float>> readExrLayers(const std::filesystem::path& file,
+                                              const std::vector<std::string>& names) {
+    try {
+        return layersFrom(file, names);
     } catch (const std::exception& fault) {
         throw Error({file.string(), "cannot be read as OpenEXR", fault.what(), "", ""});
     }

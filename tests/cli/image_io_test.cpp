@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <type_traits>
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
@@ -69,6 +71,34 @@ TEST_CASE("A float EXR keeps what half cannot hold, and half clips to its larges
     CHECK(half.g == doctest::Approx(1.0 / 3.0).epsilon(1.0 / 2048.0));  // 11 bits of mantissa
 }
 
+TEST_CASE("Layers of an EXR read back by name, as float beside half, and missing ones are empty") {
+    const TemporaryFolder folder;
+    const float infinite = std::numeric_limits<float>::infinity();
+    const std::vector<float> depth{1e6f, infinite, 1.0f / 3.0f, 0.0f, -1.0f, 1e-30f};
+    const std::vector<float> red{1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f};
+    for (const ExrPixels pixels : {ExrPixels::half, ExrPixels::full}) {
+        std::ptrdiff_t row = 0;
+        writeExr(folder / "a.exr", {3, 2}, kMetadata, pixels, {"depth.first_scatter", "A.R"}, [&] {
+            const ImageF whole = linearImage();
+            const std::ptrdiff_t from = 3 * row++;
+            const auto part = [from](const auto& all) {
+                return std::decay_t<decltype(all)>(all.begin() + from, all.begin() + from + 3);
+            };
+            return LayeredImage{{{3, 1}, part(whole.pixels)},
+                                {{"depth.first_scatter", part(depth)}, {"A.R", part(red)}}};
+        });
+        const auto layers =
+            readExrLayers(folder / "a.exr", {"A.R", "none", "depth.first_scatter", "G"});
+        REQUIRE(layers.size() == 4);
+        CHECK(layers[0] == red);
+        CHECK(layers[1].empty());
+        CHECK(layers[2] == depth);
+        CHECK(layers[3] == std::vector<float>{0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 2.5f});
+        CHECK(readExr(folder / "a.exr").pixels == linearImage().pixels);
+    }
+    CHECK_THROWS_AS(readExrLayers(folder / "missing.exr", {"A.R"}), Error);
+}
+
 TEST_CASE("A PNG reads back pixel for pixel, with its metadata, ASCII or not") {
     const TemporaryFolder folder;
     writePng(folder / "a.png", displayImage(), kMetadata);
@@ -95,9 +125,9 @@ TEST_CASE(
         const auto next = [&] {
             const ImageF whole = linearImage();
             const auto first = whole.pixels.begin() + 3 * row++;
-            return ImageF{{3, 1}, {first, first + 3}};
+            return LayeredImage{{{3, 1}, {first, first + 3}}, {}};
         };
-        writeExr(folder / "a.exr", {3, 2}, kMetadata, pixels, next);
+        writeExr(folder / "a.exr", {3, 2}, kMetadata, pixels, {}, next);
         CHECK(readExr(folder / "a.exr").pixels == linearImage().pixels);
     }
     CHECK_THROWS_AS(writePng(folder / "b.png", {3, 2}, {},
@@ -105,8 +135,8 @@ TEST_CASE(
                                  throw Error({"", "no more"});
                              }),
                     Error);
-    CHECK_THROWS_AS(writeExr(folder / "b.exr", {3, 2}, {}, ExrPixels::half,
-                             []() -> ImageF {
+    CHECK_THROWS_AS(writeExr(folder / "b.exr", {3, 2}, {}, ExrPixels::half, {},
+                             []() -> LayeredImage {
                                  throw Error({"", "no more"});
                              }),
                     Error);

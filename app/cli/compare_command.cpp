@@ -1,0 +1,120 @@
+// compare_command.cpp: two files read and compared.
+#include "app/cli/compare_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/cli/comparison.h"
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "core/colours.h"
+
+namespace neph {
+namespace {
+
+const std::vector<std::string> kHalfChannels{"A.R", "A.G", "A.B", "B.R", "B.G", "B.B"};
+
+std::string textOf(const Metadata& metadata, std::string_view key) {
+    for (const auto& [name, text] : metadata) {
+        if (name == key) return text;
+    }
+    return {};
+}
+
+/// A picture of three channels from `first`; none where one is missing.
+std::optional<ImageF> halfFrom(const std::vector<std::vector<float>>& layers, std::size_t first,
+                               glm::ivec2 size) {
+    ImageF half;
+    half.size = size;
+    for (std::size_t c = first; c < first + 3; ++c) {
+        if (layers[c].empty()) return {};
+    }
+    for (std::size_t i = 0; i < layers[first].size(); ++i) {
+        half.pixels.emplace_back(layers[first][i], layers[first + 1][i], layers[first + 2][i],
+                                 1.0f);
+    }
+    return half;
+}
+
+ComparedPicture readExrPicture(const std::string& file, Metadata& metadata) {
+    ComparedPicture read;
+    read.picture = readExr(file, &metadata);
+    const auto layers = readExrLayers(file, kHalfChannels);
+    read.halfA = halfFrom(layers, 0, read.picture.size);
+    read.halfB = halfFrom(layers, 3, read.picture.size);
+    if (!read.halfA || !read.halfB) read.halfA = read.halfB = std::nullopt;
+    return read;
+}
+
+ComparedPicture readPngPicture(const std::string& file, Metadata& metadata) {
+    ComparedPicture read;
+    read.display = true;
+    metadata = readPngMetadata(file);
+    const Image8 image = readPng(file);
+    read.picture.size = image.size;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const glm::vec3 srgb =
+            glm::vec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]) / 255.0f;
+        const float alpha = static_cast<float>(image.rgba[i + 3]) / 255.0f;
+        read.picture.pixels.emplace_back(alpha * linearFromSrgb(srgb), alpha);
+    }
+    return read;
+}
+
+ComparedPicture readPicture(const std::string& file, Metadata& metadata) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    if (extension != ".exr" && extension != ".png") {
+        throw UsageError({file, "is no picture that can be compared",
+                          extension.empty() ? "no extension" : extension, ".exr or .png",
+                          "nephoscope compare --engine march,reference FILE... compares engines"});
+    }
+    ComparedPicture read =
+        extension == ".exr" ? readExrPicture(file, metadata) : readPngPicture(file, metadata);
+    read.name = file;
+    read.made = textOf(metadata, "nephoscope.renderer");
+    return read;
+}
+
+/// Pictures of different views differ for another reason than their engines.
+void warnOfDifferences(const Metadata& a, const Metadata& b) {
+    for (const char* key : {"camera", "data"}) {
+        const std::string one = textOf(a, fmt::format("nephoscope.{}", key));
+        const std::string other = textOf(b, fmt::format("nephoscope.{}", key));
+        if (one.empty() || other.empty() || one == other) continue;
+        fmt::print(stderr, "warning: the pictures differ in their {}: {}; {}\n", key, one, other);
+    }
+}
+
+int compareFiles(const ComparisonOptions& options) {
+    const std::vector<std::string>& files = options.render.scene.files;
+    Metadata pictureTexts, referenceTexts;
+    const ComparedPicture picture = readPicture(files[0], pictureTexts);
+    const ComparedPicture reference = readPicture(files[1], referenceTexts);
+    warnOfDifferences(pictureTexts, referenceTexts);
+    const Comparison comparison =
+        compare(picture, reference, parseOptionalNumber("--exposure", options.exposureEv));
+    if (!options.errorPicture.empty()) {
+        std::optional<double> most = parseOptionalNumber("--error-to", options.errorTo);
+        if (most) *most /= 100.0;
+        writePng(options.errorPicture,
+                 relativeErrorPicture(picture, reference, options.bothSigns, most), {});
+        fmt::print(stderr, "wrote {}\n", options.errorPicture);
+    }
+    if (!options.flipPicture.empty()) {
+        writePng(options.flipPicture, flipPicture(comparison), {});
+        fmt::print(stderr, "wrote {}\n", options.flipPicture);
+    }
+    const auto told = options.json ? comparisonJson : comparisonText;
+    fmt::print("{}", told({picture}, {comparison}, reference));
+    return 0;
+}
+
+}  // namespace
+
+int runCompare(const ComparisonOptions& options) {
+    checkOptions(options);
+    return compareFiles(options);
+}
+
+}  // namespace neph

@@ -1,0 +1,173 @@
+// compare_test.cpp: `nephoscope compare` on pictures whose errors are known.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "tests/cli/program.h"
+
+using namespace neph;
+
+namespace {
+
+constexpr glm::ivec2 kSize(96, 64);
+constexpr int kPixels = kSize.x * kSize.y;
+
+/// Radiance of mean 1, alike in all channels.
+ImageF truth(float factor = 1.0f) {
+    ImageF image;
+    image.size = kSize;
+    for (int i = 0; i < kPixels; ++i) {
+        const float value = 0.5f + (static_cast<float>(i) + 0.5f) / kPixels;
+        image.pixels.emplace_back(glm::vec3(factor * value), 1.0f);
+    }
+    return image;
+}
+
+std::vector<ImageLayer> layersOf(const ImageF& half, const std::string& name) {
+    std::vector<ImageLayer> layers{{name + ".R", {}}, {name + ".G", {}}, {name + ".B", {}}};
+    for (const glm::vec4& pixel : half.pixels) {
+        for (std::size_t c = 0; c < 3; ++c) layers[c].values.push_back(pixel[static_cast<int>(c)]);
+    }
+    return layers;
+}
+
+/// The truth with grey noise of this deviation, and its halves.
+void writeNoisy(const std::filesystem::path& file, double deviation) {
+    std::mt19937 random(7);
+    std::normal_distribution<float> noise(0.0f, static_cast<float>(deviation * std::sqrt(2.0)));
+    ImageF a = truth(), b = truth(), mean = truth();
+    for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+        a.pixels[i] += glm::vec4(glm::vec3(noise(random)), 0.0f);
+        b.pixels[i] += glm::vec4(glm::vec3(noise(random)), 0.0f);
+        mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
+    }
+    std::vector<ImageLayer> layers = layersOf(a, "A");
+    for (ImageLayer& layer : layersOf(b, "B")) layers.push_back(std::move(layer));
+    std::vector<std::string> names;
+    for (const ImageLayer& layer : layers) names.push_back(layer.name);
+    writeExr(file, kSize, {}, ExrPixels::full, names, [&] { return LayeredImage{mean, layers}; });
+}
+
+Image8 grey(int value) {
+    Image8 image;
+    image.size = kSize;
+    for (int i = 0; i < kPixels; ++i) {
+        for (int c = 0; c < 4; ++c) {
+            image.rgba.push_back(static_cast<std::uint8_t>(c == 3 ? 255 : value));
+        }
+    }
+    return image;
+}
+
+std::string quoted(const std::filesystem::path& file) {
+    return " '" + file.string() + "'";
+}
+
+}  // namespace
+
+TEST_CASE("The error of a picture is found below the reference's noise, from the halves it keeps") {
+    const TemporaryFolder folder;
+    writeExr(folder / "a.exr", truth(1.05f), {}, ExrPixels::full);
+    writeNoisy(folder / "b.exr", 0.2);
+    const Outcome outcome =
+        runProgram("compare --json" + quoted(folder / "a.exr") + quoted(folder / "b.exr"));
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["type"] == "nephoscope-comparison");
+    CHECK(json["reference"]["halves"] == true);
+    const auto& errors = json["pictures"][0];
+    const double rmse = 0.05 * std::sqrt(1.0 + 1.0 / 12.0);  // √mean truth² of mean 1
+    const double sigma = errors["rel_rmse_sigma"].get<double>();
+    CHECK(std::abs(errors["rel_rmse"].get<double>() - rmse) < 3.0 * sigma);
+    CHECK(sigma < rmse);
+    CHECK(errors["rel_rmse_with_noise"].get<double>() > 3.0 * rmse);
+    CHECK(errors["noise_taken_off"].get<double>() == doctest::Approx(0.2).epsilon(0.05));
+    CHECK(std::abs(errors["bias"].get<double>() - 0.05) < 3.0 * errors["bias_sigma"].get<double>());
+    CHECK(errors["flip"]["kind"] == "HDR-FLIP");
+}
+
+TEST_CASE("The table tells all figures with what they mean, and pictures of errors are written") {
+    const TemporaryFolder folder;
+    writeExr(folder / "a.exr", truth(1.1f), {}, ExrPixels::full);
+    writeExr(folder / "b.exr", truth(), {{"nephoscope.renderer", "reference, of a test"}},
+             ExrPixels::full);
+    const std::string both = quoted(folder / "a.exr") + quoted(folder / "b.exr");
+    const Outcome outcome =
+        runProgram("compare" + both + " --signed --error-to 20 --error-picture" +
+                   quoted(folder / "error.png") + " --flip-picture" + quoted(folder / "flip.png"));
+    REQUIRE(outcome.status == 0);
+    for (const char* words : {"bias", "relRMSE", "relMSE", "p95", "HDR-FLIP", "10 %",
+                              "reference, of a test", "nothing has halves"}) {
+        CAPTURE(words);
+        CHECK(contains(outcome.out, words));
+    }
+    const Image8 error = readPng(folder / "error.png");
+    CHECK(error.size.y > kSize.y);         // with a legend
+    CHECK(error.rgba[0] > error.rgba[2]);  // too bright is red
+    CHECK(readPng(folder / "flip.png").size == error.size);
+    CHECK(contains(runProgram("compare --exposure 1" + both).out, "at 1 EV"));
+}
+
+TEST_CASE("Pictures of a screen are compared as decoded light, and said to be so") {
+    const TemporaryFolder folder;
+    writePng(folder / "a.png", grey(188), {});
+    writePng(folder / "b.png", grey(128), {});
+    const Outcome outcome =
+        runProgram("compare" + quoted(folder / "a.png") + quoted(folder / "b.png"));
+    REQUIRE(outcome.status == 0);
+    CHECK(contains(outcome.out, "LDR-FLIP"));
+    CHECK(contains(outcome.out, "colours of a screen"));
+    const auto json = nlohmann::json::parse(
+        runProgram("compare --json" + quoted(folder / "a.png") + quoted(folder / "b.png")).out);
+    // sRGB 188 and 128 are 0.5029 and 0.2159 of linear white. IEC 61966-2-1
+    CHECK(json["pictures"][0]["bias"].get<double>() ==
+          doctest::Approx(0.5029 / 0.2159 - 1.0).epsilon(1e-3));
+}
+
+TEST_CASE("What cannot be compared is refused, with the exit status of its kind") {
+    const TemporaryFolder folder;
+    writeExr(folder / "a.exr", truth(), {});
+    writePng(folder / "a.png", grey(1), {});
+    ImageF small = truth();
+    small.size = {kSize.x / 2, kSize.y * 2};
+    writeExr(folder / "small.exr", small, {});
+    const auto check = [&](const std::string& arguments, int status, const char* says) {
+        CAPTURE(arguments);
+        const Outcome outcome = runProgram("compare " + arguments);
+        CHECK(outcome.status == status);
+        CHECK(contains(outcome.err, says));
+    };
+    const std::string exr = quoted(folder / "a.exr");
+    check(exr + quoted(folder / "small.exr"), 1, "96x64 and 48x128");
+    check(exr + quoted(folder / "a.png"), 1, "two pictures of one kind");
+    check(exr + quoted(folder / "none.exr"), 1, "none.exr");
+    check(exr, 2, "two pictures");
+    check(exr + exr + " --out x", 2, "--error-picture");
+    check(exr + exr + " --error-picture x.jpg", 2, "NAME.png");
+    check(exr + exr + " --error-to 0", 2, "above 0");
+    check(exr + exr + " --exposure bright", 2, "a number");
+    check("a.tiff b.tiff", 2, ".exr or .png");
+}
+
+TEST_CASE("Lists of engines are checked before anything is drawn") {
+    struct Case {
+        const char* engines;
+        const char* says;
+    };
+    for (const Case& c :
+         {Case{"march", "nothing to compare with"}, Case{"march,warp", "one of march, slicing"},
+          Case{"march:light.fom=printed,slicing", "light.form?"},
+          Case{"march:view.planes=1,slicing", "from 16 to 2048"},
+          Case{"march:cloud.radius_source=file,slicing", "the same data"}}) {
+        CAPTURE(c.engines);
+        const Outcome outcome = runProgram(std::string("compare --engine ") + c.engines);
+        CHECK(outcome.status == 2);
+        CHECK(contains(outcome.err, c.says));
+    }
+    CHECK(contains(runProgram("compare --engine march,slicing --error-picture x.png").err,
+                   "--out FOLDER"));
+}
