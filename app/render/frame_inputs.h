@@ -30,7 +30,8 @@ struct FrameInputs {
     /// it to the data.
     int planes = 0;
     /// 0: a picture of its own. n > 0: the march samples at other places than before and averages
-    /// with the n pictures before, which must have had the same inputs but for their numbers.
+    /// with the n pictures before, which must have had the same inputs but for their numbers. The
+    /// reference adds one more path a pixel.
     int sample = 0;
     /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
     /// first picture after a change. The march computes it in full for the next picture without.
@@ -58,6 +59,18 @@ struct SampleCounts {
     std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
 };
 
+/// How far the reference has come with a picture.
+struct ReferenceProgress {
+    int samples = 0;  ///< paths a pixel
+    /// Relative standard error: root mean variance of the pixels over their mean; infinite before
+    /// there are two samples.
+    double relativeError = 0.0;
+    std::uint64_t collisions = 0;   ///< places where there may have been a particle
+    std::uint64_t scatterings = 0;  ///< particles that scattered
+    std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
+    double seconds = 0.0;           ///< of work
+};
+
 /// What the last frame did, for the status line, the profile and `bench`.
 struct FrameStats {
     Stage redone = Stage::resolve;  ///< earliest stage that was redone, with all after it
@@ -69,6 +82,7 @@ struct FrameStats {
     double milliseconds = 0.0;     ///< wall time with the GPU finished
     std::vector<PassTime> passes;  ///< in the order they ran; only when profiled
     SampleCounts samples;          ///< only when profiled
+    ReferenceProgress reference;   ///< of that engine alone
 };
 
 }  // namespace neph::render

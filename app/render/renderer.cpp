@@ -15,6 +15,7 @@
 #include "app/gl/program.h"
 #include "app/render/engines/frame_block.h"
 #include "app/render/engines/march.h"
+#include "app/render/engines/reference.h"
 #include "app/render/engines/slicing.h"
 #include "app/render/medium_bake.h"
 #include "app/render/noise_texture.h"
@@ -28,14 +29,16 @@ struct Renderer::Impl {
 
     gl::ProgramCache programs;
     std::optional<VolumeTextures> volume;
-    MediumTextures medium;     ///< of slicing; made when it is first wanted
+    MediumTextures medium;     ///< of slicing and reference; made when it is first wanted
     PackedMedium packed;       ///< of the march; likewise
-    gl::Texture noise;         ///< of slicing
+    gl::Texture noise;         ///< of slicing and reference
     gl::Texture stackedNoise;  ///< of the march
     gl::Texture rays;          ///< where pixels are the mean of several
     gl::Texture linear, display;
     SlicingEngine slicing;
     MarchEngine march;
+    ReferenceEngine reference;
+    bool referenceStale = true;  ///< has not taken in `medium`
     gl::PassTimer timer;
     std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
     std::optional<Look> lit;          ///< what the light in `packed` was carried for
@@ -108,9 +111,10 @@ void checkSize(glm::ivec2 sizePx) {
 Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
     if (mediumStale) return Stage::medium;
     const bool slices = inputs.look.engine == Engine::slicing;
-    const bool finer = !slices && lightIsDraft && !inputs.draftLight;
+    const bool marches = inputs.look.engine == Engine::march;
+    const bool finer = marches && lightIsDraft && !inputs.draftLight;
     // A picture that gave way leaves the march's light as it was.
-    if (!last && lit && !slices) {
+    if (!last && lit && marches) {
         return std::min(finer ? Stage::light : Stage::eye,
                         firstDifference(*lit, inputs.look).value_or(Stage::eye));
     }
@@ -126,19 +130,21 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
 
 void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
     const MediumPlan plan = planMedium(inputs.look, volume->holdings);
-    const bool slices = inputs.look.engine == Engine::slicing;
-    gl::Texture& detail = slices ? noise : stackedNoise;
+    const bool marches = inputs.look.engine == Engine::march;
+    gl::Texture& detail = marches ? stackedNoise : noise;
     if (isNoisy(plan) && !detail) {
         timer.pass("noise");
-        detail = slices ? bakeNoise(programs) : bakeStackedNoise(programs);
+        detail = marches ? bakeStackedNoise(programs) : bakeNoise(programs);
     }
     const bool made =
-        slices ? static_cast<bool>(medium.first) : static_cast<bool>(packed.extinction);
-    if (!mediumStale && made && plan == (slices ? medium.plan : packed.look)) return;
+        marches ? static_cast<bool>(packed.extinction) : static_cast<bool>(medium.first);
+    if (!mediumStale && made && plan == (marches ? packed.look : medium.plan)) return;
     timer.pass("bake medium");
     lit.reset();
-    // The other engine's medium would be stale, and two would be held for nothing.
-    if (slices) {
+    // The other medium would be stale, and two would be held for nothing.
+    reference = {};
+    referenceStale = true;
+    if (!marches) {
         packed = {};
         bakeMedium(*volume, plan, programs, medium);
     } else {
@@ -162,6 +168,15 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const gl::Text
     if (inputs.look.engine == Engine::slicing) {
         slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, to,
                        stage == Stage::eye, progress, timer);
+        return;
+    }
+    if (inputs.look.engine == Engine::reference) {
+        timer.pass("paths");
+        if (std::exchange(referenceStale, false)) {
+            reference.prepare(medium, volume->grid, programs);
+        }
+        reference.render(inputs, volume->grid, medium, noise ? &noise : nullptr, programs, to,
+                         progress);
         return;
     }
     if (stage <= Stage::light) {
@@ -212,15 +227,21 @@ void Renderer::Impl::resolve(const FrameInputs& inputs) {
 
 void Renderer::Impl::describe(const FrameInputs& inputs, Stage stage, FrameStats& stats) {
     const bool slices = inputs.look.engine == Engine::slicing;
-    const SlicePlan& plan = slices ? slicing.plan() : march.plan();
-    stats.planes = slices ? plan.count : march.steps();
-    stats.lightSize = {plan.lightSizePx, plan.count};
+    const bool traces = inputs.look.engine == Engine::reference;
     stats.redone = stage;
+    if (traces) {
+        stats.reference = reference.progress(programs);
+        stats.marchedLight = false;
+    } else {
+        const SlicePlan& plan = slices ? slicing.plan() : march.plan();
+        stats.planes = slices ? plan.count : march.steps();
+        stats.lightSize = {plan.lightSizePx, plan.count};
+    }
     if (!inputs.profile) return;
     for (const auto& [name, milliseconds] : timer.finish()) {
         stats.passes.push_back({name, milliseconds});
     }
-    if (!slices && stats.marchedEye) stats.samples = march.counts();
+    if (!slices && !traces && stats.marchedEye) stats.samples = march.counts();
 }
 
 Renderer::Renderer(const std::filesystem::path& shaderDir)
@@ -308,6 +329,12 @@ Image8 Renderer::readDisplay() const {
     return image;
 }
 
+ReferenceLayers Renderer::readReference() const {
+    if (!impl_->last || impl_->last->look.engine != Engine::reference) return {};
+    return impl_->reference.layers(raysOf(*impl_->last), *impl_->volume, impl_->medium,
+                                   impl_->noise ? &impl_->noise : nullptr, impl_->programs);
+}
+
 int Renderer::largestSidePx() const {
     return largestSide();
 }
@@ -338,7 +365,8 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"light", light},
             {"noise", impl_->noise.bytes() + impl_->stackedNoise.bytes()},
             {"pictures", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
-                             impl_->slicing.bytes() + impl_->march.bytes() - light}};
+                             impl_->slicing.bytes() + impl_->march.bytes() - light +
+                             impl_->reference.bytes()}};
 }
 
 std::size_t Renderer::gpuBytes() const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/render/frame_inputs.h"
+#include "app/render/reference_layers.h"
 #include "core/image.h"
 #include "core/progress.h"
 #include "core/species.h"
@@ -50,6 +51,10 @@ class Renderer {
     /// The last frame as shown: sRGB, row 0 on top; straight alpha, to be put over others in linear
     /// light, which is 1 where there is a backdrop.
     Image8 readDisplay() const;
+
+    /// What the reference knows of the last frame besides, a value a ray; empty where another
+    /// engine drew it.
+    ReferenceLayers readReference() const;
 
     /// The largest picture that can be rendered at once, rays a side.
     int largestSidePx() const;

@@ -15,6 +15,7 @@ namespace {
 using namespace glm;
 
 #include "shaders/lib/constants.glsl"
+#include "shaders/lib/directions.glsl"
 #include "shaders/lib/noise.glsl"
 #include "shaders/lib/optics.glsl"
 #include "shaders/lib/phase_cornette_shanks.glsl"
@@ -25,7 +26,9 @@ using namespace glm;
 #include "shaders/lib/phase_isotropic.glsl"
 #include "shaders/lib/phase_rayleigh.glsl"
 #include "shaders/lib/phase_table.glsl"
+#include "shaders/lib/random.glsl"
 #include "shaders/lib/ray_box.glsl"
+#include "shaders/lib/scattering_table.glsl"
 #include "shaders/lib/sky.glsl"
 #include "shaders/lib/tonemap.glsl"
 
