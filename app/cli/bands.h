@@ -5,8 +5,10 @@
 // seams cannot be seen. Two sides may share a picture; a thin line is between them.
 #pragma once
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
+#include "app/image_io/exr.h"
 #include "app/render/renderer.h"
 #include "core/image.h"
 #include "core/progress.h"
@@ -18,8 +20,12 @@ struct DrawnSide {
     render::Renderer* renderer = nullptr;  ///< holds the volume
     render::FrameInputs inputs;            ///< of the whole picture; `sample` is left at 0
     int samples = 1;                       ///< of each tile
-    int fromPx = 0, toPx = 0;              ///< its columns; the second is outside
+    double targetError = 0.0;  ///< relative standard error at which a tile of the reference is done
+    int fromPx = 0, toPx = 0;  ///< its columns; the second is outside
 };
+
+/// How a side was drawn: "march, 512 steps, 8 samples".
+std::string workText(const DrawnSide& side, const render::FrameStats& stats);
 
 class Bands {
   public:
@@ -30,15 +36,21 @@ class Bands {
     /// The next rows; call until all `sizePx().y` are there. Throws Cancelled.
     Image8 nextDisplay();
     ImageF nextLinear();
+    /// With what the reference knows besides, where it draws the whole picture, one ray a pixel.
+    LayeredImage nextLayered();
+    /// Names of the layers that there are then.
+    std::vector<std::string> layerNames() const;
 
     glm::ivec2 sizePx() const { return sizePx_; }
     /// Of what was drawn so far, all sides and tiles together.
     const render::FrameStats& stats() const { return stats_; }
+    const std::vector<DrawnSide>& sides() const { return sides_; }
     int tiles() const { return tiles_; }
 
   private:
     template <typename Image>
-    Image next();
+    Image next(std::vector<ImageLayer>* layers = nullptr);
+    bool layered() const;
     void draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx);
 
     std::vector<DrawnSide> sides_;

@@ -77,6 +77,17 @@ void addSessionOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("SHARE");
 }
 
+/// How well the march and the reference are to draw.
+void addSampleOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--samples", options.samples,
+                    "Pictures averaged, march: else 8; paths a pixel, reference: else as --error")
+        ->type_name("N");
+    command.add_option("--error", options.error, "Reference; instead of view.target_error")
+        ->type_name("PERCENT");
+    command.add_option("--seed", options.seed, "Reference; instead of view.seed")->type_name("N");
+}
+
 void addRender(CLI::App& app, RenderOptions& options) {
     CLI::App& command = *app.add_subcommand("render", "Render to a file; needs no display");
     addSceneOptions(command, options.scene);
@@ -93,9 +104,7 @@ void addRender(CLI::App& app, RenderOptions& options) {
     command
         .add_option("--quality", options.quality, "Steps a voxel, march; instead of view.quality")
         ->type_name("NUMBER");
-    command.add_option("--samples", options.samples, "Pictures averaged, march")
-        ->type_name("N")
-        ->capture_default_str();
+    addSampleOptions(command, options);
     command.add_option("--planes", options.planes, "Slices, slicing; instead of view.planes")
         ->type_name("N");
     command.add_option("--format", options.format, "Pixels of an EXR: half or float")
@@ -125,6 +134,7 @@ void addCompare(CLI::App& app, ComparisonOptions& options) {
         ->capture_default_str();
     command.add_option("--planes", render.planes, "Slices, slicing; instead of view.planes")
         ->type_name("N");
+    addSampleOptions(command, render);
     command.add_flag("--json", options.json, "As JSON");
     command.add_option("--error-picture", options.errorPicture, "Relative errors as colours")
         ->type_name("FILE.png");

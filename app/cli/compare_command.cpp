@@ -1,11 +1,13 @@
-// compare_command.cpp: two files read and compared.
+// compare_command.cpp: two files, or what engines drew, compared and told.
 #include "app/cli/compare_command.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 
+#include "app/cli/compare_engines.h"
 #include "app/cli/comparison.h"
+#include "app/cli/interrupt.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/colours.h"
@@ -13,6 +15,7 @@
 namespace neph {
 namespace {
 
+constexpr double kPerPercent = 0.01;
 const std::vector<std::string> kHalfChannels{"A.R", "A.G", "A.B", "B.R", "B.G", "B.B"};
 
 std::string textOf(const Metadata& metadata, std::string_view key) {
@@ -86,35 +89,82 @@ void warnOfDifferences(const Metadata& a, const Metadata& b) {
     }
 }
 
-int compareFiles(const ComparisonOptions& options) {
-    const std::vector<std::string>& files = options.render.scene.files;
-    Metadata pictureTexts, referenceTexts;
-    const ComparedPicture picture = readPicture(files[0], pictureTexts);
-    const ComparedPicture reference = readPicture(files[1], referenceTexts);
-    warnOfDifferences(pictureTexts, referenceTexts);
-    const Comparison comparison =
-        compare(picture, reference, parseOptionalNumber("--exposure", options.exposureEv));
-    if (!options.errorPicture.empty()) {
-        std::optional<double> most = parseOptionalNumber("--error-to", options.errorTo);
-        if (most) *most /= 100.0;
-        writePng(options.errorPicture,
-                 relativeErrorPicture(picture, reference, options.bothSigns, most), {});
-        fmt::print(stderr, "wrote {}\n", options.errorPicture);
+std::optional<double> endOfScale(const ComparisonOptions& options) {
+    std::optional<double> most = parseOptionalNumber("--error-to", options.errorTo);
+    if (most) *most *= kPerPercent;
+    return most;
+}
+
+void keepPicture(const std::filesystem::path& file, const Image8& picture) {
+    if (file.empty()) return;
+    writePng(file, picture, {});
+    fmt::print(stderr, "wrote {}\n", file.string());
+}
+
+/// Figures of all but the last, which is the reference.
+std::vector<Comparison> compareAll(const ComparisonOptions& options,
+                                   const std::vector<ComparedPicture>& pictures) {
+    const auto exposure = parseOptionalNumber("--exposure", options.exposureEv);
+    std::vector<Comparison> comparisons;
+    for (std::size_t i = 0; i + 1 < pictures.size(); ++i) {
+        comparisons.push_back(compare(pictures[i], pictures.back(), exposure));
     }
-    if (!options.flipPicture.empty()) {
-        writePng(options.flipPicture, flipPicture(comparison), {});
-        fmt::print(stderr, "wrote {}\n", options.flipPicture);
-    }
+    return comparisons;
+}
+
+void tell(const ComparisonOptions& options, std::vector<ComparedPicture> pictures,
+          const std::vector<Comparison>& comparisons) {
+    const ComparedPicture reference = std::move(pictures.back());
+    pictures.pop_back();
     const auto told = options.json ? comparisonJson : comparisonText;
-    fmt::print("{}", told({picture}, {comparison}, reference));
-    return 0;
+    fmt::print("{}", told(pictures, comparisons, reference));
+}
+
+void compareFiles(const ComparisonOptions& options) {
+    std::vector<Metadata> texts(2);
+    std::vector<ComparedPicture> pictures;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        pictures.push_back(readPicture(options.render.scene.files[i], texts[i]));
+    }
+    warnOfDifferences(texts[0], texts[1]);
+    const std::vector<Comparison> comparisons = compareAll(options, pictures);
+    if (!options.errorPicture.empty()) {
+        keepPicture(
+            options.errorPicture,
+            relativeErrorPicture(pictures[0], pictures[1], options.bothSigns, endOfScale(options)));
+    }
+    if (!options.flipPicture.empty()) keepPicture(options.flipPicture, flipPicture(comparisons[0]));
+    tell(options, std::move(pictures), comparisons);
+}
+
+void compareEngines(const ComparisonOptions& options) {
+    std::vector<ComparedPicture> pictures = drawEngines(options, untilInterrupted());
+    const std::vector<Comparison> comparisons = compareAll(options, pictures);
+    for (std::size_t i = 0; i < comparisons.size() && !options.out.empty(); ++i) {
+        const std::string& name = pictures[i].name;
+        keepPicture(fileOf(options, name, "-error.png"),
+                    relativeErrorPicture(pictures[i], pictures.back(), options.bothSigns,
+                                         endOfScale(options)));
+        keepPicture(fileOf(options, name, "-flip.png"), flipPicture(comparisons[i]));
+    }
+    tell(options, std::move(pictures), comparisons);
 }
 
 }  // namespace
 
 int runCompare(const ComparisonOptions& options) {
     checkOptions(options);
-    return compareFiles(options);
+    if (options.engines.empty()) {
+        compareFiles(options);
+        return 0;
+    }
+    noteInterrupts();
+    try {
+        compareEngines(options);
+    } catch (const Cancelled&) {
+        return 128 + interruptSignal();
+    }
+    return 0;
 }
 
 }  // namespace neph

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/ui/quality.h"
 #include "core/atomic_file.h"
 
 namespace neph {
@@ -74,6 +75,11 @@ std::optional<double> parseOptionalNumber(const std::string& option, const std::
         return value;
     }
     throw UsageError({option, "cannot be read", text, "a number", ""});
+}
+
+SamplePlan planSamples(const ComparisonOptions& options, const Look& look) {
+    if (look.engine == Engine::march) return {ui::kSamples, 0.0};
+    return planSamples(options.render, look);
 }
 
 void checkOptions(const ComparisonOptions& options) {

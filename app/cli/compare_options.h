@@ -34,6 +34,10 @@ std::vector<ComparedEngine> parseEngines(const std::vector<std::string>& texts);
 /// A finite number, or none where `text` is empty. Throws UsageError that names the option.
 std::optional<double> parseOptionalNumber(const std::string& option, const std::string& text);
 
+/// Samples of an engine: those that the window averages for the march, and paths of the reference
+/// as typed.
+SamplePlan planSamples(const ComparisonOptions& options, const Look& look);
+
 /// Throws UsageError.
 void checkOptions(const ComparisonOptions& options);
 

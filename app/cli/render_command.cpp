@@ -50,11 +50,6 @@ class Run {
     void write(const Shot& shot, Bands& bands);
     void picture(const Shot& shot, const std::function<void(Bands&)>& take,
                  const std::filesystem::path& file);
-    int samples(std::size_t index) const {
-        return sides_[index]->look().engine == Engine::march ? options_.samples : 1;
-    }
-    std::string workText(std::size_t index, const render::FrameStats& stats) const;
-
     const RenderOptions& options_;
     Progress goesOn_;
     std::optional<CameraPath> path_;
@@ -144,8 +139,10 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     printAll("note", side.newNotes());
     DrawnSide drawn;
     drawn.renderer = &side.renderer();
-    drawn.samples = samples(index);
     drawn.inputs.look = side.look();
+    const SamplePlan plan = planSamples(options_, side.look());
+    drawn.samples = plan.samples;
+    drawn.targetError = plan.targetError;
     drawn.inputs.sizePx = sizePx_;
     drawn.inputs.supersample = options_.supersample;
     drawn.inputs.backdrop = !options_.transparent;
@@ -169,22 +166,12 @@ Bands Run::bandsOf(const Shot& shot) {
             }};
 }
 
-/// How the picture was made: "march, 512 steps, 8 samples".
-std::string Run::workText(std::size_t index, const render::FrameStats& stats) const {
-    const Look& look = sides_[index]->look();
-    if (look.engine == Engine::slicing) return fmt::format("slicing, {} planes", look.planes);
-    const std::string rays = options_.supersample == 1
-                                 ? std::string()
-                                 : fmt::format(", {0} x {0} rays a pixel", options_.supersample);
-    return fmt::format("march, {} steps, {} sample{}{}", stats.planes, samples(index),
-                       samples(index) == 1 ? "" : "s", rays);
-}
-
 Metadata Run::describe(const Shot& shot, const Bands& bands) const {
     Metadata all{{"Software", fmt::format("Nephoscope {}", versionText())}};
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         const char* of = i == 0 ? "nephoscope." : "nephoscope.b.";
-        for (auto& [key, text] : sides_[i]->describe(poseOf(i, shot), workText(i, bands.stats()))) {
+        for (auto& [key, text] :
+             sides_[i]->describe(poseOf(i, shot), workText(bands.sides()[i], bands.stats()))) {
             all.emplace_back(of + key, text);
         }
     }
@@ -198,13 +185,14 @@ void Run::write(const Shot& shot, Bands& bands) {
         writePng(shot.file, sizePx_, metadata,
                  [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextDisplay(); });
     } else {
-        ImageF first = bands.nextLinear();
+        LayeredImage first = bands.nextLayered();
         const Metadata metadata = describe(shot, bands);
+        const auto next = [&] {
+            return first.colours.size.y > 0 ? std::exchange(first, {}) : bands.nextLayered();
+        };
         writeExr(shot.file, sizePx_, metadata,
-                 options_.format == "float" ? ExrPixels::full : ExrPixels::half, {}, [&] {
-                     return LayeredImage{
-                         first.size.y > 0 ? std::exchange(first, {}) : bands.nextLinear(), {}};
-                 });
+                 options_.format == "float" ? ExrPixels::full : ExrPixels::half, bands.layerNames(),
+                 next);
     }
 }
 
@@ -219,7 +207,7 @@ void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
     const bool film = kindOf(file) == FileKind::mp4;
     fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", film ? "a picture of" : "wrote",
                file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
-               workText(0, bands.stats()), bands.stats().milliseconds);
+               workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
     if (!options_.profile) return;
     render::FrameInputs inputs;
     inputs.look = first.look();

@@ -15,7 +15,8 @@ namespace neph {
 namespace {
 
 constexpr int kMaxSidePx = 65535;
-constexpr int kMaxSamples = 1024;
+constexpr int kMarchSamples = 8;
+constexpr int kMaxSamples = 65536;
 constexpr int kMaxSupersample = 4;
 constexpr double kMinFps = 0.1, kMaxFps = 240.0;
 
@@ -55,6 +56,14 @@ FileKind kindOf(const std::filesystem::path& out) {
                       extension.empty() ? "no extension" : extension, ".png, .exr or .mp4", ""});
 }
 
+SamplePlan planSamples(const RenderOptions& options, const Look& look) {
+    if (look.engine == Engine::slicing) return {};
+    if (look.engine == Engine::march) return {options.samples.value_or(kMarchSamples), 0.0};
+    const bool untilError = !options.samples || !options.error.empty();
+    return {options.samples.value_or(kMaxSamples),
+            untilError ? static_cast<double>(look.targetError) : 0.0};
+}
+
 double parseSplit(const std::string& text) {
     double at = 0.0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), at);
@@ -79,7 +88,7 @@ glm::ivec2 parseSize(const std::string& text) {
 
 void checkOptions(const RenderOptions& options) {
     const FileKind kind = kindOf(options.out);
-    checkRange("--samples", options.samples, 1, kMaxSamples);
+    if (options.samples) checkRange("--samples", *options.samples, 1, kMaxSamples);
     checkRange("--supersample", options.supersample, 1, kMaxSupersample);
     checkRange("--fps", options.fps, kMinFps, kMaxFps);
     checkRange("--slot", options.slot, 0, 2);

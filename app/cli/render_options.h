@@ -2,6 +2,7 @@
 // start.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/scene.h"
@@ -35,7 +36,10 @@ struct RenderOptions {
     std::string engine;           ///< as view.engine; empty, here and below: as the look says
     std::string quality;          ///< as view.quality
     std::string planes;           ///< as view.planes
-    int samples = 8;              ///< pictures that the march averages
+    std::string error;            ///< percent, as view.target_error
+    std::string seed;             ///< as view.seed
+    std::optional<int> samples;   ///< pictures that the march averages, 8 unless told otherwise;
+                                  ///< paths a pixel of the reference, unless the error tells
     std::string format = "half";  ///< of EXR
     bool profile = false;         ///< say what each picture cost
     bool progress = false;        ///< as progress_lines.h
@@ -45,6 +49,14 @@ enum class FileKind { png, exr, mp4 };
 
 /// By the ending of the name. Throws UsageError.
 FileKind kindOf(const std::filesystem::path& out);
+
+/// How many samples a picture has at most, and the relative standard error at which the reference
+/// has enough of them before.
+struct SamplePlan {
+    int samples = 1;
+    double targetError = 0.0;
+};
+SamplePlan planSamples(const RenderOptions& options, const Look& look);
 
 /// "WxH" in pixels, each 1 to 65535. Throws UsageError.
 glm::ivec2 parseSize(const std::string& text);

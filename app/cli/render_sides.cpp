@@ -14,16 +14,29 @@
 namespace neph {
 namespace {
 
+constexpr float kPercent = 0.01f;
+
 /// Sets a parameter as an option of its own says, if it does. As part of the look, so that the look
 /// in the metadata renders the same picture again.
-void apply(Look& look, std::string_view id, std::string_view option, const std::string& text) {
+void apply(Look& look, std::string_view id, std::string_view option, const std::string& text,
+           float unit = 1.0f) {
     if (text.empty()) return;
     try {
         const Parameter& row = parameter(id);
-        setValue(look, row, parseValue(row, text));
+        ParameterValue value = parseValue(row, text);
+        if (float* number = std::get_if<float>(&value)) *number *= unit;
+        setValue(look, row, value);
     } catch (const Error& error) {
         ErrorParts parts = error.parts();
         parts.where = option;
+        if (unit != 1.0f) {
+            const double perUnit = 1.0 / static_cast<double>(unit);
+            const ParameterRange& range = parameter(id).range;
+            parts = {std::string(option), "cannot take this value", text,
+                     fmt::format("a number of percent from {:.4g} to {:.4g}", range.lo * perUnit,
+                                 range.hi * perUnit),
+                     ""};
+        }
         throw UsageError(parts);
     }
 }
@@ -45,6 +58,8 @@ SideScene sceneOf(const RenderOptions& options, SceneOptions typed, const SlotSt
     apply(look, "view.engine", "--engine", options.engine);
     apply(look, "view.quality", "--quality", options.quality);
     apply(look, "view.planes", "--planes", options.planes);
+    apply(look, "view.seed", "--seed", options.seed);
+    apply(look, "view.target_error", "--error", options.error, kPercent);
     return side;
 }
 

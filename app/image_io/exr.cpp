@@ -152,6 +152,18 @@ std::vector<std::vector<float>> layersFrom(const std::filesystem::path& file,
 
 }  // namespace
 
+void append(LayeredImage& image, const LayeredImage& band) {
+    const auto add = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    assert(image.layers.size() == band.layers.size());
+    image.colours.size.y += band.colours.size.y;
+    add(image.colours.pixels, band.colours.pixels);
+    for (std::size_t i = 0; i < image.layers.size(); ++i) {
+        add(image.layers[i].values, band.layers[i].values);
+    }
+}
+
 void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
               ExrPixels pixels, const std::vector<std::string>& layers,
               const std::function<LayeredImage()>& next) {

@@ -25,6 +25,9 @@ struct LayeredImage {
     std::vector<ImageLayer> layers;
 };
 
+/// Puts the rows of `band`, which has the same layers, below those of `image`.
+void append(LayeredImage& image, const LayeredImage& band);
+
 /// Channels R, G, B, A, ZIP compression, metadata as string attributes of the header. Half holds
 /// values to 65504; larger ones are clipped to it. Written aside, then renamed. Throws Error.
 void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,

@@ -109,7 +109,7 @@ TEST_CASE("The table tells all figures with what they mean, and pictures of erro
     CHECK(error.size.y > kSize.y);         // with a legend
     CHECK(error.rgba[0] > error.rgba[2]);  // too bright is red
     CHECK(readPng(folder / "flip.png").size == error.size);
-    CHECK(contains(runProgram("compare --exposure 1" + both).out, "at 1 EV"));
+    CHECK(contains(runProgram("compare --exposure 1" + both).out, "as ACES: 1 EV\n"));
 }
 
 TEST_CASE("Pictures of a screen are compared as decoded light, and said to be so") {
