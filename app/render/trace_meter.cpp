@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kPathsAPass = 1 << 15;  // enough to keep all lanes busy
+constexpr int kMaxRows = 4096;        // of a texture: OpenGL 4.5 promises 16384, llvmpipe less
 
 /// As shaders/pass/trace_from_detector.glsl has it.
 struct DetectorBlock {
@@ -137,8 +138,8 @@ std::vector<Measured> TraceMeter::measure(const MeterScene& scene,
     const auto count = static_cast<int>(detectors.size());
     const auto wanted = static_cast<std::int64_t>(std::max<std::uint64_t>(settings.samples, 2));
     // Half of them in each of two passes, at least.
-    const int rows = static_cast<int>(
-        std::clamp<std::int64_t>(kPathsAPass / std::max(count, 1), 1, (wanted + 1) / 2));
+    const int rows = static_cast<int>(std::clamp<std::int64_t>(
+        kPathsAPass / std::max(count, kPathsAPass / kMaxRows), 1, (wanted + 1) / 2));
     const int passes = static_cast<int>((wanted + rows - 1) / rows);
     const glm::ivec2 sizePx{count, rows};
     const MediumTextures medium = textureOf(scene);

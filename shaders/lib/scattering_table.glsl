@@ -18,6 +18,7 @@ float scatteringDensity(float width, int intervals) {
 
 /// Entry, with its fraction, of a phase table (phase_table.glsl) for a versine; in [0, size - 1].
 float phaseTableIndexOfVersine(float versine, int size) {
-    float theta = 2.0f * asin(min(sqrt(0.5f * versine), 1.0f));
+    // Mesa's asin and acos are right to 1e-4, which a path adds up over all its scatterings.
+    float theta = 2.0f * atan(sqrt(versine), sqrt(max(2.0f - versine, 0.0f)));
     return min(sqrt(theta / kPi), 1.0f) * float(size - 1);
 }
