@@ -169,12 +169,14 @@ void measureAll(const ValidateOptions& options, render::TraceMeter& meter, Repor
     for (const Trial& trial : trials) {
         fmt::print(stderr, "{} of {}: {}\n", ++done, trials.size(), trial.name);
         const auto start = Clock::now();
-        report.add(runTrial(meter, trial, effort, goesOn), secondsSince(start));
+        const std::vector<Row> rows = runTrial(meter, trial, effort, goesOn);
+        report.add(rows, secondsSince(start));
     }
     if (!options.files.empty() || !options.only.empty()) return;
     fmt::print(stderr, "Scattering angles of every phase function\n");
     const auto start = Clock::now();
-    report.add(phaseRows(meter, options.quick), secondsSince(start));
+    const std::vector<Row> rows = phaseRows(meter, options.quick);
+    report.add(rows, secondsSince(start));
 }
 
 }  // namespace

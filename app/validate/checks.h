@@ -38,4 +38,7 @@ Array3f randomExtinction(glm::ivec3 size, double meanPerM, std::uint32_t seed);
 
 PhaseSpec henyeyGreenstein(double g);
 
+/// Directions that stand for the sun's disc: seven rings of equal solid angle.
+std::vector<glm::dvec3> sunDisc(const render::MeterScene& scene);
+
 }  // namespace neph::validate

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <span>
 
 #include "core/hash.h"
 
@@ -17,6 +18,7 @@ namespace {
 using render::Measured;
 using Wanted = std::vector<std::uint64_t>;  // more paths, for each detector
 
+constexpr std::size_t kMostAtOnce = 1024;  // detectors
 constexpr int kMoreRounds = 3;
 constexpr double kGrowthOfARound = 32.0;  // a first estimate of a standard error is a rough one
 
@@ -96,17 +98,24 @@ class Measurement {
             if (more[i] > 0) groups[std::bit_ceil(more[i])].push_back(i);
         }
         for (const auto& [samples, members] : groups) {
-            std::vector<render::Detector> detectors;
-            settings_.samples = 0;
-            for (const std::size_t i : members) {
-                detectors.push_back(trial_.detectors[i]);
-                settings_.samples = std::max(settings_.samples, more[i]);
+            for (std::size_t k = 0; k < members.size(); k += kMostAtOnce) {
+                const std::size_t count = std::min(members.size() - k, kMostAtOnce);
+                addTogether(std::span(members).subspan(k, count), more);
             }
-            settings_.seed += 0x9E3779B9U;  // other paths in every call
-            const auto read = meter_.measure(scene_, detectors, settings_, progress_);
-            for (std::size_t k = 0; k < members.size(); ++k) {
-                readings_[members[k]] = pooled(readings_[members[k]], read[k]);
-            }
+        }
+    }
+
+    void addTogether(std::span<const std::size_t> members, const Wanted& more) {
+        std::vector<render::Detector> detectors;
+        settings_.samples = 0;
+        for (const std::size_t i : members) {
+            detectors.push_back(trial_.detectors[i]);
+            settings_.samples = std::max(settings_.samples, more[i]);
+        }
+        settings_.seed += 0x9E3779B9U;  // other paths in every call
+        const auto read = meter_.measure(scene_, detectors, settings_, progress_);
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            readings_[members[k]] = pooled(readings_[members[k]], read[k]);
         }
     }
 

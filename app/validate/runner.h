@@ -9,13 +9,13 @@ namespace neph::validate {
 
 /// How much work is done. Seeds follow from the trials' names, so a run can be repeated.
 struct Effort {
-    double toleranceFactor = 1.0;  ///< on every tolerance
-    std::uint64_t first = 0;       ///< paths a detector, before it is known how many are needed
-    std::uint64_t most = 0;        ///< paths a detector
-    double sigmaOverTolerance = 0.5;
+    double toleranceFactor = 1.0;     ///< on every tolerance
+    std::uint64_t first = 0;          ///< paths a detector, before it is known how many are needed
+    std::uint64_t most = 0;           ///< paths a detector
+    double sigmaOverTolerance = 0.9;  ///< that is aimed at
 };
-inline constexpr Effort kFullEffort{1.0, std::uint64_t{1} << 15, std::uint64_t{1} << 24, 0.5};
-inline constexpr Effort kQuickEffort{5.0, std::uint64_t{1} << 10, std::uint64_t{1} << 17, 0.7};
+inline constexpr Effort kFullEffort{1.0, std::uint64_t{1} << 15, std::uint64_t{1} << 24, 0.9};
+inline constexpr Effort kQuickEffort{5.0, std::uint64_t{1} << 10, std::uint64_t{1} << 20, 0.9};
 
 /// Throws Cancelled and what the meter throws.
 std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const Effort& effort,
