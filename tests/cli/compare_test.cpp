@@ -171,3 +171,63 @@ TEST_CASE("Lists of engines are checked before anything is drawn") {
     CHECK(contains(runProgram("compare --engine march,slicing --error-picture x.png").err,
                    "--out FOLDER"));
 }
+
+TEST_CASE("Engines draw one view, the last is the reference, and all of it is kept") {
+    const TemporaryFolder folder;
+    const Outcome outcome = runProgram(
+        "compare --json --engine march,slicing:light.form=consistent --engine reference "
+        "--size 12x8 --planes 32 --samples 4 --seed 5 --out" +
+        quoted(folder / "kept"));
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    REQUIRE(json["pictures"].size() == 2);
+    CHECK(json["pictures"][0]["name"] == "march");
+    CHECK(json["pictures"][1]["name"] == "slicing:light.form=consistent");
+    CHECK(json["reference"]["halves"] == true);
+    CHECK(json["reference"]["samples"] == 4);
+    CHECK(json["reference"]["seconds"].get<double>() > 0.0);
+    CHECK(contains(json["reference"]["made"].get<std::string>(), "reference, 4 paths"));
+    for (const char* name : {"march.exr", "march.png", "march-error.png", "march-flip.png",
+                             "slicing-light.form-consistent.exr", "reference.png"}) {
+        CAPTURE(name);
+        CHECK(std::filesystem::exists(folder / "kept" / name));
+    }
+    // The same figures come of the files.
+    const auto again =
+        nlohmann::json::parse(runProgram("compare --json" + quoted(folder / "kept" / "march.exr") +
+                                         quoted(folder / "kept" / "reference.exr"))
+                                  .out);
+    for (const char* figure : {"bias", "rel_rmse", "noise_taken_off", "rel_mse", "p95"}) {
+        CAPTURE(figure);
+        CHECK(again["pictures"][0][figure].get<double>() ==
+              doctest::Approx(json["pictures"][0][figure].get<double>()));
+    }
+}
+
+TEST_CASE(
+    "The reference's EXR has halves that make the picture, and depths that make its opacity") {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.exr";
+    REQUIRE(runProgram("render --engine reference --size 16x9 --samples 4 --format float --out" +
+                       quoted(file))
+                .status == 0);
+    const ImageF picture = readExr(file);
+    const auto layers =
+        readExrLayers(file, {"A.G", "B.G", "variance.G", "transmittance", "depth.first_scatter",
+                             "optical_depth.cloud", "optical_depth.ice", "optical_depth.rain",
+                             "optical_depth.snow", "optical_depth.graupel", "optical_depth.hail"});
+    for (const auto& layer : layers) REQUIRE(layer.size() == picture.pixels.size());
+    int cloudy = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        CAPTURE(i);
+        const float mean = 0.5f * (layers[0][i] + layers[1][i]);
+        CHECK(mean == doctest::Approx(picture.pixels[i].g).epsilon(1e-4));
+        CHECK(layers[2][i] >= 0.0f);
+        float depth = 0.0f;
+        for (std::size_t s = 5; s < layers.size(); ++s) depth += layers[s][i];
+        CHECK(layers[3][i] == doctest::Approx(std::exp(-depth)).epsilon(0.02));
+        CHECK(layers[4][i] > 0.0f);
+        if (depth > 1.0f) ++cloudy;
+    }
+    CHECK(cloudy > 5);
+}
