@@ -27,15 +27,15 @@ constexpr float kBrightest = 1e6f;  // white after the tone mapper, and no overf
 constexpr float kAcesGain = 0.6f;
 constexpr double kWhiteShare = 0.85;  // [Andersson21]: what the extreme luminances come to
 
-// Contrast sensitivity as sums of Gaussians, amplitude and scale in degrees². [Andersson20] table 1
+// Contrast sensitivity as sums of Gaussians, amplitude and scale in degrees². [Andersson20]
 struct Gaussian {
     double amplitude, scale;
 };
 constexpr Gaussian kAchromatic{1.0, 0.0047}, kRedGreen{1.0, 0.0053};
 constexpr std::array<Gaussian, 2> kBlueYellow{{{34.1, 0.04}, {13.5, 0.025}}};
 constexpr double kSupport = 3.0;         // standard deviations of the widest that filters reach
-constexpr double kFeatureWidth = 0.082;  // degrees from peak to trough. [Andersson20] section 4.2
-// Exponents and the knee of the redistributed colour error. [Andersson20] section 5
+constexpr double kFeatureWidth = 0.082;  // degrees from peak to trough. [Andersson20]
+// Exponents and the knee of the redistributed colour error. [Andersson20]
 constexpr float kColourExponent = 0.7f, kKneeAt = 0.4f, kKneeError = 0.95f;
 
 /// One filter along a line, of 2 radius + 1 weights.
@@ -209,7 +209,7 @@ std::vector<float> filtered(const Padded& channel, const Kernel& across, const K
 }
 
 /// CIE L*a*b* of linear RGB within [0, 1]; a* and b* less where it is dark, after Hunt.
-/// [Andersson20] section 4.1
+/// [Andersson20]
 glm::vec3 perceived(const glm::vec3& rgb) {
     constexpr float kDelta = 6.0f / 29.0f;
     const glm::vec3 shares = kSharesFromRgb * rgb;

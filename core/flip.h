@@ -12,7 +12,7 @@
 namespace neph {
 
 /// Pixels that an observer has to a degree: 0.7 m before a screen 0.7 m wide that has 3840 of them.
-/// [Andersson20] section 6
+/// [Andersson20]
 inline constexpr double kFlipPixelsPerDegree =
     0.7 * (3840.0 / 0.7) * 3.14159265358979323846 / 180.0;
 

@@ -77,7 +77,9 @@ std::string noiseText(const std::vector<Comparison>& comparisons) {
     double most = 0.0;
     for (const Comparison& each : comparisons) most = std::max(most, each.errors.noise);
     if (!(most > 0.0)) return "with all noise: nothing has halves";
-    return fmt::format("without noise, of which {} % was taken off", numberText(100.0 * most, 3));
+    return fmt::format(
+        "without noise, of which {} % was taken off; the figures below have it in them",
+        numberText(100.0 * most, 3));
 }
 
 std::string meanings(const std::vector<Comparison>& comparisons) {
