@@ -8,6 +8,7 @@
 #include "app/cli/compare_engines.h"
 #include "app/cli/comparison.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/reference_channels.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/colours.h"
@@ -16,7 +17,6 @@ namespace neph {
 namespace {
 
 constexpr double kPerPercent = 0.01;
-const std::vector<std::string> kHalfChannels{"A.R", "A.G", "A.B", "B.R", "B.G", "B.B"};
 
 std::string textOf(const Metadata& metadata, std::string_view key) {
     for (const auto& [name, text] : metadata) {
@@ -25,28 +25,10 @@ std::string textOf(const Metadata& metadata, std::string_view key) {
     return {};
 }
 
-/// A picture of three channels from `first`; none where one is missing.
-std::optional<ImageF> halfFrom(const std::vector<std::vector<float>>& layers, std::size_t first,
-                               glm::ivec2 size) {
-    ImageF half;
-    half.size = size;
-    for (std::size_t c = first; c < first + 3; ++c) {
-        if (layers[c].empty()) return {};
-    }
-    for (std::size_t i = 0; i < layers[first].size(); ++i) {
-        half.pixels.emplace_back(layers[first][i], layers[first + 1][i], layers[first + 2][i],
-                                 1.0f);
-    }
-    return half;
-}
-
 ComparedPicture readExrPicture(const std::string& file, Metadata& metadata) {
     ComparedPicture read;
     read.picture = readExr(file, &metadata);
-    const auto layers = readExrLayers(file, kHalfChannels);
-    read.halfA = halfFrom(layers, 0, read.picture.size);
-    read.halfB = halfFrom(layers, 3, read.picture.size);
-    if (!read.halfA || !read.halfB) read.halfA = read.halfB = std::nullopt;
+    read.halves = halvesFrom(readExrLayers(file, halfChannels()), read.picture.size);
     return read;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/cli/bands.h"
+#include "app/cli/reference_channels.h"
 #include "app/cli/render_sides.h"
 #include "app/cli/render_view.h"
 #include "app/gl/context.h"
@@ -35,16 +36,6 @@ Image8 displayOf(const ImageF& linear, const Look& look) {
         image.rgba.push_back(255);
     }
     return image;
-}
-
-ImageF halfOf(const std::vector<ImageLayer>& layers, std::size_t first, glm::ivec2 size) {
-    ImageF half;
-    half.size = size;
-    for (std::size_t i = 0; i < layers[first].values.size(); ++i) {
-        half.pixels.emplace_back(layers[first].values[i], layers[first + 1].values[i],
-                                 layers[first + 2].values[i], 1.0f);
-    }
-    return half;
 }
 
 /// Draws one scene, seen from one place, with any engine.
@@ -108,8 +99,11 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     picture.samples = drawn.inputs.look.engine == Engine::reference ? traced : drawn.samples;
     picture.seconds = bands.stats().milliseconds / kMsPerS;
     if (!image.layers.empty()) {
-        picture.halfA = halfOf(image.layers, 0, sizePx_);
-        picture.halfB = halfOf(image.layers, 3, sizePx_);
+        std::vector<std::vector<float>> channels;
+        for (std::size_t i = 0; i < halfChannels().size(); ++i) {
+            channels.push_back(image.layers[i].values);
+        }
+        picture.halves = halvesFrom(channels, sizePx_);
     }
     for (const std::string& message : side_->renderer().takeMessages()) {
         fmt::print(stderr, "warning: {}\n", message);

@@ -54,7 +54,7 @@ std::string madeText(const ComparedPicture& of) {
     std::string text = fmt::format("{}x{}", of.picture.size.x, of.picture.size.y);
     if (of.display) text += ", as a screen shows it";
     if (!of.made.empty()) text += ", " + of.made;
-    if (of.halfA) text += ", in two halves";
+    if (of.halves) text += ", in two halves";
     return text;
 }
 
@@ -101,7 +101,7 @@ Json describeJson(const ComparedPicture& of) {
               {"width", of.picture.size.x},
               {"height", of.picture.size.y},
               {"kind", of.display ? "display" : "radiance"},
-              {"halves", of.halfA.has_value()}};
+              {"halves", of.halves.has_value()}};
     if (!of.made.empty()) json["made"] = of.made;
     if (of.samples) json["samples"] = *of.samples;
     if (of.seconds) json["seconds"] = *of.seconds;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/image_io/metadata.h"
+#include "app/cli/reference_channels.h"
 #include "core/error_picture.h"
 #include "core/flip.h"
 #include "core/picture_error.h"
@@ -16,12 +16,12 @@ struct ComparedPicture {
     std::string name;      ///< file, or engine as typed
     bool display = false;  ///< as a screen shows it: decoded, not radiance
     ImageF picture;
-    std::optional<ImageF> halfA, halfB;
+    std::optional<Halves> halves;
     std::string made;               ///< how, where that is known: engine, samples, device
     std::optional<int> samples;     ///< a pixel, where it was drawn here
     std::optional<double> seconds;  ///< likewise
     SampledPicture sampled() const {
-        return {picture, halfA ? &*halfA : nullptr, halfB ? &*halfB : nullptr};
+        return {picture, halves ? &halves->a : nullptr, halves ? &halves->b : nullptr};
     }
 };
 

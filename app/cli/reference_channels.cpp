@@ -37,6 +37,26 @@ const std::vector<std::string>& referenceChannels() {
     return names;
 }
 
+const std::vector<std::string>& halfChannels() {
+    static const std::vector<std::string> names(
+        referenceChannels().begin(),
+        referenceChannels().begin() + static_cast<std::ptrdiff_t>(2 * kColours.size()));
+    return names;
+}
+
+std::optional<Halves> halvesFrom(const std::vector<std::vector<float>>& channels, glm::ivec2 size) {
+    const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    for (const std::vector<float>& channel : channels) {
+        if (channel.size() != pixels) return {};
+    }
+    Halves halves{{size, {}}, {size, {}}};
+    for (std::size_t i = 0; i < pixels; ++i) {
+        halves.a.pixels.emplace_back(channels[0][i], channels[1][i], channels[2][i], 1.0f);
+        halves.b.pixels.emplace_back(channels[3][i], channels[4][i], channels[5][i], 1.0f);
+    }
+    return halves;
+}
+
 std::vector<ImageLayer> channelsOf(const render::ReferenceLayers& layers) {
     std::vector<ImageLayer> channels;
     const std::size_t pixels = layers.halfA.pixels.size();

@@ -8,11 +8,13 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <fmt/format.h>
 #include <half.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
 #include <utility>
 
 #include "core/atomic_file.h"
@@ -22,6 +24,7 @@ namespace neph {
 namespace {
 
 constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
 Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type,
@@ -112,11 +115,20 @@ void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadat
     }
 }
 
+/// The size of a picture, if it can be held.
+glm::ivec2 sizeOf(const Imf::InputFile& in) {
+    const auto window = in.header().dataWindow();
+    const glm::ivec2 size{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+    if (static_cast<std::int64_t>(size.x) * size.y <= kMostPixels) return size;
+    throw Iex::InputExc(
+        fmt::format("{} x {} pixels, more than {} in all", size.x, size.y, kMostPixels));
+}
+
 ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
     Imf::InputFile in(file.c_str());
     const auto window = in.header().dataWindow();
     ImageF image;
-    image.size = {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+    image.size = sizeOf(in);
     image.pixels.resize(static_cast<std::size_t>(image.size.x) *
                         static_cast<std::size_t>(image.size.y));
     in.setFrameBuffer(
@@ -136,7 +148,7 @@ std::vector<std::vector<float>> layersFrom(const std::filesystem::path& file,
                                            const std::vector<std::string>& names) {
     Imf::InputFile in(file.c_str());
     const auto window = in.header().dataWindow();
-    const glm::ivec2 size{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
+    const glm::ivec2 size = sizeOf(in);
     std::vector<std::vector<float>> layers(names.size());
     Imf::FrameBuffer frame;
     for (std::size_t i = 0; i < names.size(); ++i) {

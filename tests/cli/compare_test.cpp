@@ -92,8 +92,9 @@ TEST_CASE("The error of a picture is found below the reference's noise, from the
 
 TEST_CASE("The table tells all figures with what they mean, and pictures of errors are written") {
     const TemporaryFolder folder;
-    writeExr(folder / "a.exr", truth(1.1f), {}, ExrPixels::full);
-    writeExr(folder / "b.exr", truth(), {{"nephoscope.renderer", "reference, of a test"}},
+    writeExr(folder / "a.exr", truth(1.1f), {{"nephoscope.camera", "azimuth 10"}}, ExrPixels::full);
+    writeExr(folder / "b.exr", truth(),
+             {{"nephoscope.renderer", "reference, of a test"}, {"nephoscope.camera", "azimuth 20"}},
              ExrPixels::full);
     const std::string both = quoted(folder / "a.exr") + quoted(folder / "b.exr");
     const Outcome outcome =
@@ -105,6 +106,7 @@ TEST_CASE("The table tells all figures with what they mean, and pictures of erro
         CAPTURE(words);
         CHECK(contains(outcome.out, words));
     }
+    CHECK(contains(outcome.err, "differ in their camera: azimuth 10; azimuth 20"));
     const Image8 error = readPng(folder / "error.png");
     CHECK(error.size.y > kSize.y);         // with a legend
     CHECK(error.rgba[0] > error.rgba[2]);  // too bright is red

@@ -176,6 +176,7 @@ TEST_CASE("Pictures that are cut short or none at all are refused, wherever they
     for (std::size_t size = 0; size < exr.size(); size += 7) {
         std::ofstream(folder / "cut.exr", std::ios::binary) << exr.substr(0, size);
         CHECK_THROWS_AS(readExr(folder / "cut.exr"), Error);
+        CHECK_THROWS_AS(readExrLayers(folder / "cut.exr", {"G"}), Error);
     }
     CHECK_THROWS_AS(readPng(folder / "none.png"), Error);
     CHECK_THROWS_AS(readExr(folder / "none.exr"), Error);
