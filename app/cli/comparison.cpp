@@ -178,12 +178,13 @@ std::string comparisonText(const std::vector<ComparedPicture>& pictures,
                            numberText(comparisons[i].flip.mean(), 3),
                            numberText(comparisons[i].flip.p95(), 3)});
     }
-    const bool timed = reference.seconds.has_value();
-    if (timed) {
+    if (reference.seconds) {
+        figures.push_back({reference.name, "reference", "", "", "", "", ""});
         figures.front().insert(figures.front().end(), {"samples", "seconds"});
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            figures[i + 1].push_back(fmt::format("{}", pictures[i].samples.value_or(0)));
-            figures[i + 1].push_back(numberText(pictures[i].seconds.value_or(0.0), 3));
+        for (std::size_t i = 0; i <= pictures.size(); ++i) {
+            const ComparedPicture& drawn = i < pictures.size() ? pictures[i] : reference;
+            figures[i + 1].push_back(fmt::format("{}", drawn.samples.value_or(0)));
+            figures[i + 1].push_back(numberText(drawn.seconds.value_or(0.0), 3));
         }
     }
     std::string text = tableText(whats) + "\n" + tableText(figures) + "\n" + meanings(comparisons);
