@@ -35,14 +35,16 @@ layout(std430, binding = 5) writeonly buffer Results {
     vec4 results_[];  // rgb: radiance, w: distance to the first particle or -1; pass after pass
 };
 
+// Where the sun is near, the share of turns that send off a branch; least share of vertices that
+// ask for sunlight, and the optical depth up to which all do.
+const float kBranching = 0.25, kLeastAsking = 0.1, kDepthOfAsking = 3.0;
+
+layout(binding = 10) uniform sampler3D t_sunDepth;  // to the sun, about
+
 uint collisions_ = 0u, scatterings_ = 0u;
 
-uint startOf(uint index);
-
 vec4 draw(inout Path p) {
-    uint path = p.ticket - uint(firstTicket);
-    uint pass = uint(firstPass) + path / uint(pathsAPass);
-    return unitsOf(randomWords(uvec4(startOf(path % uint(pathsAPass)), pass, p.draws++, seed)));
+    return unitsOf(randomWords(uvec4(p.key, p.draws++, seed)));
 }
 
 float sunSolidAngle() {
@@ -88,10 +90,12 @@ void begin(inout Path p) {
     p.stage = kWaiting;
     uint path = p.ticket - uint(firstTicket);
     if (path >= uint(lastPasses) * uint(pathsAPass)) return;
+    p.key = uvec2(keyOf(path % uint(pathsAPass)), uint(firstPass) + path / uint(pathsAPass));
     p.draws = 0u;
     p.scatterings = 0;
     p.toSun = false;
     p.direct = true;
+    p.waiting = 0;
     p.density = 0.0;
     p.firstM = -1.0;
     p.weight = vec3(1.0);
@@ -102,42 +106,87 @@ void begin(inout Path p) {
     start(p, path % uint(pathsAPass));
 }
 
-/// Chance that a path goes on, by what it can still bring and by how often it has been scattered.
-/// In a thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of
-/// the work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights
-/// that make up for it, spread the work over all lengths. docs/architecture.md
-float chanceToGoOn(Path p) {
-    float chance = min(1.0, 4.0 * largestOf(p.weight));
+/// Chance that a path goes on, by what it can bring, of which sunlight scattered a little is most
+/// where it is bound for the sun (`lobe`, see turn), and by how often it has been scattered. In a
+/// thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of the
+/// work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights that
+/// make up for it, spread the work over all lengths. docs/architecture.md
+float chanceToGoOn(Path p, float lobe) {
+    float chance = min(1.0, 4.0 * largestOf(p.weight) * max(1.0, 4.0 * kPi * lobe));
     float n = float(p.scatterings);
     return n < rouletteFrom ? chance : chance * sqrt(n / (n + 1.0));
 }
 
-/// The path is at a particle, a surface or a detector inside the medium: asks for sunlight, and
-/// draws which way to go on.
-void turn(inout Path p) {
-    bool particle = p.stage == kParticle;
-    bool surface = p.stage == kSurface;
+/// What a direction gets of the light at the path's vertex, and how likely it is to be drawn.
+Sent sentTo(Path p, MediumSample medium, Mixture mixture, vec3 dir) {
+    if (p.kind == kParticle) {
+        return sentInto(medium, mixture, versineBetween(p.axis, dir), p.wavelengths);
+    }
+    float share = p.kind == kSurface ? max(dot(p.axis, dir), 0.0) / kPi : kInverseFourPi;
+    return Sent(vec3(share), share);
+}
+
+float sunDepthAt(vec3 positionM) {
+    return textureLod(t_sunDepth, positionM / u_.gridExtentM.xyz, 0.0).r;
+}
+
+/// Share of the sun's light that arrives from near the sun, about: droplets scatter half of it by a
+/// degree or two, which is as good as not at all.
+float sunReach(vec3 positionM) {
+    return min(1.0, 4.0 * exp(-0.5 * sunDepthAt(positionM)));
+}
+
+/// The path is at a vertex: a particle, a surface or a detector inside the medium. Asks for the
+/// light of a point of the sun's disc.
+void askForSun(inout Path p) {
+    vec3 towards = u_.towardsSun.xyz;
+    MediumSample medium = sampleMedium(p.positionM);
+    Mixture mixture = mixtureOf(medium);
+    vec4 u = draw(p);
+    if (p.kind == kInside) p.weight *= absorptionOf(medium);
+    vec3 sun = directionAround(towards, discVersine * u.x, u.y);
+    // Weighed by the density towards the disc's middle, for both ways of finding it.
+    p.density = p.direct ? sentTo(p, medium, mixture, towards).density : 0.0;
+    p.sunlit = worthOf(p) * sentTo(p, medium, mixture, sun).share * sunIrradiance() *
+               shareOfSun(p.density);
+    p.vertexM = p.positionM;
+    float asking = clamp(exp(kDepthOfAsking - sunDepthAt(p.positionM)), kLeastAsking, 1.0);
+    p.toSun = p.direct && u.z < asking && largestOf(p.sunlit) > 0.0;
+    p.sunlight = 1.0 / asking;
+    p.dir = sun;
+    p.stage = p.toSun ? kAiming : kTurning;
+}
+
+/// Draws which way to go on from the vertex.
+///
+/// Around the sun the sky of a thin cloud is as bright as its particles' forward peak is high.
+/// Paths seldom go there by themselves, and bring very much when they do. So where the sun is
+/// near, some turns send off a branch into the lobe of the peak around the sun, and both are
+/// weighed by the balance heuristic; the path itself waits until the branch has ended.
+void turn(inout Path p, uint lane) {
+    vec3 towards = u_.towardsSun.xyz;
     MediumSample medium = sampleMedium(p.positionM);
     Mixture mixture = mixtureOf(medium);
     vec4 u = draw(p);
     vec4 v = draw(p);
-    vec3 axis = particle ? p.dir : p.nextDir;
-    vec3 sun = directionAround(u_.towardsSun.xyz, discVersine * u.x, u.y);
-    float facing = max(dot(axis, sun), 0.0);
-    // Weighed by the density towards the disc's middle, for both ways of finding it.
-    float density = surface ? max(dot(axis, u_.towardsSun.xyz), 0.0) / kPi : kInverseFourPi;
-    vec3 share = vec3(surface ? facing / kPi : kInverseFourPi);
-    int chosen = classBy(u.z, mixture);
-    vec2 drawn = vec2(surface ? versineByCosine(u.w) : 2.0 * u.w, 0.0);
-    if (particle) {
-        density = densityInto(mixture, versineBetween(p.dir, u_.towardsSun.xyz), p.wavelengths);
-        share = sentInto(medium, mixture, versineBetween(p.dir, sun));
-        drawn = drawVersine(chosen, p.hero, u.w);
-    }
-    vec3 next = directionAround(axis, drawn.x, v.x);
-    if (!particle && !surface) p.weight *= absorptionOf(medium);
-    p.sunlit = worthOf(p) * share * sunIrradiance() * shareOfSun(density);
-    if (particle) {
+    int chosen = classBy(u.x, mixture);
+    vec2 drawn = vec2(p.kind == kSurface ? versineByCosine(u.y) : 2.0 * u.y, 0.0);
+    if (p.kind == kParticle) drawn = drawVersine(chosen, p.hero, u.y);
+    vec2 drawnNear = drawVersine(LOBE_CLASS, p.hero, v.x);
+    vec3 next = directionAround(p.axis, drawn.x, u.z);
+    vec3 near = directionAround(towards, drawnNear.x, v.y);
+    float reach = sunReach(p.positionM);
+    bool branches = p.direct && p.waiting < kMostWaiting;
+    float branching = branches ? kBranching * reach : 0.0;
+    Sent toNext = sentTo(p, medium, mixture, next);
+    Sent toNear = sentTo(p, medium, mixture, near);
+    float lobeOfNext = dot(p.wavelengths, phaseOf(LOBE_CLASS, versineBetween(next, towards)));
+    vec3 lobes = phaseOf(LOBE_CLASS, drawnNear.x);
+    float lobeOfNear = branching * dot(p.wavelengths, lobes);
+    vec3 wavelengths = p.wavelengths;
+    vec3 weight = p.weight;
+
+    if (p.kind == kParticle) {
         vec3 colour = u_.classes[chosen].colourAlbedo.rgb;
         vec3 phase = phaseOf(chosen, drawn.x);
         p.weight *= colour / max(largestOf(colour), 1e-30) *
@@ -146,18 +195,25 @@ void turn(inout Path p) {
         p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
         ++p.scatterings;
         ++scatterings_;
-        float chance = chanceToGoOn(p);
-        p.weight /= max(chance, 1e-30);
-        if (v.y >= chance) next = vec3(0.0);
     }
-    bool intoSun = versineBetween(next, u_.towardsSun.xyz) < discVersine;
-    p.density = intoSun && p.direct ? density : 0.0;
-    p.vertexM = p.positionM;
-    p.nextDir = largestOf(p.weight) > 0.0 ? next : vec3(0.0);
-    p.toSun = p.direct && largestOf(p.sunlit) > 0.0;
+    p.weight *= toNext.density / max(toNext.density + branching * lobeOfNext, 1e-30);
+    float chance = chanceToGoOn(p, reach * lobeOfNext);
+    p.weight /= max(chance, 1e-30);
+    bool ends = u.w >= chance || largestOf(p.weight) <= 0.0;
+    float density = p.direct ? p.density : 0.0;
+    p.density = versineBetween(next, towards) < discVersine ? density : 0.0;
     p.direct = true;
-    p.dir = p.toSun ? sun : p.nextDir;
-    p.stage = p.dir == vec3(0.0) ? kDone : kAiming;
+    p.dir = next;
+    p.stage = ends ? kDone : kAiming;
+    if (v.z >= branching) return;
+    if (!ends) putAside(p, lane);
+    p.weight = weight * toNear.share / (branching * lobes) *
+               (lobeOfNear / (lobeOfNear + toNear.density) * lobes[p.hero] / drawnNear.y);
+    p.wavelengths = wavelengths * lobes;
+    p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
+    p.density = drawnNear.x < discVersine ? density : 0.0;
+    p.dir = near;
+    p.stage = largestOf(p.weight) > 0.0 ? kAiming : kDone;
 }
 
 /// Finds where in the grid the way begins that lies ahead.
@@ -178,7 +234,7 @@ void aim(inout Path p) {
 /// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
 /// that says so, else 0.
 float cross(inout Path p) {
-    const int kWalls = 4;
+    const int kWalls = 2;
     for (int i = 0; i < kWalls && p.stage == kFlying; ++i) {
         Stretch s = stretchAhead(p.positionM, p.dir, p.cell);
         float depth = s.boundPerM * s.lengthM;
@@ -200,7 +256,11 @@ void meet(inout Path p, float boundPerM) {
     vec4 u = draw(p);
     p.depth = -log(1.0 - u.x);
     if (!p.toSun) {
-        if (u.y < share) p.stage = kParticle;
+        if (u.y < share) {
+            p.stage = kMet;
+            p.kind = kParticle;
+            p.axis = p.dir;
+        }
         return;
     }
     p.sunlight *= 1.0 - share;
@@ -232,8 +292,9 @@ void arrive(inout Path p) {
     if (seen) passHaze(p);
     ++p.scatterings;
     p.weight *= u_.ground.rgb;
-    p.nextDir = vec3(0.0, 0.0, 1.0);
-    p.stage = kSurface;
+    p.axis = vec3(0.0, 0.0, 1.0);
+    p.kind = kSurface;
+    p.stage = kMet;
 }
 
 /// Sunlight has been asked for. It is not hidden by the horizon: the earth is round, and a sun just
@@ -242,8 +303,7 @@ void receive(inout Path p) {
     p.radiance += p.sunlight * p.sunlit;
     p.toSun = false;
     p.positionM = p.vertexM;
-    p.dir = p.nextDir;
-    p.stage = p.dir == vec3(0.0) ? kDone : kAiming;
+    p.stage = kTurning;
 }
 
 /// What a processor's vector of lanes does together is done in the same place: it goes through all
@@ -253,21 +313,20 @@ void main() {
     if (lane >= uint(laneCount)) return;
     Path p = loadPath(lane);
     for (int i = 0; i < rounds; ++i) {
-        if (p.stage == kDone) finish(p);
+        if (p.stage == kDone && p.waiting > 0) takeUp(p, lane);
+        if (p.stage == kDone && p.waiting == 0) finish(p);
         if (p.stage <= kWaiting) begin(p);
         if (p.stage == kWaiting) break;
-        if (p.stage >= kParticle) turn(p);
-        if (p.stage == kAiming) {
-            p.sunlight = 1.0;
-            aim(p);
-        }
+        if (p.stage == kMet) askForSun(p);
+        if (p.stage == kTurning) turn(p, lane);
+        if (p.stage == kAiming) aim(p);
         for (int k = 0; k < 2 && p.stage == kFlying; ++k) {
             float boundPerM = cross(p);
             if (boundPerM > 0.0) meet(p, boundPerM);
         }
-        if (p.stage == kParticle && p.scatterings == 0) noteFirst(p);
-        if (p.stage == kParticle && maxScatterings > 0 && p.scatterings >= maxScatterings) {
-            p.stage = kDone;
+        if (p.stage == kMet && p.kind == kParticle) {
+            if (p.scatterings == 0) noteFirst(p);
+            if (maxScatterings > 0 && p.scatterings >= maxScatterings) p.stage = kDone;
         }
         if (p.stage == kLeft) {
             if (p.toSun) {

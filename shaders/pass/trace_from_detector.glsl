@@ -12,7 +12,7 @@ layout(std430, binding = 6) readonly buffer Detectors {
 
 const int kRadiance = 0, kFlux = 1, kDiffuseFlux = 2, kAbsorption = 3;
 
-uint startOf(uint index) {
+uint keyOf(uint index) {
     return index;
 }
 
@@ -21,13 +21,15 @@ void start(inout Path p, uint index) {
     p.positionM = mix(detector.lowerM.xyz, detector.upperM.xyz, draw(p).xyz);
     int kind = int(detector.lowerM.w);
     p.dir = detector.direction.xyz;
-    p.nextDir = kind == kAbsorption ? vec3(0.0, 0.0, 1.0) : p.dir;
+    p.axis = kind == kAbsorption ? vec3(0.0, 0.0, 1.0) : p.dir;
     p.direct = kind != kDiffuseFlux;
     if (kind == kAbsorption) {
         p.weight /= detector.direction.w;
-        p.stage = kInside;
+        p.kind = kInside;
+        p.stage = kMet;
     } else if (kind != kRadiance) {
-        p.stage = kSurface;
+        p.kind = kSurface;
+        p.stage = kMet;
     }
 }
 

@@ -6,7 +6,7 @@ ivec2 pixelOf(uint index) {
 }
 
 /// The same in every part of a picture: its number in the whole.
-uint startOf(uint index) {
+uint keyOf(uint index) {
     ivec2 pixel = pixelOf(index) + u_.whole.zw;
     return uint(pixel.y) * uint(u_.whole.x) + uint(pixel.x);
 }

@@ -43,22 +43,22 @@ Mixture mixtureOf(MediumSample medium) {
     return mixture;
 }
 
-/// Share of a unit of light that the mixture sends into a direction, per steradian.
-vec3 sentInto(MediumSample medium, Mixture mixture, float versine) {
-    vec3 share = vec3(0.0);
-    for (int i = 0; i < CLASSES; ++i) {
-        share += medium.extinctionPerM[i] * u_.classes[i].colourAlbedo.rgb * phaseOf(i, versine);
-    }
-    return share / mixture.extinctionPerM;
-}
+/// What the mixture sends into a direction: the share of a unit of light, per steradian, and the
+/// density with which it is drawn for paths of these wavelengths.
+struct Sent {
+    vec3 share;
+    float density;
+};
 
-/// Density per steradian with which a direction is drawn for paths of these wavelengths.
-float densityInto(Mixture mixture, float versine, vec3 wavelengths) {
-    float density = 0.0;
+Sent sentInto(MediumSample medium, Mixture mixture, float versine, vec3 wavelengths) {
+    Sent sent = Sent(vec3(0.0), 0.0);
     for (int i = 0; i < CLASSES; ++i) {
-        density += mixture.chance[i] * dot(wavelengths, phaseOf(i, versine));
+        vec3 phase = phaseOf(i, versine);
+        sent.share += medium.extinctionPerM[i] * u_.classes[i].colourAlbedo.rgb * phase;
+        sent.density += mixture.chance[i] * dot(wavelengths, phase);
     }
-    return density;
+    sent.share /= max(mixture.extinctionPerM, 1e-30);
+    return sent;
 }
 
 /// What is absorbed, 1/m.

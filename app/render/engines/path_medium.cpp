@@ -62,6 +62,11 @@ PathMedium makePathMedium(const MediumTextures& medium, glm::dvec3 voxelM, int c
     std::vector<PhaseSpec> phases;
     for (const MediumClass& c : medium.plan.classes) phases.push_back(c.phase);
     out.tables = makeScatteringTables(phases);
+    const auto peak = [](const PhaseSpec& spec) { return phaseValue(spec, 1.0f).g; };
+    for (std::size_t i = 1; i < phases.size(); ++i) {
+        const auto best = static_cast<std::size_t>(out.lobeClass);
+        if (peak(phases[i]) > peak(phases[best])) out.lobeClass = static_cast<int>(i);
+    }
     out.cellM = voxelM * static_cast<double>(cellVoxels);
     out.voxelM = voxelM;
     return out;

@@ -16,6 +16,7 @@ struct PathMedium {
     gl::Texture cells;  ///< RG32F, as shaders/pass/trace_medium.glsl has them
     ScatteringTables tables;
     glm::dvec3 cellM{1.0}, voxelM{1.0};
+    int lobeClass = 0;  ///< with the highest forward peak
 
     std::size_t bytes() const {
         return cells.bytes() + tables.phases.bytes() + tables.scattering.bytes();

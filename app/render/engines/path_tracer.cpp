@@ -17,13 +17,14 @@ namespace {
 // Enough to fill the machine: a processor takes eight at a time and thread, a GPU some hundred
 // thousand in all.
 constexpr int kLanesInSoftware = 1024, kLanesOnGpu = 131072;
-constexpr std::size_t kLaneBytes = 9 * 16;  // kPathWords of shaders/pass/trace_state.glsl
+constexpr std::size_t kLaneBytes = (10 + 8 * 4) * 16;  // as shaders/pass/trace_state.glsl has them
 // A dispatch is to take so long, that the window stays fluid and no watchdog wakes.
+const glm::ivec3 kMostSunDepth{64, 64, 64};  // texels of the depth towards the sun
 constexpr double kDispatchMs = 8.0;
 constexpr int kFewestRounds = 4, kMostRounds = 4096;
 // Scatterings from which chance takes paths out: what comes later is little of the light and most
 // of the work.
-constexpr float kRouletteFrom = 64.0f;
+constexpr float kRouletteFrom = 16.0f;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -44,6 +45,23 @@ std::vector<glm::vec4> read(const gl::Texture& texture) {
     return values;
 }
 
+gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
+                       gl::ProgramCache& programs) {
+    const glm::ivec3 size = glm::clamp(medium.first.size(), glm::ivec3(1), kMostSunDepth);
+    gl::Texture depth = gl::Texture::make3D(GL_R16F, size);
+    depth.setLinear();
+    std::vector<std::string> defines = mediumDefines(medium);
+    std::replace(defines.begin(), defines.end(), std::string("NOISE 1"), std::string("NOISE 0"));
+    const gl::Program& program = programs.get("pass/trace_sun_depth.comp", defines);
+    block.bind(GL_UNIFORM_BUFFER, 0);
+    medium.first.bind(0);
+    if (medium.second) medium.second.bind(1);
+    depth.bindImage(0, GL_WRITE_ONLY);
+    program.dispatch(size);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    return depth;
+}
+
 }  // namespace
 
 void PathTracer::restart(const TraceSetup& setup) {
@@ -55,7 +73,7 @@ void PathTracer::restart(const TraceSetup& setup) {
     counts_ = {};
 }
 
-void PathTracer::prepare() {
+void PathTracer::prepare(const MediumTextures& medium, gl::ProgramCache& programs) {
     lanes_ = gl::deviceMemory().software ? kLanesInSoftware : kLanesOnGpu;
     rounds_ = kFewestRounds;
     const auto paths = static_cast<std::size_t>(pathsAPass());
@@ -68,6 +86,8 @@ void PathTracer::prepare() {
         }
         glClearTexImage(sums->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     }
+    block_.write(&setup_.block, sizeof(setup_.block));
+    sunDepth_ = sunDepthOf(medium, block_, programs);
 }
 
 const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathMedium& paths,
@@ -76,6 +96,7 @@ const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathM
     defines.push_back(fmt::format("PASSES {}", kPassesAtOnce));
     defines.push_back(fmt::format("PERIODIC {}", setup_.periodic ? 1 : 0));
     defines.push_back(fmt::format("DETECTORS {}", setup_.detectors != nullptr ? 1 : 0));
+    defines.push_back(fmt::format("LOBE_CLASS {}", paths.lobeClass));
     const gl::Program& program = programs.get("pass/trace.comp", defines);
     program.setInt(0, lanes_);
     program.setInt(2, pathsAPass());
@@ -89,7 +110,6 @@ const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathM
     const double sine = std::sin(0.5 * setup_.sunRadiusRad);
     program.setFloat(10, static_cast<float>(2.0 * sine * sine));
     program.setFloat(11, kRouletteFrom);
-    block_.write(&setup_.block, sizeof(setup_.block));
     block_.bind(GL_UNIFORM_BUFFER, 0);
     medium.first.bind(0);
     if (medium.second) medium.second.bind(1);
@@ -97,6 +117,7 @@ const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathM
     paths.cells.bind(5);
     paths.tables.phases.bind(8);
     paths.tables.scattering.bind(9);
+    sunDepth_.bind(10);
     lanesBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 3);
     countersBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
     results_.bind(GL_SHADER_STORAGE_BUFFER, 5);
@@ -145,7 +166,7 @@ void PathTracer::gather(gl::ProgramCache& programs, const gl::Texture& mean) {
 void PathTracer::pass(const MediumTextures& medium, const PathMedium& paths,
                       const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& mean,
                       const Progress& progress) {
-    if (lanes_ == 0) prepare();
+    if (lanes_ == 0) prepare(medium, programs);
     const gl::Program& program = tracing(medium, paths, noise, programs);
     const std::uint32_t& finished =
         counters_.finished[static_cast<std::size_t>(firstPass_ % kPassesAtOnce)];

@@ -69,7 +69,7 @@ class PathTracer {
     };
     glm::ivec2 sizePx() const { return {setup_.block.picture.x, setup_.block.picture.y}; }
     int pathsAPass() const { return sizePx().x * sizePx().y; }
-    void prepare();
+    void prepare(const MediumTextures& medium, gl::ProgramCache& programs);
     const gl::Program& tracing(const MediumTextures& medium, const PathMedium& paths,
                                const gl::Texture* noise, gl::ProgramCache& programs);
     void carry(const gl::Program& program);
@@ -77,14 +77,14 @@ class PathTracer {
 
     TraceSetup setup_;
     int lanes_ = 0;
-    int rounds_ = 0;  ///< of each lane in one dispatch
+    int rounds_ = 0;     ///< of each lane in one dispatch
     int firstPass_ = 0;  ///< the oldest that is not whole
     std::uint32_t firstTicket_ = 0;
     Counters counters_;
     TraceCounts counts_;
     gl::Buffer block_, lanesBuffer_, countersBuffer_, results_, rows_;
     std::array<gl::Texture, 2> halves_;
-    gl::Texture squares_;
+    gl::Texture squares_, sunDepth_;
 };
 
 }  // namespace neph::render
