@@ -166,12 +166,15 @@ void measureAll(const ValidateOptions& options, render::TraceMeter& meter, Repor
     const std::vector<Trial> trials = chooseTrials(options);
     const Effort effort = effortOf(options);
     std::size_t done = 0;
+    std::vector<Row> all;
     for (const Trial& trial : trials) {
         fmt::print(stderr, "{} of {}: {}\n", ++done, trials.size(), trial.name);
         const auto start = Clock::now();
         const std::vector<Row> rows = runTrial(meter, trial, effort, goesOn);
         report.add(rows, secondsSince(start));
+        all.insert(all.end(), rows.begin(), rows.end());
     }
+    if (const auto together = allTogether(all, effort)) report.add({*together}, 0.0);
     if (!options.files.empty() || !options.only.empty()) return;
     fmt::print(stderr, "Scattering angles of every phase function\n");
     const auto start = Clock::now();

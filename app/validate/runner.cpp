@@ -5,6 +5,8 @@
 // its standard error over the square root of their number.
 #include "app/validate/runner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -161,6 +163,36 @@ std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const E
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+std::optional<Row> allTogether(const std::vector<Row>& rows, const Effort& effort) {
+    constexpr double kSharp = 0.005;
+    constexpr double kTolerance = 0.001;
+    constexpr int kFewest = 10;
+    double sum = 0.0, weights = 0.0, variance = 0.0;
+    int count = 0;
+    for (const Row& row : rows) {
+        if (!row.expected || *row.expected == 0.0) continue;
+        const double scale = 1.0 / std::abs(*row.expected);
+        const double tolerance = row.tolerance / effort.toleranceFactor * scale;
+        if (tolerance > kSharp) continue;
+        const double sigma = row.sigma * scale;
+        const double weight = 1.0 / (sigma * sigma + tolerance * tolerance);
+        sum += weight * (row.measured - *row.expected) * scale;
+        weights += weight;
+        variance += weight * weight * sigma * sigma;
+        ++count;
+    }
+    if (count < kFewest) return {};
+    Row all;
+    all.trial = fmt::format("All together: {} of the above", count);
+    all.source = "no bias";
+    all.quantity = "mean relative difference";
+    all.expected = 0.0;
+    all.measured = sum / weights;
+    all.sigma = std::sqrt(variance) / weights;
+    all.tolerance = kTolerance * effort.toleranceFactor;
+    return all;
 }
 
 }  // namespace neph::validate

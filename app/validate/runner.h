@@ -21,4 +21,9 @@ inline constexpr Effort kQuickEffort{5.0, std::uint64_t{1} << 10, std::uint64_t{
 std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const Effort& effort,
                           const Progress& progress);
 
+/// The mean relative difference of all that is expected to half a per cent or better: a bias too
+/// small to be seen in any one of them. Those that are better known do not count for more than
+/// their tolerance is worth. None where there are fewer than ten.
+std::optional<Row> allTogether(const std::vector<Row>& rows, const Effort& effort);
+
 }  // namespace neph::validate

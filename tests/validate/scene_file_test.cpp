@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numeric>
 
+#include "app/validate/runner.h"
 #include "core/error.h"
 #include "core/resources.h"
 #include "tests/temporary_folder.h"
@@ -195,6 +196,24 @@ TEST_CASE("Every bundled case is read and expects something of each experiment")
         ++files;
     }
     CHECK(files == 9);
+}
+
+TEST_CASE("A bias that no single measurement shows is seen in all of them together") {
+    std::vector<Row> rows(40);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].expected = 0.5;
+        rows[i].tolerance = 0.0015;
+        rows[i].sigma = 0.0015;
+        rows[i].measured = 0.5 * 1.005 + (i % 2 == 0 ? 0.001 : -0.001);
+        CHECK(verdict(rows[i]) == Verdict::pass);
+    }
+    const auto all = allTogether(rows, kFullEffort);
+    REQUIRE(all.has_value());
+    CHECK(all->measured == Approx(0.005));
+    CHECK(all->sigma == Approx(0.003 / std::sqrt(40.0)));
+    CHECK(verdict(*all) == Verdict::fail);
+    rows.resize(9);
+    CHECK(!allTogether(rows, kFullEffort).has_value());
 }
 
 TEST_CASE("A measurement is right within tolerance and three sigma, and only if it is precise") {
