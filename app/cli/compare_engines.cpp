@@ -93,8 +93,8 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     while (image.colours.size.y < sizePx_.y) append(image, bands.nextLayered());
     ComparedPicture picture;
     picture.name = engine.name;
-    picture.made =
-        fmt::format("{}, {}", workText(drawn, bands.stats()), side_->renderer().deviceName());
+    picture.device = side_->renderer().deviceName();
+    picture.made = fmt::format("{}, {}", workText(drawn, bands.stats()), picture.device);
     const int traced = bands.stats().reference.samples;
     picture.samples = drawn.inputs.look.engine == Engine::reference ? traced : drawn.samples;
     picture.seconds = bands.stats().milliseconds / kMsPerS;

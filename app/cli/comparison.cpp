@@ -103,6 +103,7 @@ Json describeJson(const ComparedPicture& of) {
               {"kind", of.display ? "display" : "radiance"},
               {"halves", of.halves.has_value()}};
     if (!of.made.empty()) json["made"] = of.made;
+    if (!of.device.empty()) json["device"] = of.device;
     if (of.samples) json["samples"] = *of.samples;
     if (of.seconds) json["seconds"] = *of.seconds;
     return json;

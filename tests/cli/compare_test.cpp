@@ -188,6 +188,7 @@ TEST_CASE("Engines draw one view, the last is the reference, and all of it is ke
     CHECK(json["reference"]["halves"] == true);
     CHECK(json["reference"]["samples"] == 4);
     CHECK(json["reference"]["seconds"].get<double>() > 0.0);
+    CHECK_FALSE(json["reference"]["device"].get<std::string>().empty());
     CHECK(contains(json["reference"]["made"].get<std::string>(), "reference, 4 paths"));
     for (const char* name : {"march.exr", "march.png", "march-error.png", "march-flip.png",
                              "slicing-light.form-consistent.exr", "reference.png"}) {
