@@ -37,7 +37,7 @@ layout(std430, binding = 5) writeonly buffer Results {
 
 // Where the sun is near, the share of turns that send off a branch; least share of vertices that
 // ask for sunlight, and the optical depth up to which all do.
-const float kBranching = 0.25, kLeastAsking = 0.1, kDepthOfAsking = 3.0;
+const float kBranching = 0.25, kLeastBranching = 0.02, kLeastAsking = 0.25, kDepthOfAsking = 3.0;
 
 layout(binding = 10) uniform sampler3D t_sunDepth;  // to the sun, about
 
@@ -133,7 +133,7 @@ float sunDepthAt(vec3 positionM) {
 /// Share of the sun's light that arrives from near the sun, about: droplets scatter half of it by a
 /// degree or two, which is as good as not at all.
 float sunReach(vec3 positionM) {
-    return min(1.0, 4.0 * exp(-0.5 * sunDepthAt(positionM)));
+    return min(1.0, 4.0 * exp(-0.3 * sunDepthAt(positionM)));
 }
 
 /// The path is at a vertex: a particle, a surface or a detector inside the medium. Asks for the
@@ -177,7 +177,7 @@ void turn(inout Path p, uint lane) {
     vec3 near = directionAround(towards, drawnNear.x, v.y);
     float reach = sunReach(p.positionM);
     bool branches = p.direct && p.waiting < kMostWaiting;
-    float branching = branches ? kBranching * reach : 0.0;
+    float branching = branches ? max(kBranching * reach, kLeastBranching) : 0.0;
     Sent toNext = sentTo(p, medium, mixture, next);
     Sent toNear = sentTo(p, medium, mixture, near);
     float lobeOfNext = dot(p.wavelengths, phaseOf(LOBE_CLASS, versineBetween(next, towards)));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -24,7 +25,7 @@ constexpr double kDispatchMs = 8.0;
 constexpr int kFewestRounds = 4, kMostRounds = 4096;
 // Scatterings from which chance takes paths out: what comes later is little of the light and most
 // of the work.
-constexpr float kRouletteFrom = 16.0f;
+constexpr float kRouletteFrom = 128.0f;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -71,6 +72,14 @@ void PathTracer::restart(const TraceSetup& setup) {
     firstTicket_ = 0;
     counters_ = {};
     counts_ = {};
+}
+
+bool PathTracer::isIn(const TraceSetup& setup) const {
+    return lanes_ > 0 && firstPass_ == 0 && setup.seed == setup_.seed &&
+           setup.periodic == setup_.periodic && setup.detectors == setup_.detectors &&
+           setup.maxScatterings == setup_.maxScatterings &&
+           setup.sunRadiusRad == setup_.sunRadiusRad &&
+           std::memcmp(&setup.block, &setup_.block, sizeof(setup.block)) == 0;
 }
 
 void PathTracer::prepare(const MediumTextures& medium, gl::ProgramCache& programs) {

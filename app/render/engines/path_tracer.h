@@ -54,6 +54,8 @@ class PathTracer {
               gl::ProgramCache& programs, const gl::Texture& mean, const Progress& progress);
 
     int passes() const { return firstPass_; }
+    /// Whether the first pass of `setup` is under way.
+    bool isIn(const TraceSetup& setup) const;
     /// Root mean variance of the mean over all pixels and channels, as a share of their mean: the
     /// relative standard error. Infinite before there are two passes.
     double relativeError(gl::ProgramCache& programs);

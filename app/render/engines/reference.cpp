@@ -74,7 +74,9 @@ void ReferenceEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
                              gl::ProgramCache& programs, const gl::Texture& linear,
                              const Progress& progress) {
     if (inputs.sample == 0) {
-        tracer_.restart({.block = blockOf(inputs, grid, medium), .seed = inputs.look.seed});
+        // A first pass that gave way goes on.
+        const TraceSetup setup{.block = blockOf(inputs, grid, medium), .seed = inputs.look.seed};
+        if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }
     tracer_.pass(medium, paths_, noise, programs, linear, progress);
 }
