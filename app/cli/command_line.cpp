@@ -259,7 +259,7 @@ void addValidate(CLI::App& app, ValidateOptions& options) {
     CLI::App& command = *app.add_subcommand(
         "validate", "Prove the path tracer against published results, or measure a scene");
     command.add_option("CASE.json", options.files, "Scenes to measure; none: all that is bundled");
-    command.add_flag("--quick", options.quick, "In a minute, with tolerances five times as wide");
+    command.add_flag("--quick", options.quick, "In a minute, with tolerances ten times as wide");
     command.add_flag("--json", options.json, "As JSON");
     command.add_option("--only", options.only, "What has this in its name")->type_name("TEXT");
     command.add_option("--samples", options.samples, "Paths a detector, at least")

@@ -116,7 +116,7 @@ class Report {
         } else {
             fmt::print("\n{} passed, {} failed; {} paths in {:.0f} s{}\n", passed_, failed_,
                        samples_, seconds,
-                       options_.quick ? "; quick: tolerances are five times as wide" : "");
+                       options_.quick ? "; quick: tolerances are ten times as wide" : "");
         }
         return failed_ == 0 ? 0 : 1;
     }

@@ -53,10 +53,11 @@ void addFluxes(Trial& trial, double r, double t, double slant) {
         trial.twin ? 2.0 * kTwinTolerance : kRadianceTolerance);
 }
 
-/// A slab of one voxel.
+/// A slab of sixteen levels.
 MeterScene slabScene() {
     MeterScene scene;
-    scene.spacingM = {16000.0, 16000.0, 1000.0};
+    scene.size = {1, 1, 16};
+    scene.spacingM = {16000.0, 16000.0, 62.5};
     aimSun(scene, 50.0);
     return scene;
 }

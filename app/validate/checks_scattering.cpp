@@ -14,6 +14,7 @@ using render::DetectorKind;
 
 constexpr double kHeightM = 1000.0;
 constexpr double kWidthM = 8000.0;
+constexpr int kLevels = 16;
 
 /// Radiance that a slab of optical depth t sends up (mu > 0) or down, of a beam of 1 from mu0,
 /// scattered once; P in 1/sr. [Chandrasekhar60] ch. III
@@ -46,9 +47,11 @@ Trial singleTrial(const Slab& slab, double sunZenithDeg) {
     Trial trial;
     trial.name = fmt::format("Single scattering: {}, sun at {:g}°", slab.name, sunZenithDeg);
     trial.source = "closed form [Chandrasekhar60]";
-    trial.scene.spacingM = {kWidthM, kWidthM, kHeightM};
-    trial.scene.fields.push_back({Array3f(glm::ivec3(1), static_cast<float>(slab.depth / kHeightM)),
-                                  slab.albedo, slab.phase});
+    trial.scene.size = {1, 1, kLevels};
+    trial.scene.spacingM = {kWidthM, kWidthM, kHeightM / kLevels};
+    trial.scene.fields.push_back(
+        {Array3f(trial.scene.size, static_cast<float>(slab.depth / kHeightM)), slab.albedo,
+         slab.phase});
     const double sun = glm::radians(sunZenithDeg);
     trial.scene.towardsSun = {-std::sin(sun), 0.0, std::cos(sun)};
     trial.settings.maxScatterings = 1;
@@ -89,7 +92,7 @@ render::MeterScene furnace(bool periodic, bool trilinear) {
     std::uint32_t seed = 11;
     for (const PhaseKind kind :
          {PhaseKind::waterDroplets, PhaseKind::rayleigh, PhaseKind::doubleHenyeyGreenstein}) {
-        scene.fields.push_back({randomExtinction(scene.size, 3e-3, ++seed), 1.0, specOf(kind)});
+        scene.fields.push_back({randomExtinction(scene.size, 1e-3, ++seed), 1.0, specOf(kind)});
     }
     return scene;
 }

@@ -131,10 +131,10 @@ std::vector<Trial> transmissionTrials() {
         for (const double zenithDeg : {0.0, 40.0}) {
             trials.push_back(randomTrial(trilinear, zenithDeg, {}));
         }
-        trials.push_back(randomTrial(trilinear, 40.0, {.majorantScale = 3.0}));
-        for (const int brickVoxels : {2, 16}) {
-            trials.push_back(randomTrial(trilinear, 40.0, {.brickVoxels = brickVoxels}));
-        }
+    }
+    trials.push_back(randomTrial(false, 40.0, {.majorantScale = 3.0}));
+    for (const int brickVoxels : {2, 16}) {
+        trials.push_back(randomTrial(true, 40.0, {.brickVoxels = brickVoxels}));
     }
     return trials;
 }

@@ -191,7 +191,7 @@ std::optional<Row> allTogether(const std::vector<Row>& rows, const Effort& effor
     all.expected = 0.0;
     all.measured = sum / weights;
     all.sigma = std::sqrt(variance) / weights;
-    all.tolerance = kTolerance * effort.toleranceFactor;
+    all.tolerance = kTolerance * std::sqrt(effort.toleranceFactor);
     return all;
 }
 

@@ -15,7 +15,7 @@ struct Effort {
     double sigmaOverTolerance = 0.9;  ///< that is aimed at
 };
 inline constexpr Effort kFullEffort{1.0, std::uint64_t{1} << 15, std::uint64_t{1} << 24, 0.9};
-inline constexpr Effort kQuickEffort{5.0, std::uint64_t{1} << 10, std::uint64_t{1} << 20, 0.9};
+inline constexpr Effort kQuickEffort{10.0, std::uint64_t{1} << 10, std::uint64_t{1} << 20, 0.9};
 
 /// Throws Cancelled and what the meter throws.
 std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const Effort& effort,

@@ -24,6 +24,9 @@ constexpr int kMaxSide = 2048;                             // of a 3-D texture
 constexpr std::size_t kMaxFields = 6;
 // Endless layers are cells that repeat; the wider they are, the fewer a path has to cross.
 constexpr double kWidthOverHeight = 16.0;
+// The tracer chooses where to spend work by what it knows of each cell; too few, and its results
+// are as right but noisier.
+constexpr int kFewestLevels = 16;
 
 std::int64_t steps(double lengthM) {
     return std::llround(lengthM * kStepsPerM);
@@ -92,22 +95,23 @@ Medium rasterise(const std::vector<Slab>& slabs, const std::string& where) {
         edgesZ.insert(edgesZ.end(), {slab.baseM, slab.topM});
     }
     const Axis z = axisOf(edgesZ, "heights", where);
+    const int parts = (kFewestLevels + z.count - 1) / z.count;  // of each cell
     const double heightM = static_cast<double>(z.cell) * z.count / kStepsPerM;
     const bool endless =
         std::ranges::all_of(slabs, [](const Slab& slab) { return slab.rightM == slab.leftM; });
     const Axis x =
         endless ? Axis{steps(kWidthOverHeight * heightM), 1} : axisOf(edgesX, "widths", where);
     Medium medium;
-    medium.size = {x.count, 1, z.count};
+    medium.size = {x.count, 1, z.count * parts};
     checkCellCount(medium.size, where);
     medium.spacingM = {static_cast<double>(x.cell) / kStepsPerM, kWidthOverHeight * heightM,
-                       static_cast<double>(z.cell) / kStepsPerM};
+                       heightM / medium.size.z};
     for (const Slab& slab : slabs) {
         Array3f& extinction = fieldOf(medium, slab, where).extinctionPerM;
         const auto left = static_cast<int>(steps(slab.leftM) / x.cell);
         const auto right = endless ? 1 : static_cast<int>(steps(slab.rightM) / x.cell);
-        const auto base = static_cast<int>(steps(slab.baseM) / z.cell);
-        const auto top = static_cast<int>(steps(slab.topM) / z.cell);
+        const int base = parts * static_cast<int>(steps(slab.baseM) / z.cell);
+        const int top = parts * static_cast<int>(steps(slab.topM) / z.cell);
         for (int k = base; k < top; ++k) {
             for (int i = left; i < right; ++i) {
                 extinction.at(i, 0, k) += static_cast<float>(slab.extinctionPerM);

@@ -24,7 +24,8 @@ struct Medium {
     std::vector<render::MeterField> fields;
 };
 
-/// The slabs on the coarsest grid that their edges lie on; what overlaps adds up. Throws Error
+/// The slabs on the coarsest grid of 16 levels or more that their edges lie on; what overlaps adds
+/// up. Throws Error
 /// where that grid is too fine or there are too many media.
 Medium rasterise(const std::vector<Slab>& slabs, const std::string& where);
 

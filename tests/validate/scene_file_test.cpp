@@ -56,18 +56,18 @@ double opticalDepth(const SceneFile& file, int x) {
 
 }  // namespace
 
-TEST_CASE("Layers lie on one another, on the coarsest grid that their edges fit") {
+TEST_CASE("Layers lie on one another, on a grid of 16 levels or more that their edges fit") {
     const SceneFile file = parse(caseOf(
         R"("layers": [{"thickness_m": 300, "optical_depth": 3, "g": 0.85},
                       {"top_m": 800, "extinction_per_m": 0.002, "albedo": 0.5, "phase": "rayleigh"},
                       {"base_m": 0, "top_m": 800, "optical_depth": 0.8, "g": 0.85}])"));
     const render::MeterScene& scene = file.experiments.front().scene;
-    CHECK(scene.size == glm::ivec3(1, 1, 8));
-    CHECK(scene.spacingM.z == 100.0);
+    CHECK(scene.size == glm::ivec3(1, 1, 16));
+    CHECK(scene.spacingM.z == 50.0);
     REQUIRE(file.fields.size() == 2);  // the first and the last are of one medium
-    CHECK(file.fields[0].extinctionPerM.at(0, 0, 0) == Approx(0.011));
-    CHECK(file.fields[0].extinctionPerM.at(0, 0, 5) == Approx(0.001));
-    CHECK(file.fields[1].extinctionPerM.at(0, 0, 2) == 0.0f);
+    CHECK(file.fields[0].extinctionPerM.at(0, 0, 5) == Approx(0.011));
+    CHECK(file.fields[0].extinctionPerM.at(0, 0, 6) == Approx(0.001));
+    CHECK(file.fields[1].extinctionPerM.at(0, 0, 5) == 0.0f);
     CHECK(file.fields[1].albedo == 0.5);
     CHECK(file.fields[1].phase.kind == PhaseKind::rayleigh);
     CHECK(opticalDepth(file, 0) == Approx(3.0 + 1.0 + 0.8));
@@ -77,9 +77,9 @@ TEST_CASE("The bundled step cloud is I3RC's: 32 columns of 15.625 m, depths of 2
     const SceneFile file =
         loadSceneFile(resourcePath("tests/validation/i3rc-case1-step-cloud.json"));
     const render::MeterScene& scene = file.experiments.front().scene;
-    CHECK(scene.size == glm::ivec3(32, 1, 1));
+    CHECK(scene.size == glm::ivec3(32, 1, 16));
     CHECK(scene.spacingM.x == 15.625);
-    CHECK(scene.spacingM.z == 250.0);
+    CHECK(scene.spacingM.z == 15.625);
     CHECK(scene.periodic);
     CHECK(!scene.surfaceAlbedo.has_value());
     CHECK(opticalDepth(file, 15) == Approx(2.0));
