@@ -173,7 +173,7 @@ void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const gl::Text
     if (inputs.look.engine == Engine::reference) {
         timer.pass("paths");
         if (std::exchange(referenceStale, false)) {
-            reference.prepare(medium, volume->grid, programs);
+            reference.prepare(medium, volume->grid, noise ? &noise : nullptr, programs);
         }
         reference.render(inputs, volume->grid, medium, noise ? &noise : nullptr, programs, to,
                          progress);
@@ -333,6 +333,11 @@ ReferenceLayers Renderer::readReference() const {
     if (!impl_->last || impl_->last->look.engine != Engine::reference) return {};
     return impl_->reference.layers(raysOf(*impl_->last), *impl_->volume, impl_->medium,
                                    impl_->noise ? &impl_->noise : nullptr, impl_->programs);
+}
+
+std::array<ImageF, 2> Renderer::readHalves() const {
+    if (!impl_->last || impl_->last->look.engine != Engine::reference) return {};
+    return impl_->reference.halves(raysOf(*impl_->last).sizePx);
 }
 
 int Renderer::largestSidePx() const {

@@ -4,6 +4,7 @@
 // inputs. Needs a current GL context for its whole life. A shader that fails to compile leaves the
 // last good one in place and says so in messages().
 #pragma once
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -55,6 +56,8 @@ class Renderer {
     /// What the reference knows of the last frame besides, a value a ray; empty where another
     /// engine drew it.
     ReferenceLayers readReference() const;
+    /// The halves alone, which are read at once.
+    std::array<ImageF, 2> readHalves() const;
 
     /// The largest picture that can be rendered at once, rays a side.
     int largestSidePx() const;

@@ -144,7 +144,7 @@ std::vector<Measured> TraceMeter::measure(const MeterScene& scene,
     const glm::ivec2 sizePx{count, rows};
     const MediumTextures medium = textureOf(scene);
     const PathMedium paths = makePathMedium(medium, scene.spacingM, settings.brickVoxels,
-                                            settings.majorantScale, impl_->programs);
+                                            settings.majorantScale, nullptr, impl_->programs);
     const gl::Buffer list = listOf(scene, detectors);
     const gl::Texture mean = gl::Texture::make2D(GL_RGBA32F, sizePx);
     PathTracer& tracer = impl_->tracer;

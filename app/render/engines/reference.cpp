@@ -59,9 +59,9 @@ std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
 }  // namespace
 
 void ReferenceEngine::prepare(const MediumTextures& medium, const RegularGrid& grid,
-                              gl::ProgramCache& programs) {
+                              const gl::Texture* noise, gl::ProgramCache& programs) {
     paths_ = {};  // the old one need not be held beside the new
-    paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, programs);
+    paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, noise, programs);
 }
 
 FrameBlock ReferenceEngine::blockOf(const FrameInputs& inputs, const RegularGrid& grid,
@@ -89,6 +89,14 @@ ReferenceProgress ReferenceEngine::progress(gl::ProgramCache& programs) {
             .scatterings = counts.scatterings,
             .faults = counts.faults,
             .seconds = counts.seconds};
+}
+
+std::array<ImageF, 2> ReferenceEngine::halves(glm::ivec2 sizePx) const {
+    const int paths = tracer_.passes();
+    if (paths < 2) return {};
+    const TraceSums sums = tracer_.readSums();
+    return {imageOf(sums.halves[0], sizePx, (paths + 1) / 2),
+            imageOf(sums.halves[1], sizePx, paths / 2)};
 }
 
 ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeTextures& volume,

@@ -13,7 +13,8 @@ namespace neph::render {
 class ReferenceEngine {
   public:
     /// Takes in a medium that has changed.
-    void prepare(const MediumTextures& medium, const RegularGrid& grid, gl::ProgramCache& programs);
+    void prepare(const MediumTextures& medium, const RegularGrid& grid, const gl::Texture* noise,
+                 gl::ProgramCache& programs);
 
     /// Adds one path a pixel, the first where inputs.sample is 0, and writes the mean into `linear`
     /// (RGBA32F, A: share of the paths that met a particle). Throws Cancelled.
@@ -23,6 +24,8 @@ class ReferenceEngine {
 
     /// Of the picture so far.
     ReferenceProgress progress(gl::ProgramCache& programs);
+    /// Means of the even and of the odd paths; empty before there are two.
+    std::array<ImageF, 2> halves(glm::ivec2 sizePx) const;
     ReferenceLayers layers(const FrameInputs& inputs, const VolumeTextures& volume,
                            const MediumTextures& medium, const gl::Texture* noise,
                            gl::ProgramCache& programs) const;
