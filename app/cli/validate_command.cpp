@@ -174,8 +174,8 @@ void measureAll(const ValidateOptions& options, render::TraceMeter& meter, Repor
         report.add(rows, secondsSince(start));
         all.insert(all.end(), rows.begin(), rows.end());
     }
-    if (const auto together = allTogether(all, effort)) report.add({*together}, 0.0);
     if (!options.files.empty() || !options.only.empty()) return;
+    if (const auto together = allTogether(all, effort)) report.add({*together}, 0.0);
     fmt::print(stderr, "Scattering angles of every phase function\n");
     const auto start = Clock::now();
     const std::vector<Row> rows = phaseRows(meter, options.quick);

@@ -126,7 +126,7 @@ std::vector<Trial> transmissionTrials() {
     std::vector<Trial> trials;
     trials.push_back(uniformTrial(0.1, 1.0));
     trials.push_back(uniformTrial(1.0, 1.0));
-    trials.push_back(uniformTrial(1.5, 0.5));
+    trials.push_back(uniformTrial(1.0, 0.5));
     for (const bool trilinear : {false, true}) {
         for (const double zenithDeg : {0.0, 40.0}) {
             trials.push_back(randomTrial(trilinear, zenithDeg, {}));
