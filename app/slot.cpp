@@ -10,6 +10,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Paths in motion that take longer are left for what the hand did meanwhile.
+constexpr std::chrono::seconds kLongestInMotion{1};
+
+/// Whether paths that were traced for the one are as good for the other.
+bool samePaths(const Document& a, const Document& b) {
+    return a.camera == b.camera && a.time == b.time && a.look.engine == Engine::reference &&
+           firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve;
+}
+
 }  // namespace
 
 void Slot::takeData() {
@@ -26,11 +35,14 @@ void Slot::takeData() {
 }
 
 void Slot::noteChanges() {
-    if (session.document != seen_) {
-        changed_ = Clock::now();
+    if (session.document == seen_) return;
+    changed_ = Clock::now();
+    if (drawn_ && drawn_->step == ui::kFullStep && samePaths(session.document, seen_)) {
+        retone_ = true;
+    } else {
         drawn_.reset();
-        seen_ = session.document;
     }
+    seen_ = session.document;
 }
 
 double Slot::restS() const {
@@ -41,11 +53,21 @@ bool Slot::averages(bool moving) const {
     return !moving && session.document.look.engine == Engine::march;
 }
 
+/// With a target that was changed since the picture was drawn, too.
+bool Slot::addsPaths(bool moving) const {
+    ui::ReferenceReport reached = report.reference;
+    reached.targetError = static_cast<double>(session.document.look.targetError);
+    return !moving && !ui::isReached(reached);
+}
+
 Slot::Waiting Slot::waiting(bool moving) const {
     if (!session.shown()) return Waiting::no;
-    if (!drawn_) return Waiting::now;
+    if (!drawn_ || retone_) return Waiting::now;
     if (drawn_->step < ui::kFullStep) return Waiting::rest;
-    return averages(moving) && drawn_->sample + 1 < ui::kSamples ? Waiting::now : Waiting::no;
+    const bool further = session.document.look.engine == Engine::reference
+                             ? addsPaths(moving)
+                             : averages(moving) && drawn_->sample + 1 < ui::kSamples;
+    return further ? Waiting::now : Waiting::no;
 }
 
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
@@ -68,18 +90,68 @@ render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& re
 std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
                                                const render::FrameInputs& inputs,
                                                const DrawRequest& request) {
+    const Clock::time_point start = Clock::now();
     double panelsMs = 0.0;
     try {
         // A frame in motion is short and always comes through; a refinement gives way to the hand.
         render::FrameStats stats = renderer_.render(inputs, [&](double) {
             panelsMs += request.panels();
-            return draft.step == 0 || !(changedSinceLastLook() || request.giveWay());
+            const bool slow =
+                inputs.look.engine == Engine::reference && Clock::now() - start > kLongestInMotion;
+            if (draft.step == 0 && !slow) return true;
+            return !(changedSinceLastLook() || request.giveWay());
         });
         stats.milliseconds -= panelsMs;
         return stats;
     } catch (const Cancelled&) {
         return {};
     }
+}
+
+/// The picture to draw now, if any.
+std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
+    if (std::exchange(retone_, false)) return drawn_;
+    const Engine engine = session.document.look.engine;
+    // A button held still is still motion: the next move must find the machine ready.
+    const double rest = request.moving ? 0.0 : restS();
+    ui::QualityControl& quality = qualityOf(engine);
+    quality.setFrameMs(request.frameMs);
+    const double leastDetail = ui::leastDetailOf(engine);
+    if (engine == Engine::reference) {
+        return ui::nextTraced(drawn_, quality.draft(0.0, placePx_, leastDetail), placePx_, rest,
+                              quality.fullMs(), addsPaths(request.moving));
+    }
+    return ui::nextDraft(drawn_, quality.draft(rest, placePx_, leastDetail),
+                         averages(request.moving));
+}
+
+/// Learns from a picture of data of `time` what pictures cost, and reports it.
+void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
+                const render::FrameStats& stats) {
+    ui::QualityControl& quality = qualityOf(look.engine);
+    const render::ReferenceProgress& traced = stats.reference;
+    // What the camera does not change is no measure of how finely to draw while it moves.
+    const bool prepared = stats.bakedMedium || (look.engine == Engine::march && stats.marchedLight);
+    if (look.engine == Engine::reference) {
+        // Later paths were begun with those before; a pass may have been taken up again.
+        const bool first = stats.marchedEye && drawn.sample == 0;
+        if (first) quality.measured(drawn, 1e3 * traced.seconds, placePx_);
+    } else if (stats.marchedEye && !prepared) {
+        quality.measured(drawn, stats.milliseconds, placePx_);
+    }
+    report = {.milliseconds = stats.milliseconds,
+              .engine = look.engine,
+              .planes = stats.planes,
+              .samples = drawn.sample + 1,
+              .sizePx = drawn.sizePx,
+              .full = drawn.step == ui::kFullStep,
+              .device = renderer_.deviceName(),
+              .gpuBytes = renderer_.gpuBytes(),
+              .time = time,
+              .reference = {.paths = traced.samples,
+                            .relativeError = traced.relativeError,
+                            .targetError = static_cast<double>(look.targetError),
+                            .seconds = traced.seconds}};
 }
 
 bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
@@ -90,33 +162,20 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
         changed_ = Clock::now();
         drawn_.reset();
     }
-    const Engine engine = session.document.look.engine;
-    // A button held still is still motion: the next move must find the machine ready.
-    const double rest = request.moving ? 0.0 : restS();
-    quality_.setFrameMs(request.frameMs);
-    const std::optional<ui::Draft> next =
-        ui::nextDraft(drawn_, quality_.draft(rest, placePx_, ui::leastDetailOf(engine)),
-                      averages(request.moving));
-    if (!next) return false;
-    const render::FrameInputs inputs = inputsOf(*next, request);
+    retone_ &= drawn_.has_value();
+    const bool retones = retone_;
+    const std::optional<ui::Draft> wanted = next(request);
+    if (!wanted) return false;
+    render::FrameInputs inputs = inputsOf(*wanted, request);
+    inputs.profile &= !retones;  // which would have it drawn anew
     // Until the data of another time are there the picture is of the time before.
     const int time = session.shows(session.document.time) ? session.document.time : report.time;
-    const std::optional<render::FrameStats> stats = render(*next, inputs, request);
+    const std::optional<render::FrameStats> stats = render(*wanted, inputs, request);
     if (!stats) return false;
-    // What the camera does not change is no measure of how finely to draw while it moves.
-    const bool prepared = stats->bakedMedium || (engine == Engine::march && stats->marchedLight);
-    if (stats->marchedEye && !prepared) quality_.measured(*next, stats->milliseconds, placePx_);
-    report = {stats->milliseconds,
-              engine,
-              stats->planes,
-              next->sample + 1,
-              next->sizePx,
-              next->step == ui::kFullStep,
-              renderer_.deviceName(),
-              renderer_.gpuBytes(),
-              time};
+    tell(*wanted, inputs.look, time, *stats);
     if (inputs.profile) ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
-    drawn_ = next;
+    drawn_ = wanted;
+    if (!retones) ++pictures_;
     for (std::string& message : renderer_.takeMessages()) {
         session.say(Message::Kind::warning, std::move(message));
     }

@@ -4,7 +4,10 @@
 // Everything is on the main thread. While a picture is drawn the panels are given a turn now and
 // then, so that they follow the hand however slow the picture is.
 #pragma once
+#include <array>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -45,9 +48,18 @@ class Slot {
 
     void reloadShaders();
     void redraw() { drawn_.reset(); }
-    void measuredPanels(double milliseconds) { quality_.measuredPanels(milliseconds); }
+    void measuredPanels(double milliseconds) {
+        for (ui::QualityControl& quality : qualities_) quality.measuredPanels(milliseconds);
+    }
 
     unsigned texture() const { return renderer_.displayTexture(); }
+    /// Counts the pictures; one that has but other tones is none.
+    std::uint64_t pictures() const { return pictures_; }
+    /// Whether the picture is of the document, and in full.
+    bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }
+    /// The picture in linear light, and its halves where the reference drew it.
+    ImageF linear() const { return renderer_.readLinear(); }
+    ui::LinearHalves halves() const { return renderer_.readHalves(); }
     bool changedSinceLastLook() const { return session.document != seen_; }
     /// Whether there is a picture still to be drawn: at once, or after some rest.
     enum class Waiting { no, rest, now };
@@ -57,15 +69,25 @@ class Slot {
   private:
     render::FrameInputs inputsOf(const ui::Draft& draft, const DrawRequest& request) const;
     bool averages(bool moving) const;
+    bool addsPaths(bool moving) const;
+    ui::QualityControl& qualityOf(Engine engine) {
+        return qualities_.at(static_cast<std::size_t>(engine));
+    }
+    std::optional<ui::Draft> next(const DrawRequest& request);
+    void tell(const ui::Draft& drawn, const Look& look, int time, const render::FrameStats& stats);
     std::optional<render::FrameStats> render(const ui::Draft& draft,
                                              const render::FrameInputs& inputs,
                                              const DrawRequest& request);
 
     render::Renderer renderer_{resourcePath("shaders")};
-    ui::QualityControl quality_;
+    // Of each engine: they differ a thousandfold.
+    std::array<ui::QualityControl, 3> qualities_{ui::QualityControl{}, ui::QualityControl{},
+                                                 ui::QualityControl{ui::kLeastShare}};
     Document seen_;  // as of the last look
     glm::ivec2 placePx_{0};
     std::optional<ui::Draft> drawn_;  // none: to be drawn again
+    bool retone_ = false;             // what is drawn is good but for its tones
+    std::uint64_t pictures_ = 0;
     std::chrono::steady_clock::time_point changed_ = std::chrono::steady_clock::now();
 };
 

@@ -35,7 +35,10 @@ std::vector<Slot*> Slots::all() {
 
 std::vector<ShownPicture> Slots::shown(const ui::PixelBox& place) {
     if (!slots_[1]) return {{slots_[0].get(), place}};
-    if (compare_.mode == CompareMode::single) {
+    if (compare_.mode == CompareMode::flicker) {
+        return {{slots_[compare_.flickered == 0 ? 0 : 1].get(), place}};
+    }
+    if (compare_.mode != CompareMode::split) {
         return {{compare_.peeking ? other() : &active(), place}};
     }
     const float at = std::clamp(compare_.splitAt, 0.0f, 1.0f);
@@ -45,6 +48,20 @@ std::vector<ShownPicture> Slots::shown(const ui::PixelBox& place) {
             {slots_[1].get(), {{column, place.lower.y}, place.upper}, {at, 1.0f}}};
 }
 
+ui::PairState Slots::pair() const {
+    if (!slots_[1]) return {};
+    const Slot &a = *slots_[0], &b = *slots_[1];
+    const auto rests = [](const Slot& slot) { return slot.waiting(false) == Slot::Waiting::no; };
+    ui::PairState state;
+    state.a = a.pictures();
+    state.b = b.pictures();
+    state.whole = a.whole() && b.whole() && a.report.sizePx == b.report.sizePx;
+    state.settled = state.whole && rests(a) && rests(b);
+    const bool traced = b.session.document.look.engine == Engine::reference;
+    if (traced) state.traced = b.report.reference;
+    return state;
+}
+
 void Slots::needSecond() {
     if (slots_[1]) return;
     slots_[1] = make_();
@@ -52,15 +69,29 @@ void Slots::needSecond() {
     compare_.second = true;
 }
 
+/// Anew, so that nothing of what B was comes in later.
+void Slots::traceInB() {
+    slots_[1].reset();
+    needSecond();
+    Session& traced = slots_[1]->session;
+    traced.document.look.engine = Engine::reference;
+    traced.history.restart(traced.document);
+    compare_.mode = CompareMode::split;
+    compare_.linkedCameras = compare_.linkedTimes = compare_.figures = true;
+    compare_.active = 0;
+    compare_.wanted = linkedTime_ = -1;
+}
+
 bool Slots::carryOut() {
     const int before = compare_.active;
+    if (std::exchange(compare_.trace, false)) traceInB();
     if (compare_.wanted >= 0) {
         if (compare_.wanted == 1) needSecond();
         compare_.active = compare_.wanted;
         compare_.wanted = -1;
     }
     if (compare_.close) {
-        compare_.close = compare_.second = compare_.peeking = false;
+        compare_.close = compare_.second = compare_.peeking = compare_.figures = false;
         compare_.mode = CompareMode::single;
         compare_.active = 0;
         slots_[1].reset();
@@ -92,7 +123,8 @@ SessionState Slots::state() const {
         if (slot) state.slots.push_back(stateOf(slot->session));
     }
     state.active = compare_.active;
-    state.compare = compare_.mode;
+    const bool split = compare_.mode == CompareMode::split;
+    state.compare = split ? CompareMode::split : CompareMode::single;
     state.splitAt = compare_.splitAt;
     state.linkedCameras = compare_.linkedCameras;
     state.linkedTimes = compare_.linkedTimes;

@@ -30,6 +30,9 @@ class Slots {
     /// What is on the screen when the pictures' place is `place`.
     std::vector<ShownPicture> shown(const ui::PixelBox& place);
 
+    /// Of A and B, where there are both.
+    ui::PairState pair() const;
+
     /// Carries out what panels ask of `compare`. True when another slot is the active one.
     bool carryOut();
     /// Has the other slot follow camera and time of the active one, as far as they are linked.
@@ -41,6 +44,7 @@ class Slots {
 
   private:
     void needSecond();
+    void traceInB();
 
     ui::CompareState& compare_;
     Make make_;

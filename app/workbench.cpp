@@ -4,15 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "app/gl/context.h"
-#include "app/gl/objects.h"
 #include "app/image_io/png.h"
+#include "app/picture_textures.h"
 #include "app/script_player.h"
 #include "app/slots.h"
 #include "app/ui/actions.h"
@@ -35,7 +35,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kWidthPx = 1280, kHeightPx = 720;
 constexpr double kIdleWaitS = 1.0;   // between looks while nothing happens
 constexpr double kBusyWaitS = 0.05;  // while data load or the picture waits to be refined
-constexpr double kAwaitS = 0.2;      // between looks at a program that runs beside this one
 constexpr double kLingerS = 1.0;     // panels are drawn on after the last input: tooltips
 constexpr double kPanelsS = 0.022;   // between two turns of the panels while a picture is drawn
 
@@ -62,7 +61,6 @@ class Workbench {
 
   private:
     std::unique_ptr<Slot> makeSlot();
-    ui::LoadedPicture loadPicture(const std::filesystem::path& png);
     void offerServices();
     void openFirst(const SceneOptions& options);
     void frameFirst();
@@ -79,14 +77,20 @@ class Workbench {
     void playScript();
     void setMemory(const std::string& memory);
     void rememberSettings();
+    void handOverPictures();
     double waitS();
+    static bool traces(const Slot& slot) {
+        return slot.session.document.look.engine == Engine::reference;
+    }
+    /// In motion paths are traced for what is edited alone, which is to be fluid.
+    bool putOff(const Slot& slot) { return moving() && traces(slot) && &slot != &slots_.active(); }
     Session& session() { return slots_.active().session; }
     bool moving() const { return interacting_ || ui_.animates; }
 
     std::vector<std::string> readers_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
-    std::map<unsigned, gl::Texture> pictures_;  // that panels asked for
+    PictureTextures textures_;  // that panels asked for
     MemoryBudget budget_;
     ui::Ui ui_;
     Slots slots_;
@@ -155,28 +159,15 @@ std::unique_ptr<Slot> Workbench::makeSlot() {
 
 void Workbench::offerServices() {
     ui_.services.loadPicture = [this](const std::filesystem::path& png) {
-        return loadPicture(png);
+        return textures_.load(png);
     };
-    ui_.services.dropPicture = [this](unsigned texture) { pictures_.erase(texture); };
+    ui_.services.showPicture = [this](const Image8& image) { return textures_.show(image); };
+    ui_.services.dropPicture = [this](unsigned texture) { textures_.drop(texture); };
     ui_.services.state = [this] { return slots_.state(); };
     ui_.services.restore = [this](const SessionState& state) {
         slots_.restore(state);
         ui_.active = &session();
     };
-}
-
-ui::LoadedPicture Workbench::loadPicture(const std::filesystem::path& png) {
-    try {
-        const Image8 image = readPng(png);
-        gl::Texture texture = gl::Texture::make2D(GL_RGBA8, image.size);
-        texture.setLinear();
-        texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-        const unsigned name = texture.name();
-        pictures_.insert_or_assign(name, std::move(texture));
-        return {name, image.size};
-    } catch (const Error&) {
-        return {};
-    }
 }
 
 void Workbench::takeInput() {
@@ -200,7 +191,8 @@ void Workbench::open(const std::vector<std::filesystem::path>& files) {
 bool Workbench::giveWay() const {
     const ui::PixelBox now = ui::pictureBox(ui_);
     const bool placed = now.lower == place_.lower && now.upper == place_.upper;
-    return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close || !placed;
+    return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close ||
+           ui_.compare.trace || !placed;
 }
 
 /// From when there is something to see: what was there at first is no change.
@@ -213,9 +205,12 @@ void Workbench::keepSession() {
 double Workbench::panelsTurn() {
     keepSession();  // a picture may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
-    if (!host_.inputWaits() && !ui_.animates) return 0.0;
     const auto start = Clock::now();
-    eventful_ = start;
+    if (host_.inputWaits() || ui_.animates) {
+        eventful_ = start;
+    } else if (secondsSince(panelsDrawn_) < ui_.againS) {
+        return 0.0;
+    }
     drawPanels();
     return 1e3 * secondsSince(start);
 }
@@ -227,7 +222,11 @@ bool Workbench::drawPicture(const ShownPicture& shown, std::size_t count) {
     request.profile = ui_.showProfile && shown.slot == &slots_.active();
     request.frameMs = 1e3 / ui_.settings.framesPerSecond / static_cast<double>(count);
     request.panels = [this] { return panelsTurn(); };
-    request.giveWay = [this] { return giveWay(); };
+    // What is edited does not wait for the other one.
+    const Slot* edited = shown.slot == &slots_.active() ? nullptr : &slots_.active();
+    request.giveWay = [this, edited] {
+        return giveWay() || (edited != nullptr && edited->changedSinceLastLook());
+    };
     return shown.slot->draw(request, ui_.profile);
 }
 
@@ -237,8 +236,17 @@ bool Workbench::drawPictures() {
     place_ = ui::pictureBox(ui_);
     const std::vector<ShownPicture> shown = slots_.shown(place_);
     bool drew = false;
-    for (const ShownPicture& picture : shown) drew |= drawPicture(picture, shown.size());
-    ui_.report = shown.front().slot->report;
+    for (const ShownPicture& picture : shown) {
+        if (!traces(*picture.slot)) drew |= drawPicture(picture, shown.size());
+    }
+    // Paths take long: whatever else there is to draw comes first.
+    const bool others = drew;
+    for (const ShownPicture& picture : shown) {
+        if (!traces(*picture.slot) || others || putOff(*picture.slot)) continue;
+        drew |= drawPicture(picture, shown.size());
+    }
+    const bool alone = ui_.compare.mode == CompareMode::single;
+    ui_.report = (alone ? *shown.front().slot : slots_.active()).report;
     const bool whole = std::ranges::all_of(shown, [this](const ShownPicture& picture) {
         return picture.slot->waiting(moving()) == Slot::Waiting::no;
     });
@@ -247,12 +255,22 @@ bool Workbench::drawPictures() {
     return drawPicture({hidden, place_}, 1);
 }
 
+/// Gives the pictures of both slots to those who tell how far they are apart.
+void Workbench::handOverPictures() {
+    if (!ui::comparesPictures(ui_.compare)) return;
+    const std::vector<Slot*> slots = slots_.all();
+    if (slots.size() < 2 || !ui_.errors.wants(slots_.pair(), Clock::now())) return;
+    const Slot &a = *slots[0], &b = *slots[1];
+    ui_.errors.start({a.linear(), b.linear(), a.halves(), b.halves()}, Clock::now());
+    ui_.again(0.0);  // what comes of it is asked for by panels
+}
+
 void Workbench::drawPanels() {
     panelsDrawn_ = Clock::now();
     ui::clearPlaces();
     host_.beginFrame();
     ui_.animates = false;
-    ui_.awaits = false;
+    ui_.againS = std::numeric_limits<double>::infinity();
     ui::draw(ui_);
     interacting_ = host_.interacting();
     Image8 image;
@@ -337,16 +355,17 @@ void Workbench::playScript() {
 
 double Workbench::waitS() {
     if (ui_.animates || script_) return 0.0;
-    double seconds = ui_.awaits ? kAwaitS : kIdleWaitS;
+    const double again = std::max(0.0, ui_.againS - secondsSince(panelsDrawn_));
+    double seconds = std::min(again, kIdleWaitS);
     for (Slot* slot : slots_.all()) {
-        const Slot::Waiting waiting = slot->waiting(moving());
+        const Slot::Waiting waiting = putOff(*slot) ? Slot::Waiting::rest : slot->waiting(moving());
         if (waiting == Slot::Waiting::now) return 0.0;
         const bool uncommitted = slot->restS() < 2.0 * History::kRestS;
         if (waiting == Slot::Waiting::rest || uncommitted || slot->session.loading()) {
-            seconds = kBusyWaitS;
+            seconds = std::min(seconds, kBusyWaitS);
         }
     }
-    return secondsSince(eventful_) < kLingerS ? kBusyWaitS : seconds;
+    return secondsSince(eventful_) < kLingerS ? std::min(seconds, kBusyWaitS) : seconds;
 }
 
 void Workbench::run() {
@@ -358,9 +377,10 @@ void Workbench::run() {
         for (Slot* slot : slots_.all()) slot->takeData();
         frameFirst();
         const bool drew = drawPictures();
+        handOverPictures();
         // Where nothing happens nothing is drawn.
-        if (drew || session().loading() || ui_.animates || ui_.awaits ||
-            secondsSince(eventful_) < kLingerS) {
+        if (drew || session().loading() || ui_.animates ||
+            secondsSince(panelsDrawn_) >= ui_.againS || secondsSince(eventful_) < kLingerS) {
             drawPanels();
         }
         noteChanges();

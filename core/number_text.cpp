@@ -25,4 +25,11 @@ std::string numberText(double value, int digits) {
     return text;
 }
 
+std::string percentText(double share, double sigma) {
+    if (!(sigma > 0.0)) return numberText(100.0 * share, 4) + " %";
+    const double percent = 100.0 * sigma;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 4);
+    return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * share, decimals, percent, decimals);
+}
+
 }  // namespace neph

@@ -8,4 +8,8 @@ namespace neph {
 /// Powers of ten where more than six digits or three zeros would stand before them.
 std::string numberText(double value, int digits = 4);
 
+/// Of a share and its standard error, 0 where it is not known: "-3.2 ± 0.02 %", with as many
+/// decimals as have meaning.
+std::string percentText(double share, double sigma = 0.0);
+
 }  // namespace neph

@@ -21,8 +21,9 @@ struct SlotState {
     bool operator==(const SlotState&) const = default;
 };
 
-/// How two slots share the picture.
-enum class CompareMode : int { single, split };
+/// How two slots share the picture: one of them alone, side by side, in turns, or as the error of A
+/// against B. Session files hold the first two.
+enum class CompareMode : int { single, split, flicker, error };
 
 struct SessionState {
     std::vector<SlotState> slots;  ///< one or two

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -40,14 +39,6 @@ std::string tableText(const std::vector<Row>& rows) {
         text += line + "\n";
     }
     return text;
-}
-
-/// "-3.2 ± 0.02 %": as many decimals as the standard error has meaning.
-std::string percentText(double value, double sigma) {
-    if (!(sigma > 0.0)) return numberText(100.0 * value, 4) + " %";
-    const double percent = 100.0 * sigma;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 4);
-    return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * value, decimals, percent, decimals);
 }
 
 std::string madeText(const ComparedPicture& of) {
@@ -175,7 +166,7 @@ std::string comparisonText(const std::vector<ComparedPicture>& pictures,
         const PictureErrors& errors = comparisons[i].errors;
         figures.push_back({pictures[i].name, percentText(errors.bias, errors.biasSigma),
                            percentText(errors.relRmse, errors.relRmseSigma),
-                           numberText(errors.relMse, 3), percentText(errors.p95, 0.0),
+                           numberText(errors.relMse, 3), percentText(errors.p95),
                            numberText(comparisons[i].flip.mean(), 3),
                            numberText(comparisons[i].flip.p95(), 3)});
     }

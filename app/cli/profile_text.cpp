@@ -55,6 +55,18 @@ std::vector<ProfileRow> sampleRows(const render::SampleCounts& counts) {
          fmt::format("{:.0f} % of rays", 100.0 * aRay(counts.terminated))}};
 }
 
+std::vector<ProfileRow> pathRows(const render::ReferenceProgress& traced, glm::ivec2 sizePx) {
+    const double paths = 1.0 * traced.samples * sizePx.x * sizePx.y;
+    const auto aPath = [&](std::uint64_t count) {
+        return fmt::format("{:.1f} a path", static_cast<double>(count) / std::max(1.0, paths));
+    };
+    const double aSecond = paths / std::max(traced.seconds, 1e-6);
+    return {{"paths", countText(static_cast<std::uint64_t>(paths)),
+             countText(static_cast<std::uint64_t>(aSecond)) + " a second"},
+            {"scatterings", countText(traced.scatterings), aPath(traced.scatterings)},
+            {"collisions", countText(traced.collisions), aPath(traced.collisions)}};
+}
+
 std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {
     std::vector<ProfileRow> rows{{"GPU memory", mebibytes(renderer.gpuBytes()), ""}};
     for (const auto& [name, bytes] : renderer.memory()) {
@@ -69,15 +81,18 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
                       const render::Renderer& renderer) {
     const Parameter& engine = parameter("view.engine");
     const bool marches = inputs.look.engine == Engine::march;
+    const bool traces = inputs.look.engine == Engine::reference;
     ui::Profile profile;
     profile.engine = screenText(engine, valueOf(inputs.look, engine));
     profile.device = renderer.deviceName();
     profile.picture = {{"picture", fmt::format("{} x {} px", inputs.sizePx.x, inputs.sizePx.y),
-                        fmt::format("{} {}", stats.planes, marches ? "steps" : "planes")},
+                        traces ? fmt::format("{} a pixel", stats.reference.samples)
+                               : fmt::format("{} {}", stats.planes, marches ? "steps" : "planes")},
                        {"frame", fmt::format("{:.2f} ms", stats.milliseconds),
                         fmt::format("{:.1f} fps", 1000.0 / std::max(stats.milliseconds, 1e-3))}};
     profile.passes = passRows(stats);
     if (marches && stats.marchedEye) profile.samples = sampleRows(stats.samples);
+    if (traces) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);
     profile.memory = memoryRows(renderer);
     profile.redone = redoneText(stats);
     return profile;

@@ -10,6 +10,12 @@ bool hasSecond(const Ui& ui) {
     return ui.compare.second;
 }
 
+/// Turns a way of sharing the picture on, or off again.
+void toggle(Ui& ui, CompareMode mode) {
+    ui.compare.mode = ui.compare.mode == mode ? CompareMode::single : mode;
+    if (!ui.compare.second) ui.compare.wanted = 1;
+}
+
 const std::array kActions{
     Action{.id = "compare.a",
            .label = "Slot A",
@@ -31,13 +37,42 @@ const std::array kActions{
            .menu = Menu::compare,
            .chord = {Key::n3},
            .help = "A to the left of a line that can be dragged, B to the right of it",
-           .run =
-               [](Ui& ui) {
-                   const bool split = ui.compare.mode == CompareMode::split;
-                   ui.compare.mode = split ? CompareMode::single : CompareMode::split;
-                   if (!ui.compare.second) ui.compare.wanted = 1;
-               },
+           .run = [](Ui& ui) { toggle(ui, CompareMode::split); },
            .checked = [](const Ui& ui) { return ui.compare.mode == CompareMode::split; }},
+    Action{.id = "compare.flicker",
+           .label = "Flicker",
+           .menu = Menu::compare,
+           .chord = {Key::n4},
+           .help = "A and B in turns, half a second each: what differs moves",
+           .run = [](Ui& ui) { toggle(ui, CompareMode::flicker); },
+           .checked = [](const Ui& ui) { return ui.compare.mode == CompareMode::flicker; }},
+    Action{.id = "compare.error",
+           .label = "Error picture",
+           .menu = Menu::compare,
+           .chord = {Key::x},
+           .help = "Where A is darker than B, blue, or brighter, red",
+           .run = [](Ui& ui) { toggle(ui, CompareMode::error); },
+           .checked = [](const Ui& ui) { return ui.compare.mode == CompareMode::error; }},
+    Action{.id = "compare.figures",
+           .label = "Figures",
+           .menu = Menu::compare,
+           .chord = {},
+           .help = "How far A is from B: bias, relRMSE, relMSE, p95, FLIP",
+           .run = [](Ui& ui) { ui.compare.figures = !ui.compare.figures; },
+           .enabled = hasSecond,
+           .checked = [](const Ui& ui) { return ui.compare.figures; }},
+    Action{.id = "compare.reference",
+           .label = "Compare with the reference",
+           .menu = Menu::compare,
+           .chord = {},
+           .help = "B becomes what the reference draws of A: side by side, with figures",
+           .run = [](Ui& ui) { ui.compare.trace = true; },
+           .enabled =
+               [](const Ui& ui) {
+                   const bool traced = ui.session().document.look.engine == Engine::reference;
+                   return ui.compare.second || !traced;
+               },
+           .separated = true},
     Action{.id = "compare.link_cameras",
            .label = "Link the cameras",
            .menu = Menu::compare,

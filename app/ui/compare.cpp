@@ -1,10 +1,11 @@
-// compare.cpp: the line between two pictures, their labels, and peeking.
+// compare.cpp: the line between two pictures, their labels, peeking, and pictures in turns.
 #include "app/ui/compare.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/ui/layout.h"
 #include "app/ui/panels.h"
@@ -13,6 +14,7 @@
 namespace neph::ui {
 namespace {
 
+constexpr double kTurnS = 0.5;   // of each picture where they are in turns
 constexpr float kGripPx = 9.0f;  // width that the mouse takes for the line, at a scale of 1
 constexpr ImU32 kLine = IM_COL32(255, 255, 255, 200);
 constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
@@ -64,12 +66,26 @@ void updatePeeking(Ui& ui) {
                          !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
 }
 
+void takeTurns(Ui& ui) {
+    const double turns = ImGui::GetTime() / kTurnS;
+    ui.compare.flickered = static_cast<int>(std::fmod(turns, 2.0));
+    ui.again(kTurnS * (std::floor(turns) + 1.0 - turns));
+}
+
+int seenSlot(const CompareState& compare) {
+    if (compare.mode == CompareMode::flicker) return compare.flickered;
+    return compare.peeking ? 1 - compare.active : compare.active;
+}
+
 }  // namespace
 
 void drawCompare(Ui& ui) {
     updatePeeking(ui);
     CompareState& compare = ui.compare;
     if (!compare.second) return;
+    if (compare.mode == CompareMode::flicker) takeTurns(ui);
+    drawCompareErrors(ui);
+    if (compare.mode == CompareMode::error && ui.errors.texture != 0) return;  // it has a legend
     const Area area = layoutOf(ui).picture;
     const float margin = 0.6f * ImGui::GetFontSize();
     const float top = area.lower.y + margin;
@@ -81,9 +97,8 @@ void drawCompare(Ui& ui) {
         return;
     }
     constexpr std::array kNames{"A", "B"};
-    const int seen = compare.peeking ? 1 - compare.active : compare.active;
-    label(kNames.at(static_cast<std::size_t>(seen)), {area.lower.x + area.size().x / 2.0f, top},
-          0.5f, !compare.peeking);
+    label(kNames.at(static_cast<std::size_t>(seenSlot(compare))),
+          {area.lower.x + area.size().x / 2.0f, top}, 0.5f, !compare.peeking);
 }
 
 }  // namespace neph::ui

@@ -188,7 +188,7 @@ void drawPhasePlot(Ui& ui, Species species) {
     const float em = ImGui::GetFontSize();
     const Document& document = ui.session().document;
     const PhaseCurve::Made* curve = curveOf(ui.fields, document.look, species);
-    ui.awaits |= ui.fields.curves[static_cast<std::size_t>(species)].making.valid();
+    if (ui.fields.curves[static_cast<std::size_t>(species)].making.valid()) ui.again(kLookS);
     if (curve == nullptr) {
         ImGui::TextDisabled("Droplets are being computed ...");
         return;

@@ -77,7 +77,7 @@ void exportPicture(Ui& ui) {
 void updateExport(Ui& ui) {
     OutputState& output = ui.output;
     if (!exports(ui)) return;
-    ui.awaits = true;
+    ui.again(kLookS);
     const ExportJob::State state = output.job->poll();
     if (state == ExportJob::State::running) return;
     removeSession(output);

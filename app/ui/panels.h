@@ -28,6 +28,7 @@ void drawSessionDialogs(Ui& ui);  ///< data that have moved, what was opened lat
 void drawOutput(Ui& ui);          ///< the export dialogue and the export that runs
 void drawProfile(const Ui& ui);   ///< what the picture cost
 void drawCompare(Ui& ui);         ///< the line between two slots' pictures, and peeking
+void drawCompareErrors(Ui& ui);   ///< how far A is from B, as figures and as colours
 
 /// Shows the part of the domain that holds the clouds that are seen, with a margin.
 void showAroundClouds(Ui& ui);

@@ -54,7 +54,7 @@ void updateThumbnails(Ui& ui) {
         if (missing && !presets.triedThumbnails) startMaker(ui);
         return;
     }
-    ui.awaits = true;
+    ui.again(kLookS);
     if (presets.thumbnails->poll()) return;
     if (presets.thumbnails->status() != 0) {
         ui.session().say(Message::Kind::warning, "The presets' pictures could not be made: " +

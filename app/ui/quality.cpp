@@ -7,7 +7,6 @@
 namespace neph::ui {
 namespace {
 
-constexpr double kMinShare = 0.004;  // a sixth in each direction; coarser shows nothing useful
 constexpr double kLargeShare = 0.1;  // a picture that tells what a full one costs
 constexpr double kFullShare = 0.9;   // from here on the full picture is drawn
 constexpr double kRung = 1.15;       // from one size to the next
@@ -17,6 +16,7 @@ constexpr int kMinPlanes = 24;
 constexpr int kMinSidePx = 15;
 constexpr double kMargin = 0.9;     // of the time there is: frames of one size differ a little
 constexpr double kMinAimMs = 10.0;  // for the picture, where the panels alone take all there is
+constexpr int kLarger = 2;          // times width and height, from one picture of paths to the next
 constexpr double kSmoothing = 0.2;  // weight of the last frame's panels
 
 int scaled(int whole, double share, int least) {
@@ -91,7 +91,7 @@ void QualityControl::aim(double work, double costMs) {
     const double ideal = aimMs() / costMs;
     if (ideal > kStayAbove * work && ideal < kStayBelow * work) return;
     motionShare_ = std::clamp(ideal, motionShare_ * 0.4, motionShare_ * 1.6);
-    motionShare_ = std::clamp(motionShare_, kMinShare, 1.0);
+    motionShare_ = std::clamp(motionShare_, kLeastShare, 1.0);
 }
 
 void QualityControl::measuredPanels(double milliseconds) {
@@ -105,6 +105,23 @@ std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& w
     Draft further = *shown;
     ++further.sample;
     return further;
+}
+
+std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& moving,
+                                glm::ivec2 windowPx, double restS, double fullMs, bool more) {
+    if (!shown) return moving;
+    Draft next = *shown;
+    if (shown->step == kFullStep) {
+        if (!more) return {};
+        ++next.sample;
+        return next;
+    }
+    if (restS < kRefinements.front().restS) return {};
+    next = {kLarger * shown->sizePx, 1.0, 1};
+    // A picture that is nearly full is not worth its time.
+    const bool large = kLarger * next.sizePx.x > windowPx.x || kLarger * next.sizePx.y > windowPx.y;
+    if (large || fullMs <= kRefinements.front().fullMs) next = {windowPx, 1.0, kFullStep};
+    return next;
 }
 
 int planesOf(const Draft& draft, int planes) {

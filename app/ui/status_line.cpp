@@ -20,10 +20,19 @@ std::string plural(int count, const char* what) {
 
 /// "march, 512 steps, 16 samples", "slicing, 320 planes, draft".
 std::string workText(const FrameReport& report) {
-    const std::string work = report.engine == Engine::slicing
-                                 ? "slicing, " + plural(report.planes, "plane")
-                                 : fmt::format("march, {}, {}", plural(report.planes, "step"),
-                                               plural(report.samples, "sample"));
+    std::string work;
+    switch (report.engine) {
+        case Engine::march:
+            work = fmt::format("march, {}, {}", plural(report.planes, "step"),
+                               plural(report.samples, "sample"));
+            break;
+        case Engine::slicing:
+            work = "slicing, " + plural(report.planes, "plane");
+            break;
+        case Engine::reference:
+            work = "Reference, " + pathsText(report.reference);
+            break;
+    }
     return work + (report.full ? "" : ", draft");
 }
 
@@ -45,8 +54,12 @@ std::string memoryText(const Ui& ui) {
 std::vector<std::string> frameTexts(const Ui& ui) {
     const FrameReport& report = ui.report;
     if (report.sizePx.x == 0) return {memoryText(ui), report.device};
-    return {timeText(ui), fmt::format("{} \u00d7 {} px", report.sizePx.x, report.sizePx.y),
-            workText(report), memoryText(ui), report.device};
+    const std::string size = fmt::format("{} \u00d7 {} px", report.sizePx.x, report.sizePx.y);
+    // How long a pass took is no measure of anything.
+    if (report.engine == Engine::reference) {
+        return {workText(report), size, memoryText(ui), report.device};
+    }
+    return {timeText(ui), size, workText(report), memoryText(ui), report.device};
 }
 
 std::string firstLine(const std::string& text) {

@@ -4,17 +4,20 @@
 // Panels see core and ImGui, and leave room for the picture, which the window draws itself.
 // Requests are plain flags that the workbench carries out after the frame.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/ui/camera_tools.h"
 #include "app/ui/compare.h"
+#include "app/ui/compare_errors.h"
 #include "app/ui/fields_state.h"
 #include "app/ui/layout.h"
 #include "app/ui/output_state.h"
@@ -22,7 +25,9 @@
 #include "app/ui/playback.h"
 #include "app/ui/preset_browser.h"
 #include "app/ui/profile.h"
+#include "app/ui/reference_report.h"
 #include "app/ui/session_dialogs.h"
+#include "core/image.h"
 #include "core/session.h"
 #include "core/session_state.h"
 #include "core/settings.h"
@@ -38,8 +43,9 @@ struct FrameReport {
     glm::ivec2 sizePx{0};
     bool full = false;  ///< at the resolution of the window and with all planes or steps
     std::string device;
-    std::size_t gpuBytes = 0;  ///< held for this slot's pictures
-    int time = -1;             ///< of the data in it; -1: not told
+    std::size_t gpuBytes = 0;     ///< held for this slot's pictures
+    int time = -1;                ///< of the data in it; -1: not told
+    ReferenceReport reference{};  ///< of that engine alone
 };
 
 struct Requests {
@@ -51,7 +57,7 @@ struct Requests {
     bool restyle = false;               ///< theme or scale are others: before the next frame
 };
 
-/// A picture file as a texture, for thumbnails.
+/// A picture as a texture.
 struct LoadedPicture {
     unsigned texture = 0;  ///< for ImGui; 0 where the file could not be read
     glm::ivec2 sizePx{0};
@@ -60,12 +66,16 @@ struct LoadedPicture {
 /// What the window does for panels, which know neither GL nor picture files. Empty in tests.
 struct Services {
     std::function<LoadedPicture(const std::filesystem::path& png)> loadPicture;
+    std::function<LoadedPicture(const Image8& picture)> showPicture;
     std::function<void(unsigned texture)> dropPicture;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state.
     std::function<void(const SessionState&)> restore;
 };
+
+/// Seconds between looks at what goes on beside the window.
+inline constexpr double kLookS = 0.2;
 
 struct Ui {
     Ui() = default;
@@ -88,11 +98,13 @@ struct Ui {
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
     /// Something moves by itself: set anew in every frame in which it does.
     bool animates = false;
-    /// A program runs beside this one and is to be looked at now and then; set anew likewise.
-    bool awaits = false;
+    /// Seconds after which panels are to be drawn again, though nothing moves; set anew likewise.
+    double againS = std::numeric_limits<double>::infinity();
+    void again(double seconds) { againS = std::min(againS, seconds); }
     PresetBrowser presets;
     CameraTools cameraTools;
     CompareState compare;
+    CompareErrors errors;
     FieldsState fields;
     OutputState output;
     Palette palette;

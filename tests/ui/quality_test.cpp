@@ -181,3 +181,53 @@ TEST_CASE("Nothing replaces a picture at rest but a finer one") {
     CHECK_FALSE(ui::nextDraft(full, moving, false));
     CHECK(ui::nextDraft(full, moving, true)->sizePx == kWindowPx);
 }
+
+TEST_CASE("Paths at rest: four times the pixels each, then one a pixel after the other") {
+    const ui::Draft moving{{81, 45}, 1.0, 0};
+    constexpr double kSlowMs = 100e3;
+    const auto at = [&](const std::optional<ui::Draft>& shown, double restS, bool more = true) {
+        return ui::nextTraced(shown, moving, kWindowPx, restS, kSlowMs, more);
+    };
+    std::optional<ui::Draft> shown = at({}, 0.0);
+    CHECK(shown == moving);
+    CHECK_FALSE(at(shown, 0.0));  // a hand is on it
+    for (const glm::ivec2 size : {glm::ivec2(162, 90), {324, 180}}) {
+        shown = at(shown, 0.1);
+        CHECK(shown == ui::Draft{size, 1.0, 1});
+    }
+    // Of 648 x 360 the full picture is hardly four times as much.
+    for (int sample = 0; sample < 3; ++sample) {
+        shown = at(shown, 0.1);
+        CHECK(shown == ui::Draft{kWindowPx, 1.0, ui::kFullStep, sample});
+    }
+    CHECK_FALSE(at(shown, 60.0, false));  // its error is small enough
+}
+
+TEST_CASE("Where a picture of paths is quick there is no smaller one before it") {
+    const ui::Draft moving{{324, 180}, 1.0, 0};
+    const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
+    CHECK(ui::nextTraced(moving, moving, kWindowPx, 0.1, 500.0, true) == full);
+    CHECK(ui::nextTraced({}, full, kWindowPx, 0.0, 20.0, true) == full);
+}
+
+TEST_CASE("In motion the first picture of paths is as small as any, however slow they are") {
+    for (const double fullMs : {1e2, 1e4, 1e6}) {
+        CAPTURE(fullMs);
+        ui::QualityControl quality(ui::kLeastShare);
+        const double leastDetail = ui::leastDetailOf(Engine::reference);
+        const ui::Draft first = quality.draft(0.0, kWindowPx, leastDetail);
+        CHECK(first.sizePx.x <= 81);  // a sixteenth of the width
+        CHECK(first.detail == 1.0);
+        const Machine machine{fullMs, 1.0};
+        for (int i = 0; i < 40; ++i) {
+            const ui::Draft draft = quality.draft(0.0, kWindowPx, leastDetail);
+            quality.measured(draft, machine.pictureMs(draft), kWindowPx);
+        }
+        const ui::Draft settled = quality.draft(0.0, kWindowPx, leastDetail);
+        if (fullMs > 1e3) {
+            CHECK(settled == first);
+        } else {
+            CHECK(settled.sizePx.x > 2 * first.sizePx.x);
+        }
+    }
+}
