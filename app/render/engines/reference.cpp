@@ -66,7 +66,11 @@ void ReferenceEngine::prepare(const MediumTextures& medium, const RegularGrid& g
 
 FrameBlock ReferenceEngine::blockOf(const FrameInputs& inputs, const RegularGrid& grid,
                                     const MediumTextures& medium) const {
-    return makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{});
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{});
+    // The look has the radiance c of the ground in full light, an irradiance of 4π: a Lambert
+    // surface of albedo c / 4.
+    block.ground = glm::vec4(0.25f * glm::vec3(block.ground), block.ground.w);
+    return block;
 }
 
 void ReferenceEngine::render(const FrameInputs& inputs, const RegularGrid& grid,

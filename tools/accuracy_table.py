@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Prints the tables of docs/accuracy.md from the JSON files of tools/accuracy.
+
+usage: accuracy_table.py FOLDER
+"""
+import json
+import pathlib
+import sys
+
+NAMES = {
+    "slicing:light.phase_display=physical:mode.transport=low_albedo": "low albedo",
+    "slicing:light.phase_display=physical:mode.transport=translucent:light.form=printed":
+        "translucent, as printed",
+    "slicing:light.phase_display=physical:mode.transport=translucent:light.form=consistent":
+        "translucent, consistent",
+    "march:light.phase_display=physical": "march",
+    "march": "march, phase display of the look",
+}
+
+
+def cell(picture):
+    bias, rmse = 100 * picture["bias"], picture["rel_rmse"]
+    text = "–" if rmse is None else f"{100 * rmse:.0f}"
+    return f"{bias:+.0f} · {text} · {picture['flip']['mean']:.2f}"
+
+
+def main():
+    files = sorted(pathlib.Path(sys.argv[1]).glob("*.json"))
+    print("| view, sun (azimuth, elevation) | " + " | ".join(NAMES.values()) + " | noise |")
+    print("|---|" + "---|" * (len(NAMES) + 1))
+    for file in files:
+        data = json.loads(file.read_text())
+        case, view, azimuth, elevation = file.stem.split("-")
+        pictures = {p["name"]: p for p in data["pictures"]}
+        cells = [cell(pictures[name]) for name in NAMES]
+        noise = 100 * next(iter(pictures.values()))["noise_taken_off"]
+        print(f"| {case} {view}, {azimuth}°, {elevation}° | " + " | ".join(cells) + f" | {noise:.0f} |")
+
+
+main()
