@@ -48,7 +48,7 @@ std::vector<glm::vec4> read(const gl::Texture& texture) {
 
 gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
                        gl::ProgramCache& programs) {
-    const glm::ivec3 size = glm::clamp(medium.first.size(), glm::ivec3(1), kMostSunDepth);
+    const glm::ivec3 size = glm::min(4 * medium.first.size(), kMostSunDepth);
     gl::Texture depth = gl::Texture::make3D(GL_R16F, size);
     depth.setLinear();
     std::vector<std::string> defines = mediumDefines(medium);
