@@ -135,11 +135,12 @@ std::pair<Opened, Json> measureOpening(const BenchOptions& options, const Scene&
 
 void measureSections(const bench::Run& run, Json& result) {
     using Measure = Json (*)(const bench::Run&);
-    constexpr std::array<std::pair<std::string_view, Measure>, 4> kSections{
+    constexpr std::array<std::pair<std::string_view, Measure>, 5> kSections{
         {{"modes", bench::measureModes},
          {"changes", bench::measureChanges},
          {"growth", bench::measureGrowth},
-         {"window", bench::measureWindow}}};
+         {"window", bench::measureWindow},
+         {"reference", bench::measureReference}}};
     const std::vector<std::string>& asked = run.options.sections;
     for (const auto& [name, measure] : kSections) {
         if (std::find(asked.begin(), asked.end(), name) == asked.end()) continue;

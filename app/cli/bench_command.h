@@ -9,10 +9,11 @@ namespace neph {
 struct BenchOptions {
     std::vector<std::string> files;    ///< none: the bundled storm
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
-    std::vector<std::string> sections{"modes", "changes"};  ///< of modes, changes, growth, window
-    std::vector<std::string> sizes;                         ///< WxH; none: each section's own
-    std::vector<std::string> grids{"128"};                  ///< N or XxYxZ cells
-    std::string engine = "both";                            ///< march, slicing or both
+    /// Of modes, changes, growth, window, reference.
+    std::vector<std::string> sections{"modes", "changes"};
+    std::vector<std::string> sizes;         ///< WxH; none: each section's own
+    std::vector<std::string> grids{"128"};  ///< N or XxYxZ cells
+    std::string engine = "both";            ///< march, slicing or both
     int steps = 128;        ///< or slices, along the diagonal of what is occupied; [Riley03] §5
     int frames = 12;        ///< measured of each row, evenly round the storm
     int growthTo = 256;     ///< cells along the longest side of the largest grid of `growth`

@@ -19,4 +19,7 @@ Json measureGrowth(const Run& run);
 /// An orbit as the workbench draws it, its quality adapting, without its panels.
 Json measureWindow(const Run& run);
 
+/// Paths, collisions and scatterings a second of the reference, and the time to an error.
+Json measureReference(const Run& run);
+
 }  // namespace neph::bench

@@ -225,10 +225,10 @@ void addBench(CLI::App& app, BenchOptions& options) {
     CLI::App& command = *app.add_subcommand("bench", "Measure frame times, beside a floor");
     command.add_option("FILE", options.files, "Data; none: the bundled storm");
     command.add_option("--section", options.sections, "What to measure; may be a list")
-        ->type_name("modes|changes|growth|window")
+        ->type_name("modes|changes|growth|window|reference")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"modes", "changes", "growth", "window"}))
+        ->check(CLI::IsMember({"modes", "changes", "growth", "window", "reference"}))
         ->capture_default_str();
     command.add_option("--size", options.sizes, "In pixels; none: each section's own")
         ->type_name("WxH")
