@@ -337,7 +337,7 @@ void Workbench::playScript() {
     const ScriptWorld world{ui_,
                             host_.sizePx(),
                             [this] {
-                                if (ui::exports(ui_)) return false;
+                                if (ui::exports(ui_) || ui_.errors.busy()) return false;
                                 return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
                                     return !slot->session.loading() &&
                                            slot->waiting(false) == Slot::Waiting::no;

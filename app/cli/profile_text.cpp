@@ -62,7 +62,7 @@ std::vector<ProfileRow> pathRows(const render::ReferenceProgress& traced, glm::i
     };
     const double aSecond = paths / std::max(traced.seconds, 1e-6);
     return {{"paths", countText(static_cast<std::uint64_t>(paths)),
-             countText(static_cast<std::uint64_t>(aSecond)) + " a second"},
+             countText(static_cast<std::uint64_t>(aSecond)) + "/s"},
             {"scatterings", countText(traced.scatterings), aPath(traced.scatterings)},
             {"collisions", countText(traced.collisions), aPath(traced.collisions)}};
 }
