@@ -26,7 +26,8 @@
 namespace neph {
 namespace {
 
-constexpr int kSamples = 4;  // of the march; more does not show at this size
+// Of the march, more do not show at this size; of the reference, more take too long.
+constexpr int kSamples = 4;
 
 struct Wanted {
     PresetEntry preset;
@@ -93,7 +94,7 @@ Image8 Storm::pictureOf(const Preset& preset, glm::ivec2 sizePx) {
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,
                                 static_cast<double>(sizePx.x) / sizePx.y);
-    const int samples = preset.look.engine == Engine::march ? kSamples : 1;
+    const int samples = preset.look.engine == Engine::slicing ? 1 : kSamples;
     for (; inputs.sample < samples; ++inputs.sample) renderer_.render(inputs, goesOn_);
     return renderer_.readDisplay();
 }
