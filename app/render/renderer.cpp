@@ -231,6 +231,11 @@ void Renderer::Impl::describe(const FrameInputs& inputs, Stage stage, FrameStats
     stats.redone = stage;
     if (traces) {
         stats.reference = reference.progress(programs);
+        if (stats.reference.samples == 1 && stats.reference.faults > 0) {
+            messages.push_back(
+                fmt::format("{} paths of the reference brought no number and count as dark",
+                            stats.reference.faults));
+        }
         stats.marchedLight = false;
     } else {
         const SlicePlan& plan = slices ? slicing.plan() : march.plan();

@@ -176,7 +176,8 @@ void turn(inout Path p, uint lane) {
     vec3 next = directionAround(p.axis, drawn.x, u.z);
     vec3 near = directionAround(towards, drawnNear.x, v.y);
     float reach = sunReach(p.positionM);
-    bool branches = p.direct && p.waiting < kMostWaiting;
+    bool shines = largestOf(u_.sunRadiance.rgb) > 0.0;
+    bool branches = shines && p.direct && p.waiting < kMostWaiting;
     float branching = branches ? max(kBranching * reach, kLeastBranching) : 0.0;
     Sent toNext = sentTo(p, medium, mixture, next);
     Sent toNear = sentTo(p, medium, mixture, near);
