@@ -64,9 +64,8 @@ Slot::Waiting Slot::waiting(bool moving) const {
     if (!session.shown()) return Waiting::no;
     if (!drawn_ || retone_) return Waiting::now;
     if (drawn_->step < ui::kFullStep) return Waiting::rest;
-    const bool further = session.document.look.engine == Engine::reference
-                             ? addsPaths(moving)
-                             : averages(moving) && drawn_->sample + 1 < ui::kSamples;
+    const bool further =
+        traces() ? addsPaths(moving) : averages(moving) && drawn_->sample + 1 < ui::kSamples;
     return further ? Waiting::now : Waiting::no;
 }
 

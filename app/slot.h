@@ -55,6 +55,7 @@ class Slot {
     unsigned texture() const { return renderer_.displayTexture(); }
     /// Counts the pictures; one that has but other tones is none.
     std::uint64_t pictures() const { return pictures_; }
+    bool traces() const { return session.document.look.engine == Engine::reference; }
     /// Whether the picture is of the document, and in full.
     bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }
     /// The picture in linear light, and its halves where the reference drew it.

@@ -57,8 +57,7 @@ ui::PairState Slots::pair() const {
     state.b = b.pictures();
     state.whole = a.whole() && b.whole() && a.report.sizePx == b.report.sizePx;
     state.settled = state.whole && rests(a) && rests(b);
-    const bool traced = b.session.document.look.engine == Engine::reference;
-    if (traced) state.traced = b.report.reference;
+    if (b.traces()) state.traced = b.report.reference;
     return state;
 }
 

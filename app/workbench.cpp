@@ -79,11 +79,11 @@ class Workbench {
     void rememberSettings();
     void handOverPictures();
     double waitS();
-    static bool traces(const Slot& slot) {
-        return slot.session.document.look.engine == Engine::reference;
+    /// In motion paths are traced for what is edited alone, and never while other data come.
+    bool putOff(const Slot& slot) {
+        const bool waits = slot.session.loading() || (moving() && &slot != &slots_.active());
+        return waits && slot.traces();
     }
-    /// In motion paths are traced for what is edited alone, which is to be fluid.
-    bool putOff(const Slot& slot) { return moving() && traces(slot) && &slot != &slots_.active(); }
     Session& session() { return slots_.active().session; }
     bool moving() const { return interacting_ || ui_.animates; }
 
@@ -158,9 +158,7 @@ std::unique_ptr<Slot> Workbench::makeSlot() {
 }
 
 void Workbench::offerServices() {
-    ui_.services.loadPicture = [this](const std::filesystem::path& png) {
-        return textures_.load(png);
-    };
+    ui_.services.loadPicture = [this](const auto& png) { return textures_.load(png); };
     ui_.services.showPicture = [this](const Image8& image) { return textures_.show(image); };
     ui_.services.dropPicture = [this](unsigned texture) { textures_.drop(texture); };
     ui_.services.state = [this] { return slots_.state(); };
@@ -208,8 +206,9 @@ double Workbench::panelsTurn() {
     const auto start = Clock::now();
     if (host_.inputWaits() || ui_.animates) {
         eventful_ = start;
-    } else if (secondsSince(panelsDrawn_) < ui_.againS) {
-        return 0.0;
+    } else {
+        const double everyS = secondsSince(eventful_) < kLingerS ? ui::kLookS : kIdleWaitS;
+        if (secondsSince(panelsDrawn_) < std::min(ui_.againS, everyS)) return 0.0;
     }
     drawPanels();
     return 1e3 * secondsSince(start);
@@ -237,12 +236,12 @@ bool Workbench::drawPictures() {
     const std::vector<ShownPicture> shown = slots_.shown(place_);
     bool drew = false;
     for (const ShownPicture& picture : shown) {
-        if (!traces(*picture.slot)) drew |= drawPicture(picture, shown.size());
+        if (!picture.slot->traces()) drew |= drawPicture(picture, shown.size());
     }
     // Paths take long: whatever else there is to draw comes first.
     const bool others = drew;
     for (const ShownPicture& picture : shown) {
-        if (!traces(*picture.slot) || others || putOff(*picture.slot)) continue;
+        if (!picture.slot->traces() || others || putOff(*picture.slot)) continue;
         drew |= drawPicture(picture, shown.size());
     }
     const bool alone = ui_.compare.mode == CompareMode::single;

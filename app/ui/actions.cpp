@@ -95,6 +95,7 @@ bool runChord(Ui& ui, Chord chord) {
     });
     if (found == actions().end() || !isEnabled(*found, ui)) return false;
     found->run(ui);
+    ui.again(0.0);  // however long the next picture takes
     return true;
 }
 
