@@ -90,6 +90,9 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         CAPTURE(name);
         const LoadedPreset loaded = loadPreset(entry.path());
         CHECK(loaded.warnings.empty());
+        // Its paths are drawn by chance: few of them are no picture, and rounding that differs from
+        // machine to machine makes others of them. tests/gpu/reference_test.cpp is about it.
+        if (loaded.preset.look.engine == Engine::reference) continue;
         REQUIRE(loaded.preset.camera.has_value());
         Volumes& volumes = name == "fig01-cumulus" ? cumulus : storm;
         const bool fresh = volumes.load(loaded.preset.look);
