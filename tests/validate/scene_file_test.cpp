@@ -175,8 +175,8 @@ TEST_CASE("What is wrong in a scene is told with file, key, found, expected and 
                    "fields": [{"raw": "no.raw", "g": 0}]})"),
          "no.raw"},
     };
-    for (const auto& [text, part] : cases) {
-        const std::string said = complaintOf(text);
+    for (const auto& [text, wanted] : cases) {
+        const std::string said = complaintOf(text), part = wanted;
         CAPTURE(said);
         CAPTURE(part);
         CHECK(contains(said, part.c_str()));
