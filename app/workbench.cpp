@@ -377,8 +377,8 @@ void Workbench::run() {
         frameFirst();
         const bool drew = drawPictures();
         handOverPictures();
-        // Where nothing happens nothing is drawn.
-        if (drew || session().loading() || ui_.animates ||
+        // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.
+        if (script_ || drew || session().loading() || ui_.animates ||
             secondsSince(panelsDrawn_) >= ui_.againS || secondsSince(eventful_) < kLingerS) {
             drawPanels();
         }
