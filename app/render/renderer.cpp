@@ -20,6 +20,7 @@
 #include "app/render/medium_bake.h"
 #include "app/render/noise_texture.h"
 #include "app/render/packed_medium.h"
+#include "app/render/rows.h"
 #include "core/error.h"
 
 namespace neph::render {
@@ -311,10 +312,7 @@ ImageF Renderer::readLinear() const {
     if (rows.empty()) return image;
     glGetTextureImage(impl_->linear.name(), 0, GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(rows.size() * sizeof(glm::vec4)), rows.data());
-    image.pixels.reserve(rows.size());
-    for (auto row = rows.end(); row != rows.begin(); row -= static_cast<std::ptrdiff_t>(width)) {
-        image.pixels.insert(image.pixels.end(), row - static_cast<std::ptrdiff_t>(width), row);
-    }
+    image.pixels = fromTop(rows, width);
     return image;
 }
 
@@ -327,10 +325,7 @@ Image8 Renderer::readDisplay() const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(impl_->display.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(rows.size()), rows.data());
-    image.rgba.reserve(rows.size());
-    for (auto row = rows.end(); row != rows.begin(); row -= static_cast<std::ptrdiff_t>(stride)) {
-        image.rgba.insert(image.rgba.end(), row - static_cast<std::ptrdiff_t>(stride), row);
-    }
+    image.rgba = fromTop(rows, stride);
     return image;
 }
 

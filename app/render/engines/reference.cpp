@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "app/render/rows.h"
 
 namespace neph::render {
 namespace {
@@ -14,24 +17,18 @@ namespace {
 // a quarter have to a hundredth of its change.
 constexpr double kDepthStepVoxels = 0.25;
 
-/// From rows that begin at the bottom.
-template <typename T>
-std::vector<T> fromTop(const std::vector<T>& values, glm::ivec2 size) {
-    std::vector<T> out;
-    out.reserve(values.size());
-    const auto width = static_cast<std::ptrdiff_t>(size.x);
-    for (auto row = values.end(); row != values.begin(); row -= width) {
-        out.insert(out.end(), row - width, row);
-    }
-    return out;
-}
-
 ImageF imageOf(const std::vector<glm::vec4>& sums, glm::ivec2 size, int paths) {
     ImageF image;
     image.size = size;
-    image.pixels = fromTop(sums, size);
+    image.pixels = fromTop(sums, static_cast<std::size_t>(size.x));
     for (glm::vec4& pixel : image.pixels) pixel /= static_cast<float>(std::max(paths, 1));
     return image;
+}
+
+/// Means of the even and of the odd paths.
+std::array<ImageF, 2> meansOf(const TraceSums& sums, glm::ivec2 size, int paths) {
+    return {imageOf(sums.halves[0], size, (paths + 1) / 2),
+            imageOf(sums.halves[1], size, paths / 2)};
 }
 
 std::vector<glm::vec3> variances(const TraceSums& sums, glm::ivec2 size, int paths) {
@@ -44,7 +41,7 @@ std::vector<glm::vec3> variances(const TraceSums& sums, glm::ivec2 size, int pat
         const glm::vec3 spread = glm::vec3(sums.squares[i]) / n - mean * mean;
         out[i] = glm::max(spread, glm::vec3(0.0f)) / (n - 1.0f);
     }
-    return fromTop(out, size);
+    return fromTop(out, static_cast<std::size_t>(size.x));
 }
 
 std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
@@ -53,7 +50,7 @@ std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
         const float met = sums.halves[0][i].w + sums.halves[1][i].w;
         if (met > 0.0f) out[i] = sums.squares[i].w / met;
     }
-    return fromTop(out, size);
+    return fromTop(out, static_cast<std::size_t>(size.x));
 }
 
 }  // namespace
@@ -98,9 +95,7 @@ ReferenceProgress ReferenceEngine::progress(gl::ProgramCache& programs) {
 std::array<ImageF, 2> ReferenceEngine::halves(glm::ivec2 sizePx) const {
     const int paths = tracer_.passes();
     if (paths < 2) return {};
-    const TraceSums sums = tracer_.readSums();
-    return {imageOf(sums.halves[0], sizePx, (paths + 1) / 2),
-            imageOf(sums.halves[1], sizePx, paths / 2)};
+    return meansOf(tracer_.readSums(), sizePx, paths);
 }
 
 ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeTextures& volume,
@@ -113,8 +108,9 @@ ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeT
     ReferenceLayers layers;
     layers.size = size;
     layers.samples = paths;
-    layers.halfA = imageOf(sums.halves[0], size, (paths + 1) / 2);
-    layers.halfB = imageOf(sums.halves[1], size, paths / 2);
+    std::array<ImageF, 2> halves = meansOf(sums, size, paths);
+    layers.halfA = std::move(halves[0]);
+    layers.halfB = std::move(halves[1]);
     layers.varianceOfMean = variances(sums, size, paths);
     layers.firstScatterM = firstDistances(sums, size);
 
@@ -145,7 +141,8 @@ ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeT
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         const auto first = values.begin() + static_cast<std::ptrdiff_t>(s * count);
         layers.opticalDepth[s] =
-            fromTop(std::vector<float>(first, first + static_cast<std::ptrdiff_t>(count)), size);
+            fromTop(std::vector<float>(first, first + static_cast<std::ptrdiff_t>(count)),
+                    static_cast<std::size_t>(size.x));
         for (std::size_t i = 0; i < count; ++i)
             layers.transmittance[i] += layers.opticalDepth[s][i];
     }
