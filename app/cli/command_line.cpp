@@ -8,20 +8,20 @@
 #include <exception>
 #include <new>
 
-#include "app/cli/bench_command.h"
-#include "app/cli/compare_command.h"
-#include "app/cli/info_command.h"
+#include "app/cli/bench/bench_command.h"
+#include "app/cli/common/scene_arguments.h"
+#include "app/cli/compare/compare_command.h"
+#include "app/cli/info/info_command.h"
 #include "app/cli/presets_command.h"
 #include "app/cli/readers_command.h"
-#include "app/cli/render_command.h"
-#include "app/cli/scene_arguments.h"
-#include "app/cli/thumbnails_command.h"
+#include "app/cli/render/render_command.h"
+#include "app/cli/render/thumbnails_command.h"
 #include "app/cli/validate_command.h"
-#include "app/ui/key_table.h"
-#include "app/workbench.h"
-#include "core/names.h"
-#include "core/resources.h"
-#include "core/session_file.h"
+#include "app/ui/shell/key_table.h"
+#include "app/workbench/workbench.h"
+#include "core/base/names.h"
+#include "core/base/resources.h"
+#include "core/session/session_file.h"
 
 namespace neph {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/error.h"
-#include "core/preset_difference.h"
-#include "core/preset_files.h"
+#include "core/base/error.h"
+#include "core/preset/preset_difference.h"
+#include "core/preset/preset_files.h"
 
 namespace neph {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/scene.h"
+#include "app/cli/common/scene.h"
 
 namespace neph {
 

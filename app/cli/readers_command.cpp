@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/plugin_host.h"
+#include "core/plugin/plugin_host.h"
 
 namespace neph {
 

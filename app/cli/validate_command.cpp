@@ -10,12 +10,12 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/common/interrupt.h"
 #include "app/gl/context.h"
 #include "app/validate/checks.h"
 #include "app/validate/runner.h"
 #include "app/validate/scene_file.h"
-#include "core/resources.h"
+#include "core/base/resources.h"
 
 namespace neph {
 namespace {

@@ -13,7 +13,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace neph::gl {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace neph::gl {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/gl/shader_source.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace neph::gl {
 namespace {

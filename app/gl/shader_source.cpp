@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace neph::gl {
 namespace {

@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 
 namespace neph {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/image_io/metadata.h"
-#include "core/image.h"
+#include "core/image/image.h"
 
 namespace neph {
 

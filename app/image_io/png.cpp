@@ -15,8 +15,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 
 namespace neph {
 namespace {

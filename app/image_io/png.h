@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/image_io/metadata.h"
-#include "core/image.h"
+#include "core/image/image.h"
 
 namespace neph {
 

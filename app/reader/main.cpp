@@ -1,8 +1,8 @@
 // main.cpp of nephoscope-reader: loads one reader library and answers what the host asks of it.
 //
-// Started by core/reader_process with a socket and shared memory as descriptors 3 and 4; arguments
-// are the library and the bytes of memory that it may take. Ends when the host goes away, even
-// while the library hangs.
+// Started by core/plugin/reader_process with a socket and shared memory as descriptors 3 and 4;
+// arguments are the library and the bytes of memory that it may take. Ends when the host goes away,
+// even while the library hangs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -19,11 +19,11 @@
 #include <span>
 #include <thread>
 
-#include "core/error.h"
-#include "core/plugin_file.h"
-#include "core/plugin_library.h"
-#include "core/reader_process.h"
-#include "core/reader_wire.h"
+#include "core/base/error.h"
+#include "core/plugin/plugin_file.h"
+#include "core/plugin/plugin_library.h"
+#include "core/plugin/reader_process.h"
+#include "core/plugin/reader_wire.h"
 
 namespace {
 

@@ -13,15 +13,15 @@
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
-#include "app/render/engines/frame_block.h"
-#include "app/render/engines/march.h"
-#include "app/render/engines/reference.h"
-#include "app/render/engines/slicing.h"
-#include "app/render/medium_bake.h"
-#include "app/render/noise_texture.h"
-#include "app/render/packed_medium.h"
-#include "app/render/rows.h"
-#include "core/error.h"
+#include "app/render/engines/march/march.h"
+#include "app/render/engines/march/packed_medium.h"
+#include "app/render/engines/reference/reference.h"
+#include "app/render/engines/slicing/slicing.h"
+#include "app/render/frame/frame_block.h"
+#include "app/render/frame/rows.h"
+#include "app/render/medium/medium_bake.h"
+#include "app/render/medium/noise_texture.h"
+#include "core/base/error.h"
 
 namespace neph::render {
 
@@ -204,7 +204,7 @@ void Renderer::Impl::drawRays(const FrameInputs& inputs, Stage stage, const Prog
     const FrameInputs finer = raysOf(inputs);
     fit(rays, GL_RGBA32F, finer.sizePx);
     draw(finer, stage, rays, progress, stats);
-    const gl::Program& program = programs.get("pass/average.comp");
+    const gl::Program& program = programs.get("display/average.comp");
     program.setInt(0, inputs.supersample);
     rays.bindImage(0, GL_READ_ONLY);
     linear.bindImage(1, GL_WRITE_ONLY);
@@ -213,7 +213,7 @@ void Renderer::Impl::drawRays(const FrameInputs& inputs, Stage stage, const Prog
 }
 
 void Renderer::Impl::resolve(const FrameInputs& inputs) {
-    const gl::Program& program = programs.get("pass/resolve.comp");
+    const gl::Program& program = programs.get("display/resolve.comp");
     const glm::ivec2 lowerPx = inputs.part ? inputs.part->lowerPx : glm::ivec2(0);
     program.setInt(2, lowerPx.x);
     program.setInt(3, lowerPx.y);

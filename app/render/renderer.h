@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/render/frame_inputs.h"
-#include "app/render/reference_layers.h"
-#include "core/image.h"
-#include "core/progress.h"
-#include "core/species.h"
+#include "app/render/engines/reference/reference_layers.h"
+#include "app/render/frame/frame_inputs.h"
+#include "core/base/progress.h"
+#include "core/grid/species.h"
+#include "core/image/image.h"
 
 namespace neph::render {
 

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.h"
-#include "core/names.h"
-#include "core/strict_json.h"
+#include "core/base/error.h"
+#include "core/base/names.h"
+#include "core/base/strict_json.h"
 
 namespace neph::validate {
 

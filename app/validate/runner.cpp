@@ -12,7 +12,7 @@
 #include <map>
 #include <span>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 
 namespace neph::validate {
 namespace {

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace neph::validate {
 namespace {

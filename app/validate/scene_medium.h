@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/render/trace_meter.h"
+#include "app/render/engines/reference/trace_meter.h"
 
 namespace neph::validate {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "app/validate/scene_file.h"
-#include "core/error.h"
-#include "core/names.h"
+#include "core/base/error.h"
+#include "core/base/names.h"
 
 namespace neph::validate {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/air.h"
 #include "readers/raw_les/raw_values.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/brick_file.h"
 #include "readers/raw_les/grads_file.h"
 #include "readers/raw_les/microhh_case.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/raw_values.h"
 
 namespace raw {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 
 namespace raw {
 

@@ -1,6 +1,6 @@
 // failure.h: what this reader throws for bad input and where the host asks it to stop.
 #pragma once
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 
 namespace wrf {
 

@@ -1,5 +1,6 @@
-// reader.cpp: the door of the WRF reader: core/reader_plugin.h on one side, WrfFile on the other.
-#include "core/reader_plugin.h"
+// reader.cpp: the door of the WRF reader: core/plugin/reader_plugin.h on one side, WrfFile on the
+// other.
+#include "core/plugin/reader_plugin.h"
 #include "readers/wrf_netcdf/wrf_file.h"
 
 namespace {

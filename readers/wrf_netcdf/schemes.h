@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "core/reader_abi.h"
+#include "core/plugin/reader_abi.h"
 
 namespace wrf {
 

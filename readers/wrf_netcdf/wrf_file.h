@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/wrf_netcdf/nc_file.h"
 
 namespace wrf {

@@ -8,10 +8,10 @@
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
-#include "core/camera_format.h"
-#include "core/child_process.h"
-#include "core/session_file.h"
-#include "core/thumbnail.h"
+#include "core/base/child_process.h"
+#include "core/camera/camera_format.h"
+#include "core/session/session_file.h"
+#include "core/session/thumbnail.h"
 #include "tests/cli/program.h"
 #include "tests/environment.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/cli/program.h"
 
 using namespace neph;

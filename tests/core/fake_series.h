@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "core/error.h"
-#include "core/session.h"
+#include "core/base/error.h"
+#include "core/session/session.h"
 
 /// What all data sets of one test share.
 struct FakeSeries {

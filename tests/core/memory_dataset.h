@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/dataset.h"
+#include "core/dataset/dataset.h"
 
 /// A dataset in memory: heights, unit or given density, and species by function.
 class MemoryDataset : public neph::Dataset {

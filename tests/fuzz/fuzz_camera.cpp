@@ -2,9 +2,9 @@
 // is read can be written and read again, and leads somewhere at any time.
 #include <cstdlib>
 
-#include "core/camera_format.h"
-#include "core/error.h"
-#include "core/preset.h"
+#include "core/base/error.h"
+#include "core/camera/camera_format.h"
+#include "core/preset/preset.h"
 #include "tests/fuzz/scratch.h"
 
 namespace {

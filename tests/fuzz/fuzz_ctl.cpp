@@ -1,5 +1,5 @@
 // fuzz_ctl.cpp: any text is a GrADS descriptor, or an Error that says why not.
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/grads_ctl.h"
 #include "tests/fuzz/scratch.h"
 

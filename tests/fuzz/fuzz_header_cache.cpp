@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "core/header_cache.h"
+#include "core/dataset/header_cache.h"
 #include "tests/fuzz/scratch.h"
 
 namespace {

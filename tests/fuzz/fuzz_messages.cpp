@@ -1,5 +1,5 @@
 // fuzz_messages.cpp: whatever a reader's process sends is a message or Malformed.
-#include "core/reader_wire.h"
+#include "core/plugin/reader_wire.h"
 #include "tests/fuzz/scratch.h"
 
 namespace {

@@ -2,8 +2,8 @@
 // and read again.
 #include <cstdlib>
 
-#include "core/error.h"
-#include "core/preset.h"
+#include "core/base/error.h"
+#include "core/preset/preset.h"
 #include "tests/fuzz/scratch.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {

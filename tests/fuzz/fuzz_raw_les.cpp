@@ -1,6 +1,6 @@
 // fuzz_raw_les.cpp: any folder of raw model output is read, whole or by each of its files, or an
 // Error says why not.
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/fuzz/case_files.h"
 #include "tests/fuzz/read_everything.h"
 #include "tests/fuzz/scratch.h"

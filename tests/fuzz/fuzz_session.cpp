@@ -2,8 +2,8 @@
 // written and read again.
 #include <cstdlib>
 
-#include "core/error.h"
-#include "core/session_file.h"
+#include "core/base/error.h"
+#include "core/session/session_file.h"
 #include "tests/fuzz/scratch.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {

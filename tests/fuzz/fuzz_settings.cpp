@@ -2,9 +2,9 @@
 // saved and read again, and its memory is a size or an Error.
 #include <cstdlib>
 
-#include "core/error.h"
-#include "core/memory_setting.h"
-#include "core/settings.h"
+#include "core/base/error.h"
+#include "core/session/settings.h"
+#include "core/volume/memory_setting.h"
 #include "tests/fuzz/scratch.h"
 
 namespace {

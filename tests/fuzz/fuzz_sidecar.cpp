@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/reader_plugin.h"
+#include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/sidecar.h"
 #include "tests/fuzz/scratch.h"
 

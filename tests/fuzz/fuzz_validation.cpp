@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "app/validate/scene_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/fuzz/scratch.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {

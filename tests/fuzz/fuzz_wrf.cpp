@@ -2,7 +2,7 @@
 //
 // Files with HDF5 inside are left out: libhdf5 itself crashes and hangs on damaged ones, which is
 // why readers run in processes of their own; tests/readers/mutilation_test.cpp covers them there.
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/fuzz/read_everything.h"
 #include "tests/fuzz/scratch.h"
 

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <string>
 
-#include "core/reader_wire.h"
-#include "core/resources.h"
-#include "core/session_file.h"
+#include "core/base/resources.h"
+#include "core/plugin/reader_wire.h"
+#include "core/session/session_file.h"
 #include "tests/fuzz/case_files.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"

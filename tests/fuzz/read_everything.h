@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/plugin_file.h"
+#include "core/plugin/plugin_file.h"
 
 namespace fuzz {
 

@@ -14,9 +14,9 @@
 #include "app/gl/context.h"
 #include "app/image_io/png.h"
 #include "app/render/renderer.h"
-#include "core/dataset.h"
-#include "core/preset.h"
-#include "core/resample.h"
+#include "core/dataset/dataset.h"
+#include "core/preset/preset.h"
+#include "core/volume/resample.h"
 
 using namespace neph;
 namespace fs = std::filesystem;
@@ -91,7 +91,8 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         const LoadedPreset loaded = loadPreset(entry.path());
         CHECK(loaded.warnings.empty());
         // Its paths are drawn by chance: few of them are no picture, and rounding that differs from
-        // machine to machine makes others of them. tests/gpu/reference_test.cpp is about it.
+        // machine to machine makes others of them. tests/gpu/reference/reference_test.cpp is about
+        // it.
         if (loaded.preset.look.engine == Engine::reference) continue;
         REQUIRE(loaded.preset.camera.has_value());
         Volumes& volumes = name == "fig01-cumulus" ? cumulus : storm;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/render/frame_inputs.h"
-#include "core/species.h"
+#include "app/render/frame/frame_inputs.h"
+#include "core/grid/species.h"
 
 namespace neph::test {
 

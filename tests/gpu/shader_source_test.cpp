@@ -10,7 +10,7 @@
 
 #include "app/gl/program.h"
 #include "app/gl/shader_source.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/gpu/context.h"
 
 using namespace neph;

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <limits>
 
-#include "core/resample.h"
+#include "core/volume/resample.h"
 #include "tests/readers/reader_host.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"

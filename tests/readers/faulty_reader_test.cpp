@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/plugin_file.h"
+#include "core/plugin/plugin_file.h"
 #include "tests/environment.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"

@@ -15,7 +15,7 @@
 #include <iterator>
 #include <thread>
 
-#include "core/reader_file.h"
+#include "core/plugin/reader_file.h"
 #include "tests/environment.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"

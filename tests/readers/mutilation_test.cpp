@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <mutex>
 
-#include "core/held_volume.h"
-#include "core/native_band.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/volume/held_volume.h"
+#include "core/volume/native_band.h"
 #include "tests/readers/mutilation.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/radius_scheme.h"
-#include "core/resample.h"
+#include "core/volume/radius_scheme.h"
+#include "core/volume/resample.h"
 #include "tests/readers/reader_host.h"
 
 using namespace neph;

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/dataset.h"
-#include "core/error.h"
-#include "core/plugin_host.h"
+#include "core/base/error.h"
+#include "core/dataset/dataset.h"
+#include "core/plugin/plugin_host.h"
 #include "tests/text.h"
 
 inline const neph::PluginHost& readerHost() {

@@ -1,13 +1,13 @@
 // reader_process_test.cpp: a reader in a process of its own serves as well as one within.
-#include "core/reader_process.h"
+#include "core/plugin/reader_process.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "core/plugin_file.h"
-#include "core/plugin_library.h"
+#include "core/base/error.h"
+#include "core/plugin/plugin_file.h"
+#include "core/plugin/plugin_library.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/resample.h"
-#include "core/statistics.h"
+#include "core/volume/resample.h"
+#include "core/volume/statistics.h"
 #include "tests/readers/reader_host.h"
 
 using namespace neph;

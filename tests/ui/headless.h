@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <span>
 
-#include "app/ui/theme.h"
-#include "core/plugin_host.h"
+#include "app/ui/widgets/theme.h"
+#include "core/plugin/plugin_host.h"
 
 /// Frames are laid out and thrown away.
 class Headless {

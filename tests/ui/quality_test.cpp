@@ -1,5 +1,5 @@
 // quality_test.cpp: how finely made-up machines, slow and fast, get to draw.
-#include "app/ui/quality.h"
+#include "app/workbench/quality.h"
 
 #include <doctest/doctest.h>
 

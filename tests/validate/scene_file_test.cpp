@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "app/validate/runner.h"
-#include "core/error.h"
-#include "core/resources.h"
+#include "core/base/error.h"
+#include "core/base/resources.h"
 #include "tests/temporary_folder.h"
 #include "tests/text.h"
 

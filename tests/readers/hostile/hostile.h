@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/reader_abi.h"
+#include "core/plugin/reader_abi.h"
 
 namespace hostile {
 

@@ -1,0 +1,180 @@
+// bench_command.cpp: opening data up to the first picture, then the sections asked for.
+#include "app/cli/bench/bench_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+#include <utility>
+
+#include "app/cli/bench/bench_sections.h"
+#include "app/cli/common/scene.h"
+#include "app/gl/context.h"
+#include "app/render/renderer.h"
+#include "core/base/atomic_file.h"
+#include "core/base/resources.h"
+#include "core/dataset/file_list.h"
+#include "core/plugin/plugin_host.h"
+#include "core/volume/memory_setting.h"
+#include "core/volume/read_plan.h"
+#include "core/volume/resample.h"
+
+namespace neph {
+namespace {
+
+using bench::Json;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kBenchTime = 1;  // of the bundled storm: 01:00, the storm begins to split
+constexpr glm::ivec2 kFirstPicturePx{300};
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// A figure of /proc/self/status, bytes; 0 where there is none.
+std::uint64_t processBytes(std::string_view key) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with(key)) return std::stoull(line.substr(key.size() + 1)) * 1024;
+    }
+    return 0;
+}
+
+/// Makes the peak start again from what is resident now, proc(5).
+void resetPeak() {
+    std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+double mebibytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / 1048576.0;
+}
+
+struct Opened {
+    std::shared_ptr<Dataset> dataset;
+    int time = 0;
+    ReadPlan plan;
+    SpeciesVolume volume;
+    double openMs = 0.0, planMs = 0.0, resampleMs = 0.0;
+    std::uint64_t peakBytes = 0;  ///< resident while reading, above what there was before
+};
+
+Opened openData(const BenchOptions& options, std::uint64_t gpuBytes) {
+    Opened opened;
+    resetPeak();
+    const std::uint64_t before = processBytes("VmRSS");
+    const auto start = Clock::now();
+    opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
+    opened.openMs = millisecondsSince(start);
+    const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
+    opened.time = std::min(kBenchTime, last);
+    const auto planning = Clock::now();
+    opened.plan = planRead(*opened.dataset, opened.time, {}, memoryBudget("", gpuBytes));
+    opened.planMs = millisecondsSince(planning);
+    const auto begun = Clock::now();
+    opened.volume = resample(*opened.dataset, opened.time, {opened.plan});
+    opened.resampleMs = millisecondsSince(begun);
+    opened.peakBytes = processBytes("VmHWM") - std::min(before, processBytes("VmHWM"));
+    return opened;
+}
+
+/// The time beside the one that was opened, where there is one.
+std::optional<SpeciesVolume> readOtherTime(const Opened& opened) {
+    const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
+    if (last == 0) return {};
+    const int other = opened.time < last ? opened.time + 1 : opened.time - 1;
+    return resample(*opened.dataset, other, {opened.plan});
+}
+
+Json summaryOf(const Opened& opened, double firstPictureMs, std::uint64_t gpuBytes) {
+    const ReadPlan& plan = opened.plan;
+    const glm::ivec3 size = opened.volume.grid.size;
+    return {{"open_ms", opened.openMs},
+            {"plan_ms", opened.planMs},
+            {"resample_ms", opened.resampleMs},
+            {"first_picture_ms", firstPictureMs},
+            {"times", opened.dataset->info().times.size()},
+            {"time", opened.volume.timeLabel},
+            {"grid", bench::toJson(size)},
+            {"coarsening", plan.coarsening},
+            {"plan", describe(plan, opened.dataset->info())},
+            {"fields_bytes", plan.machineBytes},
+            {"gpu_bytes", gpuBytes},
+            {"peak_resident_bytes_reading", opened.peakBytes},
+            {"peak_resident_bytes", processBytes("VmHWM")}};
+}
+
+/// Opens the data and draws them once, as the look says.
+std::pair<Opened, Json> measureOpening(const BenchOptions& options, const Scene& scene,
+                                       Clock::time_point start) {
+    render::Renderer renderer(resourcePath("shaders"));
+    Opened opened = openData(options, rendererBytes(gl::deviceMemory()));
+    renderer.setVolume(opened.volume);
+    render::FrameInputs inputs;
+    inputs.look = scene.document.look;
+    inputs.sizePx = kFirstPicturePx;
+    inputs.camera = placeCamera(scene.document.camera, opened.volume.grid, 1.0);
+    renderer.render(inputs);
+    Json summary = summaryOf(opened, millisecondsSince(start), renderer.gpuBytes());
+    fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first picture after {:.0f} ms\n",
+               renderer.deviceName(), opened.openMs, opened.resampleMs,
+               summary["first_picture_ms"].get<double>());
+    fmt::print(stderr, "fields {:.1f} MiB, on the GPU {:.1f} MiB, peak resident {:.1f} MiB\n",
+               mebibytes(opened.plan.machineBytes), mebibytes(renderer.gpuBytes()),
+               mebibytes(processBytes("VmHWM")));
+    Json result{{"renderer", renderer.deviceName()},
+                {"version", versionText()},
+                {"threads", std::thread::hardware_concurrency()},
+                {"opening", std::move(summary)}};
+    return {std::move(opened), std::move(result)};
+}
+
+void measureSections(const bench::Run& run, Json& result) {
+    using Measure = Json (*)(const bench::Run&);
+    constexpr std::array<std::pair<std::string_view, Measure>, 5> kSections{
+        {{"modes", bench::measureModes},
+         {"changes", bench::measureChanges},
+         {"growth", bench::measureGrowth},
+         {"window", bench::measureWindow},
+         {"reference", bench::measureReference}}};
+    const std::vector<std::string>& asked = run.options.sections;
+    for (const auto& [name, measure] : kSections) {
+        if (std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
+        result[std::string(name)] = measure(run);
+    }
+}
+
+void write(const BenchOptions& options, const Json& result) {
+    const std::string text = result.dump(2) + "\n";
+    if (options.json.empty()) {
+        fmt::print("{}", text);
+    } else {
+        replaceFile(options.json, text);
+    }
+}
+
+}  // namespace
+
+int runBench(const BenchOptions& options) {
+    if (!options.json.empty()) checkReplaceable(options.json);
+    const auto start = Clock::now();
+    const Scene scene = makeScene({});
+    bench::Run run{options, scene.document.look, scene.document.camera, {}, {}};
+    run.grids();  // so that what is mistyped is said before the work
+    run.sizesOr(kFirstPicturePx);
+    const gl::HeadlessContext context;
+    auto [opened, result] = measureOpening(options, scene, start);
+    if (!options.openOnly) {
+        run.otherTime = readOtherTime(opened);
+        run.volume = std::move(opened.volume);
+        measureSections(run, result);
+    }
+    write(options, result);
+    return 0;
+}
+
+}  // namespace neph

@@ -1,0 +1,135 @@
+// bench_run.cpp: grids, cameras and medians of the sections of `bench`.
+#include "app/cli/bench/bench_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "app/cli/common/scene.h"
+#include "app/cli/render/render_options.h"
+#include "core/volume/upsample.h"
+
+namespace neph::bench {
+namespace {
+
+constexpr int kMaxCells = 2048;  // a side: what every OpenGL 4.5 driver takes
+
+}  // namespace
+
+void setMode(Look& look, const Mode& mode, Engine engine) {
+    look.transport = mode.transport;
+    look.phaseMode = mode.phase;
+    look.noise = mode.noise;
+    look.engine = engine;
+}
+
+GridRequest parseGrid(const std::string& text) {
+    std::vector<int> cells;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    bool whole = false;
+    while (!whole) {
+        int number = 0;
+        const auto [next, fault] = std::from_chars(at, end, number);
+        if (fault != std::errc{} || number < 1 || number > kMaxCells) break;
+        cells.push_back(number);
+        whole = next == end;
+        if (!whole && *next != 'x') break;
+        at = next + 1;
+    }
+    if (whole && cells.size() == 1) return {cells[0], {}};
+    if (whole && cells.size() == 3) return {0, {cells[0], cells[1], cells[2]}};
+    throw UsageError(
+        {"--grid", "cannot be read as a grid", text,
+         fmt::format("N cells along the longest side, or XxYxZ, each from 1 to {}", kMaxCells),
+         ""});
+}
+
+std::vector<glm::ivec2> Run::sizesOr(glm::ivec2 own) const {
+    if (options.sizes.empty()) return {own};
+    std::vector<glm::ivec2> sizes;
+    for (const std::string& text : options.sizes) sizes.push_back(parseSize(text));
+    return sizes;
+}
+
+std::vector<GridRequest> Run::grids() const {
+    std::vector<GridRequest> grids;
+    for (const std::string& text : options.grids) grids.push_back(parseGrid(text));
+    return grids;
+}
+
+std::vector<Engine> Run::engines() const {
+    if (options.engine == "both") return {Engine::march, Engine::slicing};
+    return {options.engine == nameOf(Engine::march) ? Engine::march : Engine::slicing};
+}
+
+render::FrameInputs Run::inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const {
+    CameraPose turned = pose;
+    orbit(turned, static_cast<float>(turnDeg), 0.0f);
+    render::FrameInputs inputs;
+    inputs.look = look;
+    inputs.sizePx = sizePx;
+    inputs.camera = placeCamera(turned, grid, static_cast<double>(sizePx.x) / sizePx.y);
+    return inputs;
+}
+
+glm::ivec3 sizeOn(const GridRequest& request, glm::ivec3 own) {
+    if (request.longest == 0) return glm::max(request.size, own);
+    const double factor = static_cast<double>(request.longest) / std::max({own.x, own.y, own.z});
+    return glm::max(glm::ivec3(glm::round(glm::dvec3(own) * factor)), own);
+}
+
+SpeciesVolume onGrid(const SpeciesVolume& volume, const GridRequest& request) {
+    SpeciesVolume finer = volume;
+    upsample(finer, sizeOn(request, volume.grid.size));
+    return finer;
+}
+
+double medianOf(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return (values[half] + values[values.size() - 1 - half]) / 2.0;
+}
+
+Json timesOf(std::span<const double> milliseconds) {
+    const auto [least, most] = std::minmax_element(milliseconds.begin(), milliseconds.end());
+    return {{"median_ms", medianOf({milliseconds.begin(), milliseconds.end()})},
+            {"min_ms", *least},
+            {"max_ms", *most}};
+}
+
+Json toJson(glm::ivec2 size) {
+    return {size.x, size.y};
+}
+
+Json toJson(glm::ivec3 size) {
+    return {size.x, size.y, size.z};
+}
+
+std::string textOf(glm::ivec2 size) {
+    return fmt::format("{} x {}", size.x, size.y);
+}
+
+std::string textOf(glm::ivec3 size) {
+    return fmt::format("{} x {} x {}", size.x, size.y, size.z);
+}
+
+std::string cell(const Json& number, int decimals) {
+    return number.is_number() ? fmt::format("{:.{}f}", number.get<double>(), decimals) : "-";
+}
+
+std::string_view nameOf(Engine engine) {
+    return parameter("view.engine").choices[static_cast<std::size_t>(engine)];
+}
+
+std::optional<double> eyeMilliseconds(const render::FrameStats& stats) {
+    for (const render::PassTime& pass : stats.passes) {
+        if (pass.name == "eye") return pass.milliseconds;
+    }
+    return {};
+}
+
+}  // namespace neph::bench

@@ -1,0 +1,152 @@
+// compare_engines.cpp: one scene, one renderer, several looks that differ in how they are drawn.
+#include "app/cli/compare/compare_engines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/cli/render/bands.h"
+#include "app/cli/render/reference_channels.h"
+#include "app/cli/render/render_sides.h"
+#include "app/cli/render/render_view.h"
+#include "app/gl/context.h"
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "core/base/resources.h"
+#include "shaders/lib/glsl_cpp.h"
+
+namespace neph {
+namespace {
+
+constexpr double kMsPerS = 1000.0;
+
+/// As the resolve pass shows it, without dither.
+Image8 displayOf(const ImageF& linear, const Look& look) {
+    Image8 image;
+    image.size = linear.size;
+    const float gain = std::exp2(look.exposureEv);
+    for (const glm::vec4& pixel : linear.pixels) {
+        const glm::vec3 shown =
+            glsl::displayValue(glm::vec3(pixel), gain, static_cast<int>(look.toneMap));
+        for (int c = 0; c < 3; ++c) {
+            image.rgba.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
+        }
+        image.rgba.push_back(255);
+    }
+    return image;
+}
+
+/// Draws one scene, seen from one place, with any engine.
+class Drawer {
+  public:
+    Drawer(const ComparisonOptions& options, const Progress& progress)
+        : options_(options), progress_(progress) {
+        const RenderOptions& render = options.render;
+        const RenderView from = parseRenderView(render.observer, render.view);
+        SideScene scene = sideScenes(render, {}).front();
+        std::vector<std::string> warnings = scene.scene.warnings;
+        const MemoryBudget budget =
+            chooseBudget(render.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
+        for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+        side_ = std::make_unique<Side>(std::move(scene), budget, progress);
+        side_->show(side_->times().front(), progress);
+        for (const std::string& note : side_->newNotes()) fmt::print(stderr, "note: {}\n", note);
+        sizePx_ = parseSize(render.size);
+        const double aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
+        pose_ = side_->what().scene.document.camera;
+        if (from.given()) pose_ = poseOf(from, pose_, side_->shown(), aspect);
+        camera_ = placeCamera(pose_, side_->shown().grid, aspect);
+    }
+
+    ComparedPicture draw(const ComparedEngine& engine);
+
+  private:
+    void keep(const ComparedEngine& engine, const LayeredImage& image, const DrawnSide& drawn,
+              const std::string& made) const;
+
+    const ComparisonOptions& options_;
+    Progress progress_;
+    gl::HeadlessContext context_;
+    std::unique_ptr<Side> side_;
+    glm::ivec2 sizePx_{0};
+    CameraPose pose_;
+    Camera camera_;
+};
+
+ComparedPicture Drawer::draw(const ComparedEngine& engine) {
+    DrawnSide drawn;
+    drawn.renderer = &side_->renderer();
+    drawn.inputs.look = side_->look();
+    for (const std::string& assignment : engine.assignments) {
+        applyAssignment(drawn.inputs.look, assignment);
+    }
+    drawn.inputs.sizePx = sizePx_;
+    drawn.inputs.camera = camera_;
+    const SamplePlan plan = planSamples(options_, drawn.inputs.look);
+    drawn.samples = plan.samples;
+    drawn.targetError = plan.targetError;
+    drawn.toPx = sizePx_.x;
+    Bands bands({drawn}, progress_);
+    LayeredImage image = bands.nextLayered();
+    while (image.colours.size.y < sizePx_.y) append(image, bands.nextLayered());
+    ComparedPicture picture;
+    picture.name = engine.name;
+    picture.device = side_->renderer().deviceName();
+    picture.made = fmt::format("{}, {}", workText(drawn, bands.stats()), picture.device);
+    const int traced = bands.stats().reference.samples;
+    picture.samples = drawn.inputs.look.engine == Engine::reference ? traced : drawn.samples;
+    picture.seconds = bands.stats().milliseconds / kMsPerS;
+    if (!image.layers.empty()) {
+        std::vector<std::vector<float>> channels;
+        for (std::size_t i = 0; i < halfChannels().size(); ++i) {
+            channels.push_back(image.layers[i].values);
+        }
+        picture.halves = halvesFrom(channels, sizePx_);
+    }
+    for (const std::string& message : side_->renderer().takeMessages()) {
+        fmt::print(stderr, "warning: {}\n", message);
+    }
+    fmt::print(stderr, "drew {} ({}, {:.1f} s)\n", engine.name, picture.made, *picture.seconds);
+    if (!options_.out.empty()) keep(engine, image, drawn, picture.made);
+    picture.picture = std::move(image.colours);
+    return picture;
+}
+
+void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const DrawnSide& drawn,
+                  const std::string& made) const {
+    Metadata metadata{{"Software", fmt::format("Nephoscope {}", versionText())}};
+    for (auto& [key, text] : side_->describe(pose_, made)) {
+        metadata.emplace_back("nephoscope." + key, text);
+    }
+    std::vector<std::string> names;
+    for (const ImageLayer& layer : image.layers) names.push_back(layer.name);
+    writeExr(fileOf(options_, engine.name, ".exr"), sizePx_, metadata, ExrPixels::full, names,
+             [&] { return image; });
+    writePng(fileOf(options_, engine.name, ".png"), displayOf(image.colours, drawn.inputs.look),
+             metadata);
+}
+
+}  // namespace
+
+std::vector<ComparedPicture> drawEngines(const ComparisonOptions& options,
+                                         const Progress& progress) {
+    if (!options.out.empty()) std::filesystem::create_directories(options.out);
+    Drawer drawer(options, progress);
+    std::vector<ComparedPicture> pictures;
+    for (const ComparedEngine& engine : parseEngines(options.engines)) {
+        pictures.push_back(drawer.draw(engine));
+    }
+    return pictures;
+}
+
+std::filesystem::path fileOf(const ComparisonOptions& options, const std::string& engine,
+                             const std::string& ending) {
+    std::string name = engine;
+    std::ranges::replace_if(
+        name, [](char c) { return c == ':' || c == '='; }, '-');
+    return std::filesystem::path(options.out) / (name + ending);
+}
+
+}  // namespace neph

@@ -1,0 +1,189 @@
+// bands.cpp: tile by tile, sample by sample.
+#include "app/cli/render/bands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/cli/render/reference_channels.h"
+#include "app/render/frame/tiles.h"
+#include "app/workbench/profile_text.h"
+
+namespace neph {
+namespace {
+
+constexpr double kLinePerHeight = 1.0 / 540.0;  // of the line between the sides; tuned by eye
+
+std::size_t count(glm::ivec2 sizePx) {
+    return static_cast<std::size_t>(sizePx.x) * static_cast<std::size_t>(sizePx.y);
+}
+
+Image8 emptyBand(glm::ivec2 sizePx, const Image8*) {
+    return {sizePx, std::vector<std::uint8_t>(4 * count(sizePx), 255)};
+}
+ImageF emptyBand(glm::ivec2 sizePx, const ImageF*) {
+    return {sizePx, std::vector<glm::vec4>(count(sizePx), glm::vec4(1.0f))};
+}
+auto pixelAt(Image8& image, int x, int y) {
+    return image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.size.x + x);
+}
+auto pixelAt(ImageF& image, int x, int y) {
+    return image.pixels.begin() + (static_cast<std::ptrdiff_t>(y) * image.size.x + x);
+}
+
+/// Puts a tile into a band whose first row is the tile's.
+template <typename Image>
+void paste(Image& tile, int x, Image& band) {
+    for (int y = 0; y < tile.size.y; ++y) {
+        std::copy(pixelAt(tile, 0, y), pixelAt(tile, tile.size.x, y), pixelAt(band, x, y));
+    }
+}
+
+/// The same of a channel of `widthPx`.
+void paste(const std::vector<float>& tile, glm::ivec2 tilePx, int x, std::vector<float>& band,
+           int widthPx) {
+    for (int y = 0; y < tilePx.y; ++y) {
+        std::copy_n(tile.begin() + static_cast<std::ptrdiff_t>(y) * tilePx.x, tilePx.x,
+                    band.begin() + static_cast<std::ptrdiff_t>(y) * widthPx + x);
+    }
+}
+
+/// Of two tiles: the worse, and the work of both.
+render::ReferenceProgress together(const render::ReferenceProgress& a,
+                                   const render::ReferenceProgress& b) {
+    if (a.samples == 0) return b;
+    return {.samples = std::min(a.samples, b.samples),
+            .relativeError = std::max(a.relativeError, b.relativeError),
+            .collisions = a.collisions + b.collisions,
+            .scatterings = a.scatterings + b.scatterings,
+            .faults = a.faults + b.faults,
+            .seconds = a.seconds + b.seconds};
+}
+
+/// Puts what the reference knows of a tile into a band.
+void pasteLayers(const render::ReferenceLayers& known, int x, int widthPx,
+                 std::vector<ImageLayer>& band) {
+    std::vector<ImageLayer> tile = channelsOf(known);
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+        std::vector<float>& values = band[i].values;
+        values.resize(static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(known.size.y));
+        paste(tile[i].values, known.size, x, values, widthPx);
+    }
+}
+
+}  // namespace
+
+std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
+    const Look& look = side.inputs.look;
+    const std::string rays = side.inputs.supersample == 1
+                                 ? std::string()
+                                 : fmt::format(", {0} x {0} rays a pixel", side.inputs.supersample);
+    if (look.engine == Engine::slicing)
+        return fmt::format("slicing, {} planes", look.planes) + rays;
+    if (look.engine == Engine::reference) {
+        const int paths = stats.reference.samples;
+        return fmt::format("reference, {} path{} a ray, error {:.2f} %", paths,
+                           paths == 1 ? "" : "s", 100.0 * stats.reference.relativeError) +
+               rays;
+    }
+    return fmt::format("march, {} steps, {} sample{}", stats.planes, side.samples,
+                       side.samples == 1 ? "" : "s") +
+           rays;
+}
+
+Bands::Bands(std::vector<DrawnSide> sides, Progress progress)
+    : sides_(std::move(sides)),
+      progress_(std::move(progress)),
+      sizePx_(sides_.front().inputs.sizePx),
+      tilePx_(render::tileSize(sizePx_, sides_.front().inputs.supersample,
+                               sides_.front().renderer->largestSidePx(), render::kMostTileRays)) {}
+
+/// All samples of one tile, or as many of the reference as its error needs, which falls with the
+/// square root of their number.
+void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
+    render::FrameInputs inputs = side.inputs;
+    inputs.part = render::PicturePart{sizePx_, lowerPx};
+    inputs.sizePx = tilePx;
+    const double tileShare =
+        static_cast<double>(count(tilePx)) / static_cast<double>(count(sizePx_));
+    const double before = static_cast<double>(donePx_) / static_cast<double>(count(sizePx_));
+    const render::ReferenceProgress others = stats_.reference;
+    double needed = side.samples;
+    for (; inputs.sample < side.samples; ++inputs.sample) {
+        const auto within = [&](double share) {
+            return goOn(progress_,
+                        before + tileShare * std::min((inputs.sample + share) / needed, 1.0));
+        };
+        const render::FrameStats stats = side.renderer->render(inputs, within);
+        if (tiles_ == 0 && inputs.sample == 0) {
+            stats_ = stats;
+        } else {
+            addSample(stats_, stats);
+        }
+        const render::ReferenceProgress& traced = stats.reference;
+        stats_.reference = together(others, traced);
+        if (traced.samples < 2 || side.targetError <= 0.0) continue;
+        if (traced.relativeError <= side.targetError) break;
+        const double ratio = traced.relativeError / side.targetError;
+        needed = std::min(1.0 * side.samples, traced.samples * ratio * ratio);
+    }
+    donePx_ += count(tilePx);
+    ++tiles_;
+}
+
+template <typename Image>
+Image Bands::next(std::vector<ImageLayer>* layers) {
+    const int rows = std::min(tilePx_.y, sizePx_.y - row_);
+    Image band = emptyBand({sizePx_.x, rows}, static_cast<const Image*>(nullptr));
+    for (const DrawnSide& side : sides_) {
+        for (int x = side.fromPx; x < side.toPx; x += tilePx_.x) {
+            draw(side, {x, sizePx_.y - row_ - rows}, {std::min(tilePx_.x, side.toPx - x), rows});
+            Image tile = [&] {
+                if constexpr (std::is_same_v<Image, Image8>) {
+                    return side.renderer->readDisplay();
+                } else {
+                    return side.renderer->readLinear();
+                }
+            }();
+            paste(tile, x, band);
+            if (layers != nullptr) {
+                pasteLayers(side.renderer->readReference(), x, sizePx_.x, *layers);
+            }
+        }
+    }
+    row_ += rows;
+    if (sides_.size() == 1) return band;
+    // White, in the middle between the sides.
+    const int line = std::max(1, static_cast<int>(kLinePerHeight * sizePx_.y));
+    const int from = std::clamp(sides_.front().toPx - line / 2, 0, sizePx_.x - line);
+    Image white = emptyBand({line, rows}, static_cast<const Image*>(nullptr));
+    paste(white, from, band);
+    return band;
+}
+
+Image8 Bands::nextDisplay() {
+    return next<Image8>();
+}
+
+ImageF Bands::nextLinear() {
+    return next<ImageF>();
+}
+
+bool Bands::layered() const {
+    const render::FrameInputs& inputs = sides_.front().inputs;
+    return sides_.size() == 1 && inputs.look.engine == Engine::reference && inputs.supersample == 1;
+}
+
+std::vector<std::string> Bands::layerNames() const {
+    return layered() ? referenceChannels() : std::vector<std::string>{};
+}
+
+LayeredImage Bands::nextLayered() {
+    LayeredImage band;
+    for (const std::string& name : layerNames()) band.layers.push_back({name, {}});
+    band.colours = next<ImageF>(layered() ? &band.layers : nullptr);
+    return band;
+}
+
+}  // namespace neph

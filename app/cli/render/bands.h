@@ -1,0 +1,65 @@
+// bands.h: a picture drawn from the top in bands of rows, each in tiles that the GPU takes, so that
+// its size is bounded by neither GPU nor memory.
+//
+// The tiles' rays are those of the whole picture, and so are the slices of the slicing engine: the
+// seams cannot be seen. Two sides may share a picture; a thin line is between them.
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "app/image_io/exr.h"
+#include "app/render/renderer.h"
+#include "core/base/progress.h"
+#include "core/image/image.h"
+
+namespace neph {
+
+/// What a part of the picture shows.
+struct DrawnSide {
+    render::Renderer* renderer = nullptr;  ///< holds the volume
+    render::FrameInputs inputs;            ///< of the whole picture; `sample` is left at 0
+    int samples = 1;                       ///< of each tile
+    double targetError = 0.0;  ///< relative standard error at which a tile of the reference is done
+    int fromPx = 0, toPx = 0;  ///< its columns; the second is outside
+};
+
+/// How a side was drawn: "march, 512 steps, 8 samples".
+std::string workText(const DrawnSide& side, const render::FrameStats& stats);
+
+class Bands {
+  public:
+    /// The sides are the columns of one picture, from the left. `progress` gets the share of it
+    /// that is there.
+    Bands(std::vector<DrawnSide> sides, Progress progress);
+
+    /// The next rows; call until all `sizePx().y` are there. Throws Cancelled.
+    Image8 nextDisplay();
+    ImageF nextLinear();
+    /// With what the reference knows besides, where it draws the whole picture, one ray a pixel.
+    LayeredImage nextLayered();
+    /// Names of the layers that there are then.
+    std::vector<std::string> layerNames() const;
+
+    glm::ivec2 sizePx() const { return sizePx_; }
+    /// Of what was drawn so far, all sides and tiles together.
+    const render::FrameStats& stats() const { return stats_; }
+    const std::vector<DrawnSide>& sides() const { return sides_; }
+    int tiles() const { return tiles_; }
+
+  private:
+    template <typename Image>
+    Image next(std::vector<ImageLayer>* layers = nullptr);
+    bool layered() const;
+    void draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx);
+
+    std::vector<DrawnSide> sides_;
+    Progress progress_;
+    glm::ivec2 sizePx_{0}, tilePx_{1};
+    int row_ = 0;  // the first that is not there yet, from the top
+    int tiles_ = 0;
+    std::size_t donePx_ = 0;
+    render::FrameStats stats_;
+};
+
+}  // namespace neph

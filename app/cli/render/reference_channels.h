@@ -1,0 +1,33 @@
+// reference_channels.h: what the reference knows of each pixel, as channels of an EXR file.
+//
+// A.R to B.B: means of the even and of the odd paths. variance.R to variance.B: of the mean.
+// transmittance, optical_depth.cloud and so on: of the ray through the pixel's middle.
+// depth.first_scatter: mean metres from the eye to the first scattering, infinite where none is.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/image_io/exr.h"
+#include "app/render/engines/reference/reference_layers.h"
+
+namespace neph {
+
+/// The names of all channels, in the order in which they are written.
+const std::vector<std::string>& referenceChannels();
+
+/// Those of the halves alone, which are the first.
+const std::vector<std::string>& halfChannels();
+
+struct Halves {
+    ImageF a, b;
+};
+
+/// The halves of a picture of `size` from the values of their channels, in that order; none where
+/// one of them is missing.
+std::optional<Halves> halvesFrom(const std::vector<std::vector<float>>& channels, glm::ivec2 size);
+
+/// The channels of a picture, or of a part of it. A species that there is not has no optical depth.
+std::vector<ImageLayer> channelsOf(const render::ReferenceLayers& layers);
+
+}  // namespace neph

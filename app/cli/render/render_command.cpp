@@ -1,0 +1,258 @@
+// render_command.cpp: one picture after the other is drawn and written, or handed to the film.
+#include "app/cli/render/render_command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/cli/common/interrupt.h"
+#include "app/cli/common/progress_lines.h"
+#include "app/cli/render/bands.h"
+#include "app/cli/render/film.h"
+#include "app/cli/render/render_sides.h"
+#include "app/cli/render/render_view.h"
+#include "app/cli/render/shots.h"
+#include "app/gl/context.h"
+#include "app/image_io/exr.h"
+#include "app/image_io/png.h"
+#include "app/workbench/profile_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/resources.h"
+#include "core/camera/camera_format.h"
+#include "core/session/session_file.h"
+
+namespace neph {
+namespace {
+
+void printAll(std::string_view kind, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) fmt::print(stderr, "{}: {}\n", kind, line);
+}
+
+/// What all pictures of one command share.
+class Run {
+  public:
+    Run(const RenderOptions& options, Progress goesOn);
+    void all();
+
+  private:
+    DrawnSide drawn(std::size_t index, const Shot& shot);
+    Bands bandsOf(const Shot& shot);
+    int timeOf(std::size_t index, const Shot& shot) const;
+    Metadata describe(const Shot& shot, const Bands& bands) const;
+    CameraPose poseOf(std::size_t index, const Shot& shot) const;
+    double aspect() const { return static_cast<double>(sizePx_.x) / sizePx_.y; }
+    void write(const Shot& shot, Bands& bands);
+    void picture(const Shot& shot, const std::function<void(Bands&)>& take,
+                 const std::filesystem::path& file);
+    const RenderOptions& options_;
+    Progress goesOn_;
+    std::optional<CameraPath> path_;
+    RenderView from_;
+    std::optional<CameraPose> fromPose_;  // of the first time: it does not jump from time to time
+    double splitAt_ = 0.5;
+    gl::HeadlessContext context_;
+    std::vector<std::unique_ptr<Side>> sides_;
+    std::vector<Shot> shots_;
+    glm::ivec2 sizePx_{0};
+    std::optional<ProgressLines> progress_;
+};
+
+/// The camera path that is asked for.
+std::optional<CameraPath> pathOf(const RenderOptions& options, const SideScene& first,
+                                 std::vector<std::string>& warnings) {
+    std::optional<CameraPath> path;
+    if (!options.path.empty()) {
+        path = loadCameraPath(options.path, warnings);
+    } else if (options.alongPath) {
+        path = first.scene.document.path;
+    }
+    if (!path || !path->keys.empty()) return path;
+    throw Error({.where = options.path.empty() ? options.session : options.path,
+                 .what = "there is no camera path",
+                 .found = "no keys",
+                 .hint = "set keys in the camera panel, or write them"});
+}
+
+Run::Run(const RenderOptions& options, Progress goesOn)
+    : options_(options),
+      goesOn_(std::move(goesOn)),
+      from_(parseRenderView(options.observer, options.view)) {
+    std::vector<std::string> warnings;
+    std::optional<SessionState> session;
+    if (!options.session.empty()) session = loadSession(options.session, warnings);
+    std::vector<SideScene> scenes = sideScenes(options, session);
+    if (session) splitAt_ = static_cast<double>(session->splitAt);
+    if (!options.compare.splitAt.empty()) splitAt_ = parseSplit(options.compare.splitAt);
+    path_ = pathOf(options, scenes.front(), warnings);
+    MemoryBudget budget =
+        chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
+    budget.gpu /= scenes.size();
+    budget.machine /= scenes.size();
+    for (SideScene& scene : scenes) {
+        warnings.insert(warnings.end(), scene.scene.warnings.begin(), scene.scene.warnings.end());
+    }
+    printAll("warning", warnings);
+    const bool allTimes = path_ && path_->withTime && options.scene.time.empty();
+    for (SideScene& scene : scenes) {
+        if (allTimes && scene.options.time.empty()) scene.options.time = "all";
+        sides_.push_back(std::make_unique<Side>(std::move(scene), budget, goesOn_));
+        printAll("note", sides_.back()->newNotes());
+    }
+    shots_ = planShots(options, path_, sides_.front()->times());
+    sizePx_ = parseSize(options.size);
+    if (kindOf(options.out) == FileKind::mp4 && filmSize(sizePx_) != sizePx_) {
+        sizePx_ = filmSize(sizePx_);
+        printAll("note", {fmt::format("a film has even sides: {}x{}", sizePx_.x, sizePx_.y)});
+    }
+    progress_.emplace(options.progress, shots_.size());
+}
+
+/// B follows A through the times, unless it has one of its own.
+int Run::timeOf(std::size_t index, const Shot& shot) const {
+    if (index == 0) return shot.time;
+    const Side& side = *sides_[index];
+    const bool own = !options_.compare.time.empty() ||
+                     (options_.compare.slots && shots_.size() == 1 && options_.scene.time.empty());
+    return own ? side.times().front()
+               : std::min(shot.time, static_cast<int>(side.info().times.size()) - 1);
+}
+
+CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
+    const Side& side = *sides_[index];
+    if (shot.pathS) return poseAt(*path_, side.shown().grid, *shot.pathS);
+    if (fromPose_) return *fromPose_;
+    return sides_[side.what().ownCamera ? index : 0]->what().scene.document.camera;
+}
+
+DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
+    Side& side = *sides_[index];
+    side.show(timeOf(index, shot), goesOn_);
+    if (from_.given() && !fromPose_) {
+        fromPose_ = neph::poseOf(from_, poseOf(index, shot), side.shown(), aspect());
+    }
+    printAll("note", side.newNotes());
+    DrawnSide drawn;
+    drawn.renderer = &side.renderer();
+    drawn.inputs.look = side.look();
+    const SamplePlan plan = planSamples(options_, side.look());
+    drawn.samples = plan.samples;
+    drawn.targetError = plan.targetError;
+    drawn.inputs.sizePx = sizePx_;
+    drawn.inputs.supersample = options_.supersample;
+    drawn.inputs.backdrop = !options_.transparent;
+    drawn.inputs.profile = options_.profile;
+    drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid, aspect());
+    const int split =
+        sides_.size() == 1
+            ? sizePx_.x
+            : std::clamp(static_cast<int>(std::lround(splitAt_ * sizePx_.x)), 0, sizePx_.x);
+    drawn.fromPx = index == 0 ? 0 : split;
+    drawn.toPx = index == 0 ? split : sizePx_.x;
+    return drawn;
+}
+
+Bands Run::bandsOf(const Shot& shot) {
+    std::vector<DrawnSide> drawnSides;
+    for (std::size_t i = 0; i < sides_.size(); ++i) drawnSides.push_back(drawn(i, shot));
+    return {std::move(drawnSides), [this](double share) {
+                progress_->part(share);
+                return goOn(goesOn_, share);
+            }};
+}
+
+Metadata Run::describe(const Shot& shot, const Bands& bands) const {
+    Metadata all{{"Software", fmt::format("Nephoscope {}", versionText())}};
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        const char* of = i == 0 ? "nephoscope." : "nephoscope.b.";
+        for (auto& [key, text] :
+             sides_[i]->describe(poseOf(i, shot), workText(bands.sides()[i], bands.stats()))) {
+            all.emplace_back(of + key, text);
+        }
+    }
+    return all;
+}
+
+void Run::write(const Shot& shot, Bands& bands) {
+    if (kindOf(shot.file) == FileKind::png) {
+        Image8 first = bands.nextDisplay();  // the metadata say what it took
+        const Metadata metadata = describe(shot, bands);
+        writePng(shot.file, sizePx_, metadata,
+                 [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextDisplay(); });
+    } else {
+        LayeredImage first = bands.nextLayered();
+        const Metadata metadata = describe(shot, bands);
+        const auto next = [&] {
+            return first.colours.size.y > 0 ? std::exchange(first, {}) : bands.nextLayered();
+        };
+        writeExr(shot.file, sizePx_, metadata,
+                 options_.format == "float" ? ExrPixels::full : ExrPixels::half, bands.layerNames(),
+                 next);
+    }
+}
+
+/// One picture: read, draw, hand over, and say so.
+void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
+                  const std::filesystem::path& file) {
+    Bands bands = bandsOf(shot);
+    take(bands);
+    for (const auto& side : sides_) printAll("warning", side->renderer().takeMessages());
+    progress_->done(file);
+    const Side& first = *sides_.front();
+    const bool film = kindOf(file) == FileKind::mp4;
+    fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", film ? "a picture of" : "wrote",
+               file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
+               workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
+    if (!options_.profile) return;
+    render::FrameInputs inputs;
+    inputs.look = first.look();
+    inputs.sizePx = sizePx_;
+    fmt::print(stderr, "{}",
+               profileText(profileOf(bands.stats(), inputs, sides_.front()->renderer())));
+}
+
+void Run::all() {
+    if (kindOf(options_.out) != FileKind::mp4) {
+        for (const Shot& shot : shots_) {
+            picture(
+                shot, [&](Bands& bands) { write(shot, bands); }, shot.file);
+        }
+        return;
+    }
+    replaceFile(options_.out, [&](const std::filesystem::path& aside) {
+        Film film(aside, sizePx_, options_.fps);
+        for (const Shot& shot : shots_) {
+            const auto add = [&](Bands& bands) {
+                for (int rows = 0; rows < sizePx_.y;) {
+                    const Image8 band = bands.nextDisplay();
+                    film.add(band);
+                    rows += band.size.y;
+                }
+            };
+            picture(shot, add, options_.out);
+        }
+        film.finish(goesOn_);
+    });
+    fmt::print(stderr, "wrote {}\n", options_.out);
+}
+
+}  // namespace
+
+int runRender(const RenderOptions& options) {
+    checkOptions(options);
+    noteInterrupts();
+    try {
+        Run(options, untilInterrupted()).all();
+    } catch (const Cancelled&) {
+        fmt::print(stderr, "stopped; nothing is left half done\n");
+        return 128 + interruptSignal();
+    }
+    return 0;
+}
+
+}  // namespace neph

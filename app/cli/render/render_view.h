@@ -1,0 +1,27 @@
+// render_view.h: a place or a side to look from, in place of the preset's camera.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "core/camera/camera_moves.h"
+#include "core/volume/held_volume.h"
+
+namespace neph {
+
+/// At most one of the two.
+struct RenderView {
+    std::optional<Observer> observer;
+    std::optional<View> view;
+    bool given() const { return observer || view; }
+};
+
+/// From "east,north,height,azimuth,elevation[,fov]" in km, km, m and degrees, and the name of a
+/// view; either may be empty. Throws UsageError.
+RenderView parseRenderView(const std::string& observer, const std::string& view);
+
+/// The camera to look at `shown` with, in a picture of this aspect; `pose` has what is not told.
+/// Throws UsageError where an observer is too far away.
+CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
+                  double aspect);
+
+}  // namespace neph

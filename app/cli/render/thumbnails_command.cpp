@@ -1,0 +1,143 @@
+// thumbnails_command.cpp: one storm, one renderer, many looks.
+#include "app/cli/render/thumbnails_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli/common/interrupt.h"
+#include "app/cli/common/progress_lines.h"
+#include "app/cli/render/render_options.h"
+#include "app/gl/context.h"
+#include "app/image_io/png.h"
+#include "app/render/renderer.h"
+#include "core/base/resources.h"
+#include "core/dataset/file_list.h"
+#include "core/plugin/plugin_host.h"
+#include "core/preset/preset_files.h"
+#include "core/session/session.h"
+#include "core/session/thumbnail.h"
+#include "core/volume/held_volume.h"
+
+namespace neph {
+namespace {
+
+// Of the march, more do not show at this size; of the reference, more take too long.
+constexpr int kSamples = 4;
+
+struct Wanted {
+    PresetEntry preset;
+    std::filesystem::path file;
+};
+
+std::vector<PresetEntry> presetsOf(const ThumbnailOptions& options) {
+    if (options.presets.empty()) return listPresets();
+    std::vector<PresetEntry> entries;
+    for (const std::string& name : options.presets) {
+        const std::filesystem::path file = findPreset(name);
+        entries.push_back({file.stem().string(), file, true});
+    }
+    return entries;
+}
+
+/// Those that are not there yet.
+std::vector<Wanted> wantedBy(const ThumbnailOptions& options) {
+    std::vector<Wanted> wanted;
+    for (const PresetEntry& preset : presetsOf(options)) {
+        if (!options.out.empty()) {
+            wanted.push_back({preset, std::filesystem::path(options.out) / (preset.name + ".png")});
+        } else if (const auto file = thumbnailFile(preset); file && !exists(*file)) {
+            wanted.push_back({preset, *file});
+        }
+    }
+    if (!wanted.empty()) create_directories(wanted.front().file.parent_path());
+    return wanted;
+}
+
+/// The bundled storm, with the radii that a look asks for.
+class Storm {
+  public:
+    explicit Storm(const Progress& goesOn)
+        : goesOn_(goesOn),
+          dataset_(Dataset::open(listFiles({}), PluginHost::standard({}), goesOn)),
+          renderer_(resourcePath("shaders")) {}
+
+    Image8 pictureOf(const Preset& preset, glm::ivec2 sizePx);
+
+  private:
+    Progress goesOn_;
+    std::shared_ptr<Dataset> dataset_;
+    render::Renderer renderer_;
+    std::optional<VolumeRequest> held_;
+    RegularGrid grid_;
+};
+
+Image8 Storm::pictureOf(const Preset& preset, glm::ivec2 sizePx) {
+    std::vector<std::string> warnings;  // told by whoever chose the setting
+    const VolumeRequest request{
+        {},
+        chooseBudget({}, held_ ? held_->budget.gpu : rendererBytes(gl::deviceMemory()), warnings),
+        planRadii(preset.look, dataset_->info())};
+    if (!held_ || held_->radii != request.radii) {
+        const HeldVolume held =
+            readVolume(*dataset_, defaultTime(dataset_->info()), request, goesOn_);
+        renderer_.setVolume(held.volume);
+        grid_ = held.summary.grid;
+        held_ = request;
+    }
+    render::FrameInputs inputs;
+    inputs.look = preset.look;
+    inputs.sizePx = sizePx;
+    inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,
+                                static_cast<double>(sizePx.x) / sizePx.y);
+    const int samples = preset.look.engine == Engine::slicing ? 1 : kSamples;
+    for (; inputs.sample < samples; ++inputs.sample) renderer_.render(inputs, goesOn_);
+    return renderer_.readDisplay();
+}
+
+int makeAll(const std::vector<Wanted>& wanted, glm::ivec2 sizePx, ProgressLines& progress) {
+    int status = 0;
+    const gl::HeadlessContext context;
+    Storm storm(untilInterrupted());
+    for (const Wanted& each : wanted) {
+        try {
+            const Preset preset = loadPreset(each.preset.file).preset;
+            writePng(each.file, storm.pictureOf(preset, sizePx),
+                     {{"Software", fmt::format("Nephoscope {}", versionText())},
+                      {"nephoscope.preset", each.preset.name}});
+            fmt::print(stderr, "wrote {}\n", each.file.string());
+        } catch (const Error& error) {
+            fmt::print(stderr, "error: {}\n", error.message());
+            status = 1;
+        }
+        progress.done(each.file);
+    }
+    return status;
+}
+
+}  // namespace
+
+int runThumbnails(const ThumbnailOptions& options) {
+    if (!options.size.empty() && options.out.empty()) {
+        throw UsageError({.where = "--size",
+                          .what = "the preset browser has a size of its own",
+                          .found = options.size,
+                          .hint = "--out FOLDER"});
+    }
+    const glm::ivec2 sizePx = options.size.empty() ? kThumbnailPx : parseSize(options.size);
+    const std::vector<Wanted> wanted = wantedBy(options);
+    ProgressLines progress(options.progress, wanted.size());
+    if (wanted.empty()) return 0;
+    noteInterrupts();
+    try {
+        return makeAll(wanted, sizePx, progress);
+    } catch (const Cancelled&) {
+        return 128 + interruptSignal();
+    }
+}
+
+}  // namespace neph

@@ -1,0 +1,171 @@
+// packed_medium.cpp: extinction brick by brick, then mixture and map of bricks.
+#include "app/render/engines/march/packed_medium.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/render/medium/detail_kinds.h"
+#include "app/render/medium/medium_bake.h"
+#include "app/render/medium/noise_texture.h"
+#include "shaders/lib/glsl_cpp.h"
+
+namespace neph::render {
+namespace {
+
+// What would dim a ray through the whole domain by less is not there: half a step of 8 bits, and
+// no cloud is as long.
+constexpr double kInvisibleDepth = 2e-3;
+
+void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
+    const glm::ivec3 cells = (volume.grid.size + 1) / 2;
+    const auto make = [](GLenum format, glm::ivec3 size) {
+        gl::Texture texture = gl::Texture::make3D(format, size);
+        texture.setLinear();
+        return texture;
+    };
+    if (!out.extinction || out.extinction.size() != volume.grid.size) {
+        out = {};
+        out.extinction = make(GL_RG16F, volume.grid.size);
+        glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
+        out.first = make(GL_RGBA8, cells);
+    }
+    if (needsSecond != static_cast<bool>(out.second)) {
+        out.second = needsSecond ? make(GL_RGBA8, cells) : gl::Texture();
+    }
+}
+
+/// The species that both passes read, in the order of their textures, and their classes.
+struct Visible {
+    std::vector<int> species, classes;
+};
+
+Visible visibleIn(const MediumPlan& plan) {
+    Visible visible;
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const int c = plan.classOf[static_cast<std::size_t>(s)];
+        if (c < 0) continue;
+        visible.species.push_back(s);
+        visible.classes.push_back(c);
+    }
+    if (visible.species.empty()) return {{0}, {0}};  // one that has no extinction
+    return visible;
+}
+
+/// What a texel of each species is worth.
+void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visible& visible,
+                const gl::Program& program) {
+    for (std::size_t i = 0; i < visible.species.size(); ++i) {
+        const auto s = static_cast<std::size_t>(visible.species[i]);
+        volume.held[s].bind(static_cast<GLuint>(i));
+        program.setFloat(static_cast<int>(i), plan.extinctionPerHeld[s] * volume.perTexel[s]);
+    }
+}
+
+std::vector<Detail> detailsOf(const Look& look, const Visible& visible) {
+    std::vector<Detail> details;
+    for (const int s : visible.species) {
+        const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
+        details.push_back({field.noiseAmount, field.noiseScaleM, field.noiseCharacter});
+    }
+    return details;
+}
+
+/// Uniforms of the detail.
+void setDetail(const VolumeTextures& volume, const std::vector<Detail>& details,
+               const DetailKinds& kinds, const gl::Program& program) {
+    for (std::size_t i = 0; i < details.size(); ++i) {
+        program.setFloat(30 + static_cast<int>(i), details[i].amount);
+    }
+    for (std::size_t k = 0; k < kinds.first.size(); ++k) {
+        const Detail& detail = details[static_cast<std::size_t>(kinds.first[k])];
+        const float tileM = glsl::kDetailFeaturesPerTile * detail.scaleM;
+        const bool billow = detail.character == NoiseCharacter::billow;
+        program.setFloat(36 + static_cast<int>(k), static_cast<float>(kNoiseSize) / tileM);
+        program.setFloat(42 + static_cast<int>(k), billow ? 0.0f : 1.0f);
+    }
+    program.setVec3(48, glm::vec3(volume.grid.spacingM));
+}
+
+void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
+                    gl::ProgramCache& programs, PackedMedium& out) {
+    const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
+    const Visible visible = visibleIn(out.plan);
+    const std::vector<Detail> details = detailsOf(look, visible);
+    const DetailKinds kinds = kindsOf(details);
+    std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
+                                   fmt::format("DETAIL {}", detailed ? 1 : 0)};
+    if (detailed) {
+        names.push_back(fmt::format("NOISE_SIZE {}", kNoiseSize));
+        names.push_back(fmt::format("NOISE_LEVELS {}", kNoiseLevels));
+        names.push_back(fmt::format("KINDS {}", kinds.first.size()));
+        names.push_back(fmt::format("KIND_OF_SPECIES int[]({})", fmt::join(kinds.of, ", ")));
+    }
+    const gl::Program& program = programs.get("march/pack_extinction.comp", names);
+    setSpecies(volume, out.plan, visible, program);
+    if (detailed) {
+        setDetail(volume, details, kinds, program);
+        noise->bind(6);
+    }
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    out.extinction.bindImage(0, GL_READ_WRITE);
+    program.dispatchGroups(static_cast<int>(volume.blocks.size()));
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, PackedMedium& out) {
+    const Visible visible = visibleIn(out.plan);
+    const gl::Program& program =
+        programs.get("march/pack_mixture.comp",
+                     {fmt::format("MIXTURE_TEXTURES {}", out.mixtureCount()),
+                      fmt::format("SPECIES {}", visible.species.size()),
+                      fmt::format("CLASS_OF_SPECIES int[]({})", fmt::join(visible.classes, ", "))});
+    setSpecies(volume, out.plan, visible, program);
+    program.setFloat(12, static_cast<float>(volume.grid.spacingM.z));
+    program.setFloat(13, kSkylightAsymmetry);
+    program.setFloat(14, kGroundShare);
+    out.extinction.bind(6);
+    out.first.bindImage(0, GL_WRITE_ONLY);
+    if (out.second) out.second.bindImage(1, GL_WRITE_ONLY);
+    program.dispatch({out.first.size().x, out.first.size().y, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+}  // namespace
+
+void packMedium(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
+                gl::ProgramCache& programs, PackedMedium& out) {
+    if (out.extinction) {  // a new volume may have other blocks: outside of them nothing is
+        glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
+    }
+    repackMedium(volume, look, PackedDetail::voxels, noise, programs, out);
+    out.extinction.bind(0);
+    const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
+    glClearTexImage(maxima.name(), 0, GL_RED, GL_FLOAT, nullptr);
+    maxima.bindImage(0, GL_WRITE_ONLY);
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    programs
+        .get("march/brick_maximum.comp", {fmt::format("BLOCK_VOXELS {}", kBlockVoxels),
+                                          fmt::format("BRICK_VOXELS {}", kBrickVoxels)})
+        .dispatchGroups(static_cast<int>(volume.blocks.size()));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
+}
+
+void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail detail,
+                  const gl::Texture* noise, gl::ProgramCache& programs, PackedMedium& out) {
+    Look plain = look;
+    plain.noise = false;
+    const MediumPlan plan =
+        planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings);
+    makeTextures(volume, plan.classes.size() > 3, out);
+    out.look = planMedium(look, volume.holdings);
+    out.plan = plan;
+    out.detail = detail;
+    packExtinction(volume, look, noise, programs, out);
+    packMixture(volume, programs, out);
+}
+
+}  // namespace neph::render

@@ -1,0 +1,222 @@
+// path_tracer.cpp: dispatches of a bounded length, and the sums of what has become whole.
+#include "app/render/engines/reference/path_tracer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "app/gl/context.h"
+
+namespace neph::render {
+namespace {
+
+// Enough to fill the machine: a processor takes eight at a time and thread, a GPU some hundred
+// thousand in all.
+constexpr int kLanesInSoftware = 1024, kLanesOnGpu = 131072;
+constexpr std::size_t kLaneBytes = (10 + 8 * 4) * 16;  // as shaders/reference/state.glsl has them
+// A dispatch is to take so long, that the window stays fluid and no watchdog wakes.
+const glm::ivec3 kMostSunDepth{64, 64, 64};  // texels of the depth towards the sun
+constexpr double kDispatchMs = 8.0;
+constexpr int kFewestRounds = 4, kMostRounds = 4096;
+// Scatterings from which chance takes paths out: what comes later is little of the light and most
+// of the work.
+constexpr float kRouletteFrom = 128.0f;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+void fill(gl::Buffer& buffer, std::size_t bytes) {
+    const std::vector<std::uint8_t> zeros(bytes);
+    buffer.write(zeros.data(), bytes);
+}
+
+std::vector<glm::vec4> read(const gl::Texture& texture) {
+    const glm::ivec3 size = texture.size();
+    std::vector<glm::vec4> values(static_cast<std::size_t>(size.x) *
+                                  static_cast<std::size_t>(size.y));
+    glGetTextureImage(texture.name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(values.size() * sizeof(glm::vec4)), values.data());
+    return values;
+}
+
+gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
+                       gl::ProgramCache& programs) {
+    const glm::ivec3 size = glm::min(4 * medium.first.size(), kMostSunDepth);
+    gl::Texture depth = gl::Texture::make3D(GL_R16F, size);
+    depth.setLinear();
+    std::vector<std::string> defines = mediumDefines(medium);
+    std::replace(defines.begin(), defines.end(), std::string("NOISE 1"), std::string("NOISE 0"));
+    const gl::Program& program = programs.get("reference/sun_depth.comp", defines);
+    block.bind(GL_UNIFORM_BUFFER, 0);
+    medium.first.bind(0);
+    if (medium.second) medium.second.bind(1);
+    depth.bindImage(0, GL_WRITE_ONLY);
+    program.dispatch(size);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    return depth;
+}
+
+}  // namespace
+
+void PathTracer::restart(const TraceSetup& setup) {
+    setup_ = setup;
+    lanes_ = 0;  // made anew by the next pass
+    firstPass_ = 0;
+    firstTicket_ = 0;
+    counters_ = {};
+    counts_ = {};
+}
+
+bool PathTracer::isIn(const TraceSetup& setup) const {
+    return lanes_ > 0 && firstPass_ == 0 && setup.seed == setup_.seed &&
+           setup.periodic == setup_.periodic && setup.detectors == setup_.detectors &&
+           setup.maxScatterings == setup_.maxScatterings &&
+           setup.sunRadiusRad == setup_.sunRadiusRad &&
+           std::memcmp(&setup.block, &setup_.block, sizeof(setup.block)) == 0;
+}
+
+void PathTracer::prepare(const MediumTextures& medium, gl::ProgramCache& programs) {
+    lanes_ = gl::deviceMemory().software ? kLanesInSoftware : kLanesOnGpu;
+    rounds_ = kFewestRounds;
+    const auto paths = static_cast<std::size_t>(pathsAPass());
+    fill(lanesBuffer_, static_cast<std::size_t>(lanes_) * kLaneBytes);
+    fill(results_, paths * kPassesAtOnce * sizeof(glm::vec4));
+    countersBuffer_.write(&counters_, sizeof(counters_));
+    for (gl::Texture* sums : {halves_.data(), &halves_[1], &squares_}) {
+        if (sums->size() != glm::ivec3(sizePx(), 1)) {
+            *sums = gl::Texture::make2D(GL_RGBA32F, sizePx());
+        }
+        glClearTexImage(sums->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    }
+    block_.write(&setup_.block, sizeof(setup_.block));
+    sunDepth_ = sunDepthOf(medium, block_, programs);
+}
+
+const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathMedium& paths,
+                                       const gl::Texture* noise, gl::ProgramCache& programs) {
+    std::vector<std::string> defines = mediumDefines(medium);
+    defines.push_back(fmt::format("PASSES {}", kPassesAtOnce));
+    defines.push_back(fmt::format("PERIODIC {}", setup_.periodic ? 1 : 0));
+    defines.push_back(fmt::format("DETECTORS {}", setup_.detectors != nullptr ? 1 : 0));
+    defines.push_back(fmt::format("LOBE_CLASS {}", paths.lobeClass));
+    const gl::Program& program = programs.get("reference/trace.comp", defines);
+    program.setInt(0, lanes_);
+    program.setInt(2, pathsAPass());
+    program.setInt(3, static_cast<int>(firstTicket_));
+    program.setInt(4, kPassesAtOnce);
+    program.setInt(5, firstPass_);
+    program.setInt(6, setup_.seed);
+    program.setInt(7, setup_.maxScatterings);
+    program.setVec3(8, glm::vec3(paths.cellM));
+    program.setVec3(9, glm::vec3(paths.voxelM));
+    const double sine = std::sin(0.5 * setup_.sunRadiusRad);
+    program.setFloat(10, static_cast<float>(2.0 * sine * sine));
+    program.setFloat(11, kRouletteFrom);
+    block_.bind(GL_UNIFORM_BUFFER, 0);
+    medium.first.bind(0);
+    if (medium.second) medium.second.bind(1);
+    if (noise) noise->bind(3);
+    paths.cells.bind(5);
+    paths.tables.phases.bind(8);
+    paths.tables.scattering.bind(9);
+    sunDepth_.bind(10);
+    lanesBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+    countersBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+    results_.bind(GL_SHADER_STORAGE_BUFFER, 5);
+    if (setup_.detectors != nullptr) setup_.detectors->bind(GL_SHADER_STORAGE_BUFFER, 6);
+    return program;
+}
+
+/// One dispatch; leaves the machine idle, and the counts in `counters_`.
+void PathTracer::carry(const gl::Program& program) {
+    const auto start = std::chrono::steady_clock::now();
+    program.setInt(1, rounds_);
+    program.dispatch({lanes_, 1, 1});
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(countersBuffer_.name(), 0, sizeof(counters_), &counters_);
+    counts_.collisions += counters_.collisions;
+    counts_.scatterings += counters_.scatterings;
+    counts_.faults += counters_.faults;
+    counters_.collisions = counters_.scatterings = counters_.faults = 0;
+    countersBuffer_.write(&counters_, sizeof(counters_));
+    const double took = millisecondsSince(start);
+    counts_.seconds += 1e-3 * took;
+    const double wanted = rounds_ * std::clamp(kDispatchMs / std::max(took, 0.01), 0.5, 2.0);
+    rounds_ = std::clamp(static_cast<int>(wanted), kFewestRounds, kMostRounds);
+}
+
+/// Adds the oldest pass to its half.
+void PathTracer::gather(gl::ProgramCache& programs, const gl::Texture& mean) {
+    const int slot = firstPass_ % kPassesAtOnce;
+    const auto half = static_cast<std::size_t>(firstPass_ % 2);
+    const gl::Program& program = programs.get("reference/gather.comp");
+    program.setInt(0, slot * pathsAPass());
+    program.setFloat(1, 1.0f / static_cast<float>(firstPass_ + 1));
+    results_.bind(GL_SHADER_STORAGE_BUFFER, 5);
+    halves_[half].bindImage(0, GL_READ_WRITE);
+    squares_.bindImage(1, GL_READ_WRITE);
+    halves_[1 - half].bindImage(2, GL_READ_ONLY);
+    mean.bindImage(3, GL_WRITE_ONLY);
+    program.dispatch({sizePx(), 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    counters_.finished[static_cast<std::size_t>(slot)] = 0;
+    countersBuffer_.write(&counters_, sizeof(counters_));
+    firstTicket_ += static_cast<std::uint32_t>(pathsAPass());
+    ++firstPass_;
+}
+
+void PathTracer::pass(const MediumTextures& medium, const PathMedium& paths,
+                      const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& mean,
+                      const Progress& progress) {
+    if (lanes_ == 0) prepare(medium, programs);
+    const gl::Program& program = tracing(medium, paths, noise, programs);
+    const std::uint32_t& finished =
+        counters_.finished[static_cast<std::size_t>(firstPass_ % kPassesAtOnce)];
+    while (finished < static_cast<std::uint32_t>(pathsAPass())) {
+        if (!goOn(progress, static_cast<double>(finished) / pathsAPass())) throw Cancelled{};
+        carry(program);
+    }
+    gather(programs, mean);
+}
+
+double PathTracer::relativeError(gl::ProgramCache& programs) {
+    if (firstPass_ < 2) return std::numeric_limits<double>::infinity();
+    const auto rows = static_cast<std::size_t>(sizePx().y);
+    std::vector<glm::vec2> sums(rows);
+    if (rows_.bytes() < rows * sizeof(glm::vec2)) fill(rows_, rows * sizeof(glm::vec2));
+    const gl::Program& program = programs.get("reference/error.comp");
+    program.setFloat(0, static_cast<float>(firstPass_));
+    halves_[0].bindImage(0, GL_READ_ONLY);
+    squares_.bindImage(1, GL_READ_ONLY);
+    halves_[1].bindImage(2, GL_READ_ONLY);
+    rows_.bind(GL_SHADER_STORAGE_BUFFER, 7);
+    program.dispatch({sizePx().y, 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glGetNamedBufferSubData(rows_.name(), 0, static_cast<GLsizeiptr>(rows * sizeof(glm::vec2)),
+                            sums.data());
+    double mean = 0.0, variance = 0.0;
+    for (const glm::vec2& sum : sums) {
+        mean += static_cast<double>(sum.x);
+        variance += static_cast<double>(sum.y);
+    }
+    const double values = 3.0 * pathsAPass();
+    return mean > 0.0 ? std::sqrt(variance / values) / (mean / values) : 0.0;
+}
+
+TraceSums PathTracer::readSums() const {
+    return {{read(halves_[0]), read(halves_[1])}, read(squares_)};
+}
+
+std::size_t PathTracer::bytes() const {
+    return lanesBuffer_.bytes() + results_.bytes() + halves_[0].bytes() + halves_[1].bytes() +
+           squares_.bytes();
+}
+
+}  // namespace neph::render

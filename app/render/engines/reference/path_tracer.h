@@ -1,0 +1,92 @@
+// path_tracer.h: carries paths of light through a medium and sums up what they bring.
+//
+// A pass is one path a pixel. Lanes on the GPU carry paths in pieces of a few milliseconds and take
+// the next path as soon as one ends, from passes to come where need be, so that neither a long path
+// nor a large picture holds anything up. Results are stored by path and added up pass by pass: the
+// same seed gives the same sums. docs/architecture.md
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "app/gl/objects.h"
+#include "app/gl/program.h"
+#include "app/render/engines/reference/path_medium.h"
+#include "app/render/frame/frame_block.h"
+#include "core/base/progress.h"
+
+namespace neph::render {
+
+/// Angular radius of the sun's disc at its mean distance, rad.
+inline constexpr double kSunRadiusRad = 0.004675;
+
+struct TraceSetup {
+    FrameBlock block{};  ///< `picture` and `whole` have the size
+    bool periodic = false;
+    const gl::Buffer* detectors = nullptr;  ///< where paths begin; none: at the eye
+    int seed = 0;
+    int maxScatterings = 0;  ///< 0: no limit
+    double sunRadiusRad = kSunRadiusRad;
+};
+
+/// What has been done since restart().
+struct TraceCounts {
+    std::uint64_t collisions = 0;   ///< places where there may have been a particle
+    std::uint64_t scatterings = 0;  ///< particles that scattered
+    std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
+    double seconds = 0.0;
+};
+
+/// Sums over paths, a value a pixel, row 0 at the bottom. Halves: even and odd passes.
+struct TraceSums {
+    std::array<std::vector<glm::vec4>, 2> halves;  ///< radiance; w: paths that met a particle
+    std::vector<glm::vec4> squares;  ///< of radiance; w: distances to the first particle, m
+};
+
+class PathTracer {
+  public:
+    /// Forgets what there is. The medium is bound by pass().
+    void restart(const TraceSetup& setup);
+
+    /// Until one more pass is whole; the mean of all goes into `mean` (RGBA32F; A: share of paths
+    /// that met a particle). Throws Cancelled, and goes on from there when called again.
+    void pass(const MediumTextures& medium, const PathMedium& paths, const gl::Texture* noise,
+              gl::ProgramCache& programs, const gl::Texture& mean, const Progress& progress);
+
+    int passes() const { return firstPass_; }
+    /// Whether the first pass of `setup` is under way.
+    bool isIn(const TraceSetup& setup) const;
+    /// Root mean variance of the mean over all pixels and channels, as a share of their mean: the
+    /// relative standard error. Infinite before there are two passes.
+    double relativeError(gl::ProgramCache& programs);
+    const TraceCounts& counts() const { return counts_; }
+    TraceSums readSums() const;
+    std::size_t bytes() const;
+
+  private:
+    static constexpr int kPassesAtOnce = 4;
+    struct Counters {
+        std::uint32_t tickets = 0, collisions = 0, scatterings = 0, faults = 0;
+        std::array<std::uint32_t, kPassesAtOnce> finished{};
+    };
+    glm::ivec2 sizePx() const { return {setup_.block.picture.x, setup_.block.picture.y}; }
+    int pathsAPass() const { return sizePx().x * sizePx().y; }
+    void prepare(const MediumTextures& medium, gl::ProgramCache& programs);
+    const gl::Program& tracing(const MediumTextures& medium, const PathMedium& paths,
+                               const gl::Texture* noise, gl::ProgramCache& programs);
+    void carry(const gl::Program& program);
+    void gather(gl::ProgramCache& programs, const gl::Texture& mean);
+
+    TraceSetup setup_;
+    int lanes_ = 0;
+    int rounds_ = 0;     ///< of each lane in one dispatch
+    int firstPass_ = 0;  ///< the oldest that is not whole
+    std::uint32_t firstTicket_ = 0;
+    Counters counters_;
+    TraceCounts counts_;
+    gl::Buffer block_, lanesBuffer_, countersBuffer_, results_, rows_;
+    std::array<gl::Texture, 2> halves_;
+    gl::Texture squares_, sunDepth_;
+};
+
+}  // namespace neph::render

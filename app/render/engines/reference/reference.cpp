@@ -1,0 +1,153 @@
+// reference.cpp: the paths' setting, and the layers that can be read besides the picture.
+#include "app/render/engines/reference/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/render/frame/rows.h"
+
+namespace neph::render {
+namespace {
+
+// Of a voxel: between their centres a ray's extinction is a cubic, whose integral the midpoints of
+// a quarter have to a hundredth of its change.
+constexpr double kDepthStepVoxels = 0.25;
+
+ImageF imageOf(const std::vector<glm::vec4>& sums, glm::ivec2 size, int paths) {
+    ImageF image;
+    image.size = size;
+    image.pixels = fromTop(sums, static_cast<std::size_t>(size.x));
+    for (glm::vec4& pixel : image.pixels) pixel /= static_cast<float>(std::max(paths, 1));
+    return image;
+}
+
+/// Means of the even and of the odd paths.
+std::array<ImageF, 2> meansOf(const TraceSums& sums, glm::ivec2 size, int paths) {
+    return {imageOf(sums.halves[0], size, (paths + 1) / 2),
+            imageOf(sums.halves[1], size, paths / 2)};
+}
+
+std::vector<glm::vec3> variances(const TraceSums& sums, glm::ivec2 size, int paths) {
+    std::vector<glm::vec3> out(sums.squares.size(),
+                               glm::vec3(std::numeric_limits<float>::infinity()));
+    if (paths < 2) return out;
+    const auto n = static_cast<float>(paths);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const glm::vec3 mean = glm::vec3(sums.halves[0][i] + sums.halves[1][i]) / n;
+        const glm::vec3 spread = glm::vec3(sums.squares[i]) / n - mean * mean;
+        out[i] = glm::max(spread, glm::vec3(0.0f)) / (n - 1.0f);
+    }
+    return fromTop(out, static_cast<std::size_t>(size.x));
+}
+
+std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
+    std::vector<float> out(sums.squares.size(), std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float met = sums.halves[0][i].w + sums.halves[1][i].w;
+        if (met > 0.0f) out[i] = sums.squares[i].w / met;
+    }
+    return fromTop(out, static_cast<std::size_t>(size.x));
+}
+
+}  // namespace
+
+void ReferenceEngine::prepare(const MediumTextures& medium, const RegularGrid& grid,
+                              const gl::Texture* noise, gl::ProgramCache& programs) {
+    paths_ = {};  // the old one need not be held beside the new
+    paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, noise, programs);
+}
+
+FrameBlock ReferenceEngine::blockOf(const FrameInputs& inputs, const RegularGrid& grid,
+                                    const MediumTextures& medium) const {
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{});
+    // The look has the radiance c of the ground in full light, an irradiance of 4π: a Lambert
+    // surface of albedo c / 4.
+    block.ground = glm::vec4(0.25f * glm::vec3(block.ground), block.ground.w);
+    return block;
+}
+
+void ReferenceEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
+                             const MediumTextures& medium, const gl::Texture* noise,
+                             gl::ProgramCache& programs, const gl::Texture& linear,
+                             const Progress& progress) {
+    if (inputs.sample == 0) {
+        // A first pass that gave way goes on.
+        const TraceSetup setup{.block = blockOf(inputs, grid, medium), .seed = inputs.look.seed};
+        if (!tracer_.isIn(setup)) tracer_.restart(setup);
+    }
+    tracer_.pass(medium, paths_, noise, programs, linear, progress);
+}
+
+ReferenceProgress ReferenceEngine::progress(gl::ProgramCache& programs) {
+    const TraceCounts& counts = tracer_.counts();
+    return {.samples = tracer_.passes(),
+            .relativeError = tracer_.relativeError(programs),
+            .collisions = counts.collisions,
+            .scatterings = counts.scatterings,
+            .faults = counts.faults,
+            .seconds = counts.seconds};
+}
+
+std::array<ImageF, 2> ReferenceEngine::halves(glm::ivec2 sizePx) const {
+    const int paths = tracer_.passes();
+    if (paths < 2) return {};
+    return meansOf(tracer_.readSums(), sizePx, paths);
+}
+
+ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeTextures& volume,
+                                        const MediumTextures& medium, const gl::Texture* noise,
+                                        gl::ProgramCache& programs) const {
+    const glm::ivec2 size = inputs.sizePx;
+    const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const int paths = tracer_.passes();
+    const TraceSums sums = tracer_.readSums();
+    ReferenceLayers layers;
+    layers.size = size;
+    layers.samples = paths;
+    std::array<ImageF, 2> halves = meansOf(sums, size, paths);
+    layers.halfA = std::move(halves[0]);
+    layers.halfB = std::move(halves[1]);
+    layers.varianceOfMean = variances(sums, size, paths);
+    layers.firstScatterM = firstDistances(sums, size);
+
+    const gl::Program& program = programs.get(
+        "reference/species_depths.comp", {fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0)});
+    const FrameBlock block = blockOf(inputs, volume.grid, medium);
+    gl::Buffer uniforms, depths;
+    uniforms.write(&block, sizeof(block));
+    uniforms.bind(GL_UNIFORM_BUFFER, 0);
+    std::vector<float> values(count * kSpeciesCount);
+    depths.write(values.data(), values.size() * sizeof(float));
+    depths.bind(GL_SHADER_STORAGE_BUFFER, 6);
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const auto i = static_cast<std::size_t>(s);
+        volume.held[i].bind(static_cast<GLuint>(s));
+        program.setFloat(s, medium.plan.extinctionPerHeld[i] * volume.perTexel[i]);
+        program.setInt(kSpeciesCount + s, medium.plan.classOf[i]);
+    }
+    if (noise) noise->bind(6);
+    const glm::dvec3 voxelM = volume.grid.spacingM;
+    program.setFloat(
+        12, static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z})));
+    program.dispatch({size, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glGetNamedBufferSubData(depths.name(), 0,
+                            static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
+    layers.transmittance.assign(count, 0.0f);
+    for (std::size_t s = 0; s < kSpeciesCount; ++s) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(s * count);
+        layers.opticalDepth[s] =
+            fromTop(std::vector<float>(first, first + static_cast<std::ptrdiff_t>(count)),
+                    static_cast<std::size_t>(size.x));
+        for (std::size_t i = 0; i < count; ++i)
+            layers.transmittance[i] += layers.opticalDepth[s][i];
+    }
+    for (float& t : layers.transmittance) t = std::exp(-t);
+    return layers;
+}
+
+}  // namespace neph::render

@@ -1,0 +1,88 @@
+// frame_inputs.h: the plain values that one picture is a function of, and what came of it.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/camera/camera.h"
+#include "core/look/look.h"
+
+namespace neph::render {
+
+/// Which pixels of a larger picture are drawn.
+struct PicturePart {
+    glm::ivec2 wholePx{1};  ///< size of the larger picture, whose aspect the camera has
+    glm::ivec2 lowerPx{0};  ///< the part's lower left pixel, counted from the whole's
+    bool operator==(const PicturePart&) const = default;
+};
+
+struct FrameInputs {
+    Look look;
+    Camera camera;
+    glm::ivec2 sizePx{640, 480};
+    std::optional<PicturePart> part;  ///< none: the whole
+    int supersample = 1;              ///< a pixel is the mean of so many rays a side
+    bool backdrop = true;             ///< sky and ground behind the medium; else it is transparent
+    /// Slices, or steps of the march, along the diagonal of what is occupied; 0: as the look says.
+    /// Interactive frames may ask for fewer. A given number fixes the step; else the march adapts
+    /// it to the data.
+    int planes = 0;
+    /// 0: a picture of its own. n > 0: the march samples at other places than before and averages
+    /// with the n pictures before, which must have had the same inputs but for their numbers. The
+    /// reference adds one more path a pixel.
+    int sample = 0;
+    /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
+    /// first picture after a change. The march computes it in full for the next picture without.
+    bool draftLight = false;
+    bool profile = false;  ///< fill in FrameStats::passes and ::samples, which costs a little
+};
+
+/// Time of one pass on the GPU.
+struct PassTime {
+    std::string_view name;  ///< a literal, as "bake medium"
+    double milliseconds = 0.0;
+};
+
+/// Bytes of one part on the GPU.
+struct MemoryUse {
+    std::string_view name;  ///< a literal: "species", "medium", "light", "pictures", "noise"
+    std::size_t bytes = 0;
+};
+
+/// What the eye pass did, over all pixels.
+struct SampleCounts {
+    std::uint64_t rays = 0;        ///< that meet the occupied box
+    std::uint64_t taken = 0;       ///< samples of the medium
+    std::uint64_t skipped = 0;     ///< leaps over empty bricks
+    std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
+};
+
+/// How far the reference has come with a picture.
+struct ReferenceProgress {
+    int samples = 0;  ///< paths a pixel
+    /// Relative standard error: root mean variance of the pixels over their mean; infinite before
+    /// there are two samples.
+    double relativeError = 0.0;
+    std::uint64_t collisions = 0;   ///< places where there may have been a particle
+    std::uint64_t scatterings = 0;  ///< particles that scattered
+    std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
+    double seconds = 0.0;           ///< of work
+};
+
+/// What the last frame did, for the status line, the profile and `bench`.
+struct FrameStats {
+    Stage redone = Stage::resolve;  ///< earliest stage that was redone, with all after it
+    bool bakedMedium = false;       ///< or put other detail into it, as the march does
+    bool marchedLight = false;
+    bool marchedEye = false;
+    int planes = 0;                ///< slices, or steps along the diagonal
+    glm::ivec3 lightSize{0};       ///< texels across and layers of the light
+    double milliseconds = 0.0;     ///< wall time with the GPU finished
+    std::vector<PassTime> passes;  ///< in the order they ran; only when profiled
+    SampleCounts samples;          ///< only when profiled
+    ReferenceProgress reference;   ///< of that engine alone
+};
+
+}  // namespace neph::render

@@ -1,0 +1,45 @@
+// slice_plan.h: the geometry of half-angle slicing for one camera and one sun. [Riley03] §4.4.1,
+// [Kniss03]
+//
+// Slices have a normal halfway between the eye's and the light's direction, so that both see them
+// well. They are ordered along the light; the eye meets them in the same order when the light comes
+// from behind the viewer and in the opposite order when it comes from the front. Everything is in
+// grid space: metres from the lower corner of the volume, world axes.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "core/camera/camera.h"
+
+namespace neph::render {
+
+struct SliceBox {
+    glm::dvec3 lowerM{0.0};
+    glm::dvec3 upperM{0.0};
+};
+
+struct SlicePlan {
+    glm::dvec3 normal{0.0, 0.0, -1.0};
+    bool frontToBack = true;
+    double firstM = 0.0;    ///< dot(normal, p) where slice 0 begins
+    double spacingM = 1.0;  ///< between slices, along the normal
+    int count = 0;
+    double lightStepM = 1.0;  ///< length of a light ray between two slices
+    glm::dvec3 lightU{1.0, 0.0, 0.0}, lightV{0.0, 1.0, 0.0};
+    glm::dvec2 lightLowerM{0.0};   ///< of the light buffer, in the coordinates of lightU and lightV
+    glm::dvec2 lightExtentM{1.0};  ///< of the light buffer
+    glm::ivec2 lightSizePx{1};
+
+    /// At most so many slices, further apart.
+    void limit(int most);
+};
+
+/// Slices that face the sun, `stepM` apart, with light texels as large: for light alone, whatever
+/// the camera. Count at least 1.
+SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM);
+
+/// `texelM`: wanted size of a light texel. The buffer covers the box as the sun sees it, 16 to 1024
+/// texels a side.
+SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox& box, int planes,
+                     double texelM);
+
+}  // namespace neph::render

@@ -1,0 +1,43 @@
+// brick_map.h: which bricks of a medium are empty, how far it is to the next that is not, and how
+// dense it is around.
+#pragma once
+#include "app/gl/objects.h"
+#include "app/render/light/slice_plan.h"
+#include "core/grid/grid.h"
+
+namespace neph::render {
+
+/// Code in the map for the largest extinction in and around a brick: 2^((level - kLevelOfOne) /
+/// kLevelsPerOctave) per metre, rounded up; 0 is nothing. As shaders/medium/bricks.glsl reads it.
+inline constexpr int kLevelOfOne = 240, kLevelsPerOctave = 8;
+
+/// Voxels along the edge of a brick, the unit in which emptiness is known: small, so that few
+/// samples fall where nothing is.
+inline constexpr int kBrickVoxels = 4;
+
+struct BrickMap {
+    /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level of
+    /// the largest extinction in the brick and its neighbours.
+    gl::Texture map;
+    SliceBox occupied;  ///< in grid space; empty (lower == upper) when nothing is there
+    glm::dvec3 brickM{1.0};
+
+    bool empty() const { return occupied.lowerM == occupied.upperM; }
+};
+
+/// Chebyshev distance of each brick to the nearest whose value is above `threshold`, up to 255; 0
+/// where its own is.
+Array3<std::uint8_t> emptyDistances(const Array3f& bricks, float threshold);
+
+/// `maximumPerM`: the largest extinction that interpolation can give in each brick. Bricks that
+/// would not give a ray through the whole domain `invisibleDepth` are empty.
+BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double invisibleDepth);
+
+/// An R32F texture in the machine's memory; waits for it.
+Array3f readBack(const gl::Texture& texture);
+
+inline glm::ivec3 brickCount(glm::ivec3 voxels) {
+    return (voxels + kBrickVoxels - 1) / kBrickVoxels;
+}
+
+}  // namespace neph::render

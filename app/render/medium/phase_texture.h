@@ -1,0 +1,24 @@
+// phase_texture.h: the phase functions of the classes, as displayed, on the GPU.
+#pragma once
+#include "app/gl/objects.h"
+#include "core/look/medium.h"
+
+namespace neph::render {
+
+class PhaseTexture {
+  public:
+    /// Makes the tables anew where look or plan ask for others.
+    void update(const Look& look, const MediumPlan& plan);
+    void bind() const { tables_.bind(kUnit); }
+    std::size_t bytes() const { return tables_.bytes(); }
+
+  private:
+    static constexpr GLuint kUnit = 8;  // as phases.glsl has it
+
+    gl::Texture tables_;  ///< RGBA32F, a row a class
+    Look look_;           ///< the look and plan that they were made of
+    MediumPlan plan_;
+    bool filled_ = false;
+};
+
+}  // namespace neph::render

@@ -1,0 +1,31 @@
+// volume_textures.h: the volume on the GPU, and where in it there is anything at all.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "app/gl/objects.h"
+#include "core/grid/species.h"
+
+namespace neph::render {
+
+/// Voxels along the edge of a block, the unit in which the bakes visit the volume.
+inline constexpr int kBlockVoxels = 8;
+
+/// Mass contents or extinctions as R16F, each species scaled so that its largest value is near the
+/// top of the range: 11 bits of precision over nine decades. Absent species have one empty voxel.
+struct VolumeTextures {
+    RegularGrid grid;
+    std::array<gl::Texture, kSpeciesCount> held;
+    std::array<float, kSpeciesCount> perTexel{};  ///< held value = texel × perTexel
+    std::array<Holding, kSpeciesCount> holdings{};
+    /// Lower corners, in blocks, of all blocks that hold or border on anything.
+    std::vector<glm::ivec3> blocks;
+    gl::Buffer blockList;  ///< the same: ivec4 (xyz, 0)
+
+    std::size_t bytes() const;
+};
+
+/// Converts with a few threads.
+VolumeTextures uploadVolume(const SpeciesVolume& volume);
+
+}  // namespace neph::render

@@ -1,0 +1,118 @@
+// camera_drag.cpp: the camera under the mouse, and in flight.
+//
+// Left drag orbits, middle drag or Shift with left drag pans, right drag moves nearer and farther,
+// the wheel zooms to the cursor. In flight, or with the right button held, W A S D move the eye, E
+// and Q lift and lower it, and a drag looks around. Rates are shares of the picture's height, tuned
+// by eye.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/camera/camera_view.h"
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/layout.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr float kOrbitDegPerHeight = 180.0f;
+constexpr float kLookPerHeight = 1.0f;   // pictures: what is under the hand goes with it
+constexpr float kDollyPerHeight = 3.0f;  // e-foldings
+constexpr float kDollyPerNotch = 0.9f;   // factor of the distance for one notch of the wheel
+constexpr double kFaster = 4.0;          // with Shift
+constexpr double kSpeedPerNotch = 1.25;
+constexpr double kLeastSpeed = 1e-4, kMostSpeed = 1.0;  // extents a second
+constexpr double kFirstFrameS = 1.0 / 60.0, kLongestFrameS = 0.1;
+
+/// A drag belongs to the picture when it began on the picture.
+bool dragging(ImGuiMouseButton button) {
+    return ImGui::IsMouseDown(button) && !ImGui::GetIO().WantCaptureMouse &&
+           !ImGui::IsAnyItemActive();
+}
+
+/// Of a letter, where an American keyboard has it: the window system's codes are its capitals.
+/// Places matter for flight, not what is printed on them.
+float held(char capital) {
+    return ImGui::GetIO().KeysDown[static_cast<int>(capital)] ? 1.0f : 0.0f;
+}
+
+/// Right, up and forwards; zero while keys are meant for something else.
+glm::vec3 flightKeys() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || io.KeySuper) return glm::vec3(0.0f);
+    return {held('D') - held('A'), held('E') - held('Q'), held('W') - held('S')};
+}
+
+/// Where the mouse is in the picture, in [-1, 1], y up.
+glm::dvec2 cursorNdc(const Ui& ui) {
+    const Area picture = layoutOf(ui).picture;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - picture.lower) / picture.size();
+    return glm::clamp(glm::dvec2(2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y), -1.0, 1.0);
+}
+
+void moveByKeys(Ui& ui, const RegularGrid& grid) {
+    CameraTools& tools = ui.cameraTools;
+    const glm::vec3 keys = flightKeys();
+    const bool moves = (tools.flying || tools.fliesHeld) && keys != glm::vec3(0.0f);
+    if (moves) {
+        // After a pause the last frame is long ago.
+        const double seconds = std::min(static_cast<double>(ImGui::GetIO().DeltaTime),
+                                        tools.moves ? kLongestFrameS : kFirstFrameS);
+        const double extentM = std::max(grid.extentM().x, grid.extentM().y);
+        const double stepM =
+            tools.flySpeed * extentM * seconds * (ImGui::GetIO().KeyShift ? kFaster : 1.0);
+        tools.outOfReach = !fly(ui.session().document.camera, grid, glm::dvec3(keys) * stepM);
+        ui.animates = true;
+    }
+    tools.moves = moves;
+}
+
+/// Shares of the picture's height that the mouse has moved.
+void moveByDrag(Ui& ui, const RegularGrid& grid, float dx, float dy) {
+    const CameraTools& tools = ui.cameraTools;
+    CameraPose& pose = ui.session().document.camera;
+    const bool left = dragging(ImGuiMouseButton_Left), right = dragging(ImGuiMouseButton_Right);
+    if (dragging(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift && !tools.flying)) {
+        pan(pose, grid, {dx, -dy});
+    } else if ((tools.flying && (left || right)) || (tools.fliesHeld && right)) {
+        const float deg = kLookPerHeight * pose.fovDeg;
+        lookAround(pose, grid, -dx * deg, dy * deg);
+    } else if (left) {
+        orbit(pose, dx * kOrbitDegPerHeight, dy * kOrbitDegPerHeight);
+    } else if (right) {
+        dolly(pose, std::exp(dy * kDollyPerHeight));
+    }
+}
+
+void moveByWheel(Ui& ui, const RegularGrid& grid, float notches) {
+    CameraTools& tools = ui.cameraTools;
+    if (tools.flying || tools.fliesHeld) {
+        tools.flySpeed =
+            std::clamp(tools.flySpeed * std::pow(kSpeedPerNotch, static_cast<double>(notches)),
+                       kLeastSpeed, kMostSpeed);
+    } else {
+        zoomTo(ui.session().document.camera, grid, cursorNdc(ui), aspectOf(ui),
+               std::pow(kDollyPerNotch, notches));
+    }
+}
+
+}  // namespace
+
+void moveCamera(Ui& ui) {
+    keepOwnCamera(ui);
+    const ImGuiIO& io = ImGui::GetIO();
+    const RegularGrid grid = gridOf(ui.session());
+    CameraTools& tools = ui.cameraTools;
+    const bool right = dragging(ImGuiMouseButton_Right);
+    tools.fliesHeld = right && (tools.fliesHeld || flightKeys() != glm::vec3(0.0f));
+    moveByKeys(ui, grid);
+    const float height = static_cast<float>(pictureBox(ui).size().y) / io.DisplayFramebufferScale.y;
+    if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) {
+        moveByDrag(ui, grid, io.MouseDelta.x / height, io.MouseDelta.y / height);
+    }
+    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse) moveByWheel(ui, grid, io.MouseWheel);
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,133 @@
+// camera_view.cpp: commands of the camera that the menu, the panel and the path share.
+#include "app/ui/camera/camera_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/camera/camera_path_edit.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr double kEyeHeightM = 1.7;       // of somebody who stands
+constexpr double kLeastFromTarget = 0.1;  // of a place on the ground, in larger extents
+constexpr double kStepS = 4.0;            // from key to key unless told otherwise; tuned by eye
+constexpr std::size_t kMaxBookmarks = 200;
+
+/// A name that no bookmark has yet.
+std::string freshName(const std::vector<Bookmark>& bookmarks) {
+    for (std::size_t i = bookmarks.size() + 1;; ++i) {
+        std::string name = fmt::format("View {}", i);
+        if (std::ranges::find(bookmarks, name, &Bookmark::name) == bookmarks.end()) return name;
+    }
+}
+
+}  // namespace
+
+RegularGrid gridOf(const Session& session) {
+    if (session.shown()) return session.shown()->grid;
+    return {{1, 1, 1}, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+}
+
+double aspectOf(const Ui& ui) {
+    const glm::dvec2 size(pictureBox(ui).size());
+    return size.x / size.y;
+}
+
+Region framedBox(const Session& session) {
+    const RegularGrid grid = gridOf(session);
+    if (session.shown() && session.shown()->clouds) return *session.shown()->clouds;
+    return {grid.originM, grid.upperM()};
+}
+
+void look(Ui& ui, View view) {
+    Session& session = ui.session();
+    session.document.camera =
+        viewOf(view, session.document.camera, gridOf(session), framedBox(session), aspectOf(ui));
+}
+
+void lookFromGround(Ui& ui) {
+    Session& session = ui.session();
+    const RegularGrid grid = gridOf(session);
+    CameraPose& pose = session.document.camera;
+    const glm::dvec3 target = grid.originM + grid.extentM() * glm::dvec3(pose.target);
+    const glm::dvec3 away = placeCamera(pose, grid, 1.0).eyeWorld - target;
+    const double least = kLeastFromTarget * std::max(grid.extentM().x, grid.extentM().y);
+    const double along = std::max(std::hypot(away.x, away.y), least);
+    const glm::dvec3 outward = compassDirWorld(pose.azimuthDeg, 0.0f);
+    const double heightM = std::max(grid.originM.z, 0.0) + kEyeHeightM;
+    const double upDeg = glm::degrees(std::atan2(target.z - heightM, along));
+    const Observer observer{target.x + outward.x * along,
+                            target.y + outward.y * along,
+                            heightM,
+                            static_cast<double>(pose.azimuthDeg) + 180.0,
+                            upDeg,
+                            static_cast<double>(pose.fovDeg)};
+    const auto stood = poseOf(observer, grid);
+    ui.cameraTools.outOfReach = !stood;
+    if (stood) pose = *stood;
+}
+
+void addBookmark(Ui& ui) {
+    Document& document = ui.session().document;
+    if (document.bookmarks.size() >= kMaxBookmarks) {
+        ui.session().say(Message::Kind::warning,
+                         fmt::format("There are {} bookmarks, which is as many as there may be: "
+                                     "delete one first",
+                                     kMaxBookmarks));
+        return;
+    }
+    document.bookmarks.push_back({freshName(document.bookmarks), document.camera});
+}
+
+void addPathKey(Ui& ui) {
+    Document& document = ui.session().document;
+    CameraPath& path = document.path;
+    // Where the path stands between two of its keys, there; else at its end.
+    const bool within = ui.cameraTools.led && ui.playback.atS < durationS(path);
+    const double atS = within              ? ui.playback.atS
+                       : path.keys.empty() ? 0.0
+                                           : durationS(path) + kStepS;
+    if (!insertKey(path, atS, document.camera)) {
+        ui.session().say(Message::Kind::warning, "The path has as many keys as it may: delete one");
+    }
+}
+
+void leadAlongPath(Ui& ui) {
+    Document& document = ui.session().document;
+    std::optional<LedCamera>& led = ui.cameraTools.led;
+    const VolumeSummary* shown = ui.session().shown();
+    const bool leads = led.has_value();
+    keepOwnCamera(ui);
+    const bool taken = leads && !led;  // by a hand
+    if (taken || shown == nullptr || document.path.keys.empty()) return;
+    ui.playback.alongPath = true;
+    if (!led) led = LedCamera{document.camera, document.camera};
+    document.camera = led->now = poseAt(document.path, shown->grid, ui.playback.atS);
+    const int count =
+        ui.session().info() == nullptr ? 0 : static_cast<int>(ui.session().info()->times.size());
+    if (const auto time = timeAt(document.path, ui.playback.atS, count)) document.time = *time;
+}
+
+void keepOwnCamera(Ui& ui) {
+    CameraPose& camera = ui.session().document.camera;
+    std::optional<LedCamera>& led = ui.cameraTools.led;
+    if (!led) return;
+    if (camera != led->now) {
+        ui.playback.alongPath = ui.playback.playing = false;
+    } else if (!ui.playback.alongPath) {
+        camera = led->before;
+    } else {
+        return;
+    }
+    led.reset();
+}
+
+std::string lengthText(double lengthM) {
+    return std::abs(lengthM) < 999.5 ? fmt::format("{:.3g} m", lengthM)
+                                     : fmt::format("{:.3g} km", lengthM / 1e3);
+}
+
+}  // namespace neph::ui

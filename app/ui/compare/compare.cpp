@@ -1,0 +1,104 @@
+// compare.cpp: the line between two pictures, their labels, peeking, and pictures in turns.
+#include "app/ui/compare/compare.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/places.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr double kTurnS = 0.5;   // of each picture where they are in turns
+constexpr float kGripPx = 9.0f;  // width that the mouse takes for the line, at a scale of 1
+constexpr ImU32 kLine = IM_COL32(255, 255, 255, 200);
+constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
+constexpr ImU32 kText = IM_COL32(235, 238, 242, 255);
+constexpr ImU32 kMarked = IM_COL32(120, 180, 240, 255);
+
+void label(const char* text, ImVec2 at, float alignX, bool marked) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const float pad = 0.4f * ImGui::GetFontSize();
+    const ImVec2 lower{at.x - alignX * (size.x + 2.0f * pad), at.y};
+    list.AddRectFilled(lower, {lower.x + size.x + 2.0f * pad, lower.y + size.y + pad}, kPlate, pad);
+    list.AddText({lower.x + pad, lower.y + pad / 2.0f}, marked ? kMarked : kText, text);
+}
+
+/// An invisible window over the line takes the mouse for it.
+void dragLine(CompareState& compare, const Area& area) {
+    const float at = area.lower.x + compare.splitAt * area.size().x;
+    const float grip = kGripPx * ImGui::GetFontSize() / 14.0f;
+    ImGui::SetNextWindowPos({at - grip / 2.0f, area.lower.y});
+    ImGui::SetNextWindowSize({grip, area.upper.y - area.lower.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    if (ImGui::Begin("##split", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+        ImGui::InvisibleButton("##line", {grip, area.upper.y - area.lower.y});
+        place("compare.line");
+        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        }
+        if (ImGui::IsItemActive()) {
+            const float share = (ImGui::GetIO().MousePos.x - area.lower.x) / area.size().x;
+            compare.splitAt = std::clamp(share, 0.02f, 0.98f);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::GetBackgroundDrawList()->AddLine({at, area.lower.y}, {at, area.upper.y}, kLine, 1.5f);
+}
+
+/// Shift alone, while nothing else is done with it.
+void updatePeeking(Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool otherKey = std::ranges::count(io.KeysDown, true) > 1;
+    ui.compare.peeking = ui.compare.second && ui.compare.mode == CompareMode::single &&
+                         io.KeyShift && !io.KeyCtrl && !io.WantTextInput && !otherKey &&
+                         !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+}
+
+void takeTurns(Ui& ui) {
+    const double turns = ImGui::GetTime() / kTurnS;
+    ui.compare.flickered = static_cast<int>(std::fmod(turns, 2.0));
+    ui.again(kTurnS * (std::floor(turns) + 1.0 - turns));
+}
+
+int seenSlot(const CompareState& compare) {
+    if (compare.mode == CompareMode::flicker) return compare.flickered;
+    return compare.peeking ? 1 - compare.active : compare.active;
+}
+
+}  // namespace
+
+void drawCompare(Ui& ui) {
+    updatePeeking(ui);
+    CompareState& compare = ui.compare;
+    if (!compare.second) return;
+    if (compare.mode == CompareMode::flicker) takeTurns(ui);
+    drawCompareErrors(ui);
+    if (compare.mode == CompareMode::error && ui.errors.texture != 0) return;  // it has a legend
+    const Area area = layoutOf(ui).picture;
+    const float margin = 0.6f * ImGui::GetFontSize();
+    const float top = area.lower.y + margin;
+    if (compare.mode == CompareMode::split) {
+        dragLine(compare, area);
+        const float at = area.lower.x + compare.splitAt * area.size().x;
+        label("A", {at - margin, top}, 1.0f, compare.active == 0);
+        label("B", {at + margin, top}, 0.0f, compare.active == 1);
+        return;
+    }
+    constexpr std::array kNames{"A", "B"};
+    label(kNames.at(static_cast<std::size_t>(seenSlot(compare))),
+          {area.lower.x + area.size().x / 2.0f, top}, 0.5f, !compare.peeking);
+}
+
+}  // namespace neph::ui

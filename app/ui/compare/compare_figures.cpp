@@ -1,0 +1,142 @@
+// compare_figures.cpp: the errors of A against B over the picture's corner, and as colours in its
+// place.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <chrono>
+
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/places.h"
+#include "core/base/number_text.h"
+
+namespace neph::ui {
+namespace {
+
+// In letters.
+constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValuesEms = 5.5f, kTopEms = 3.0f;
+constexpr float kBarEms = 22.0f, kBarHeightEms = 0.7f;
+constexpr float kOpacity = 0.80f;
+constexpr int kBarSteps = 64;
+constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 210);
+constexpr ImU32 kText = IM_COL32(235, 238, 242, 255);
+
+void row(const char* label, const std::string& value, bool current) {
+    ImGui::TextDisabled("%s", label);
+    ImGui::SameLine(kValuesEms * ImGui::GetFontSize());
+    current ? ImGui::TextUnformatted(value.c_str()) : ImGui::TextDisabled("%s", value.c_str());
+}
+
+void drawRows(const CompareErrors& errors) {
+    const PairFigures& figures = *errors.figures();
+    const PictureErrors& of = figures.errors;
+    const bool current = errors.current();
+    row("bias", percentText(of.bias, of.biasSigma), current);
+    row("relRMSE", percentText(of.relRmse, of.relRmseSigma), current);
+    row("relMSE", numberText(of.relMse, 3), current);
+    row("p95", numberText(100.0 * of.p95, 3) + " %", current);
+    row("HDR-FLIP",
+        fmt::format("{}, p95 {}", numberText(figures.flip, 3), numberText(figures.flipP95, 3)),
+        current);
+    if (of.noise > 0.0) {
+        ImGui::TextDisabled("relRMSE without noise of %s %%",
+                            numberText(100.0 * of.noise, 2).c_str());
+    } else {
+        ImGui::TextDisabled("with all noise of both");
+    }
+}
+
+void drawState(const CompareErrors& errors) {
+    ImGui::PushTextWrapPos(0.0f);
+    if (!errors.fault().empty()) {
+        ImGui::TextDisabled("%s", errors.fault().c_str());
+    } else if (errors.figures()) {
+        drawRows(errors);
+    }
+    if (!errors.seen().whole) {
+        ImGui::TextDisabled("Both pictures have to be there in full first");
+    } else if (!errors.figures() && errors.busy()) {
+        ImGui::TextDisabled("Reckoning ...");
+    }
+    if (const auto& traced = errors.seen().traced) {
+        ImGui::TextDisabled("B: %s", pathsText(*traced).c_str());
+    }
+    ImGui::PopTextWrapPos();
+}
+
+void drawFigures(const Ui& ui, const Area& area) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({area.lower.x + kMarginEms * em, area.lower.y + kTopEms * em});
+    ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});
+    ImGui::SetNextWindowBgAlpha(kOpacity);
+    // Without inputs: the hand reaches the picture through it.
+    if (ImGui::Begin("##figures", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+        ImGui::TextUnformatted("A against B");
+        drawState(ui.errors);
+    }
+    ImGui::End();
+}
+
+ImU32 colourAt(double error, const ErrorScale& scale) {
+    const glm::vec3 colour = errorColour(error, scale);
+    return ImGui::GetColorU32({colour.x, colour.y, colour.z, 1.0f});
+}
+
+/// Below the picture of errors: what its colours mean.
+void drawLegend(const Area& area, const ErrorScale& scale) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float em = ImGui::GetFontSize();
+    const float width = std::min(kBarEms * em, 0.6f * area.size().x);
+    const ImVec2 at{(area.lower.x + area.upper.x - width) / 2.0f, area.upper.y - 3.2f * em};
+    list.AddRectFilled({at.x - 3.0f * em, at.y - 0.6f * em},
+                       {at.x + width + 3.0f * em, at.y + 2.4f * em}, kPlate, 0.4f * em);
+    const float step = width / kBarSteps;
+    for (int i = 0; i < kBarSteps; ++i) {
+        const double error = scale.most * (2.0 * (i + 0.5) / kBarSteps - 1.0);
+        const float x = at.x + step * static_cast<float>(i);
+        list.AddRectFilled({x, at.y}, {x + step + 0.5f, at.y + kBarHeightEms * em},
+                           colourAt(error, scale));
+    }
+    const std::string most = numberText(100.0 * scale.most, 3);
+    const std::array<std::string, 3> labels{"-" + most + " %", "(A \u2212 B) / B", most + " %"};
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const ImVec2 size = ImGui::CalcTextSize(labels[i].c_str());
+        const float middle = at.x + width * static_cast<float>(i) / 2.0f;
+        list.AddText({middle - size.x / 2.0f, at.y + 0.9f * em}, kText, labels[i].c_str());
+    }
+}
+
+void drawColours(const Ui& ui, const Area& area) {
+    if (ui.errors.texture == 0 || !ui.errors.figures()) return;
+    ImGui::GetBackgroundDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(ui.errors.texture)),
+        {area.lower.x, area.lower.y}, {area.upper.x, area.upper.y});
+    drawLegend(area, ui.errors.figures()->scale);
+}
+
+void renewTexture(Ui& ui) {
+    CompareErrors& errors = ui.errors;
+    if (errors.texture != 0 && ui.services.dropPicture) ui.services.dropPicture(errors.texture);
+    errors.texture = 0;
+    if (errors.figures() && ui.services.showPicture) {
+        errors.texture = ui.services.showPicture(errors.figures()->colours).texture;
+    }
+}
+
+}  // namespace
+
+void drawCompareErrors(Ui& ui) {
+    if (!comparesPictures(ui.compare)) return;
+    if (ui.errors.poll(CompareErrors::Clock::now())) renewTexture(ui);
+    if (ui.errors.busy()) ui.again(kLookS);
+    const Area area = layoutOf(ui).picture;
+    if (ui.compare.mode == CompareMode::error) drawColours(ui, area);
+    drawFigures(ui, area);
+}
+
+}  // namespace neph::ui

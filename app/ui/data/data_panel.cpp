@@ -1,0 +1,213 @@
+// data_panel.cpp: what is open, which part of it is shown how finely, and what memory that takes.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
+#include "core/volume/memory_setting.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr double kMPerKm = 1000.0;
+constexpr float kLabelEms = 4.0f;
+constexpr std::size_t kMostPaths = 12;  // in a tooltip
+
+void wrapped(const std::string& text) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+std::string kilometres(double metres) {
+    return fmt::format("{:.4g}", metres / kMPerKm);
+}
+
+/// A label, and beside it where all values begin the place for one.
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelEms * ImGui::GetFontSize());
+}
+
+void fact(const char* name, const std::string& value) {
+    label(name);
+    wrapped(value);
+}
+
+/// Names of the series' files, full paths in the tooltip.
+void drawFiles(const DatasetInfo& info, int time) {
+    std::vector<std::filesystem::path> files;
+    for (const TimeInfo& when : info.times) {
+        if (files.empty() || files.back() != when.file) files.push_back(when.file);
+    }
+    const auto current = static_cast<std::size_t>(time);
+    if (current >= info.times.size()) return;
+    const std::string more =
+        files.size() > 1 ? fmt::format("  (of {} files)", files.size()) : std::string();
+    fact("File", info.times[current].file.filename().string() + more);
+    std::string paths;
+    for (std::size_t i = 0; i < std::min(files.size(), kMostPaths); ++i) {
+        paths += (i > 0 ? "\n" : "") + files[i].string();
+    }
+    if (files.size() > kMostPaths) paths += fmt::format("\nand {} more", files.size() - kMostPaths);
+    tooltip(paths.c_str());
+}
+
+void drawDomain(const DatasetInfo& info) {
+    const std::string scheme = info.scheme.empty() ? "" : ", " + info.scheme;
+    fact("Model", info.model + scheme);
+    const std::string spacing =
+        info.spacingM.x == info.spacingM.y
+            ? kilometres(info.spacingM.x)
+            : kilometres(info.spacingM.x) + " \u00d7 " + kilometres(info.spacingM.y);
+    fact("Grid", fmt::format("{} \u00d7 {} \u00d7 {} cells of {} km", info.size.x, info.size.y,
+                             info.size.z, spacing));
+    if (info.times.size() < 2) return fact("Time", info.times.front().label);
+    fact("Times", fmt::format("{}, from {} to {}", info.times.size(), info.times.front().label,
+                              info.times.back().label));
+}
+
+void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryBudget& budget) {
+    const ReadPlan& plan = shown.plan;
+    const std::string how = describe(plan, info);
+    ImGui::PushStyleColor(ImGuiCol_Text, plan.coarsening > 1
+                                             ? warningColour()
+                                             : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    const std::string full = plan.coarsening > 1 ? "" : "At full resolution";
+    fact("Shown", how.empty() ? full : how + (full.empty() ? "" : " ") + full);
+    ImGui::PopStyleColor();
+    fact("Takes", fmt::format("{} of {}, and for pictures {} of {}", memoryText(plan.machineBytes),
+                              memoryText(budget.machine), memoryText(plan.gpuBytes),
+                              memoryText(budget.gpu)));
+    tooltip(
+        "Fields are held in the machine's memory; the renderer holds them once more, with what "
+        "it makes of them, in the memory for pictures. Data that would take more than either "
+        "are averaged to coarser columns.");
+}
+
+/// The whole domain, metres.
+Region domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
+    const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
+    return {{0.0, 0.0, shown.domainHeightsM.x}, {extent.x, extent.y, shown.domainHeightsM.y}};
+}
+
+/// One axis of the region; true when the hand has let go of a change.
+bool editAxis(const char* name, float& lowKm, float& highKm, double leastM, double mostM) {
+    const auto least = static_cast<float>(leastM / kMPerKm);
+    const auto most = static_cast<float>(mostM / kMPerKm);
+    label(name);
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::PushID(name);
+    ImGui::DragFloatRange2("##range", &lowKm, &highKm, (most - least) / 400.0f, least, most,
+                           "%.4g km", nullptr, ImGuiSliderFlags_AlwaysClamp);
+    const bool done = ImGui::IsItemDeactivatedAfterEdit();
+    place(std::string("data.") + name);
+    tooltip(
+        "The part of the domain that is shown, from its south-west corner; drag, or "
+        "Ctrl+click to type. A smaller part is shown more finely where the whole is coarsened.");
+    ImGui::PopID();
+    return done;
+}
+
+void editRegion(Ui& ui, const DatasetInfo& info, const VolumeSummary& shown) {
+    const Region domain = domainOf(info, shown);
+    Region chosen = ui.session().region().value_or(domain);
+    chosen.lowerM = glm::max(chosen.lowerM, domain.lowerM);
+    chosen.upperM = glm::min(chosen.upperM, domain.upperM);
+    // While the hand is on it the draft is shown; else what is chosen.
+    if (!ui.editsRegion) {
+        ui.regionKm = {chosen.lowerM / kMPerKm, chosen.upperM / kMPerKm};
+    }
+    bool done = false, active = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        constexpr std::array kLabels{"East", "North", "Height"};
+        done |= editAxis(kLabels.at(static_cast<std::size_t>(axis)), ui.regionKm[0][axis],
+                         ui.regionKm[1][axis], domain.lowerM[axis], domain.upperM[axis]);
+        active |= ImGui::IsAnyItemActive();
+    }
+    ui.editsRegion = active;
+    if (!done) return;
+    Region region{glm::dvec3(ui.regionKm[0]) * kMPerKm, glm::dvec3(ui.regionKm[1]) * kMPerKm};
+    const glm::dvec3 least = glm::dvec3(info.spacingM, shown.grid.spacingM.z);
+    region.upperM = glm::max(region.upperM, region.lowerM + least);
+    ui.session().setRegion(region);
+}
+
+void drawButtons(Ui& ui, const VolumeSummary& shown) {
+    ImGui::BeginDisabled(!ui.session().region());
+    if (ImGui::Button("Whole domain")) ui.session().setRegion({});
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!shown.clouds);
+    if (ImGui::Button("Around the clouds")) showAroundClouds(ui);
+    ImGui::EndDisabled();
+}
+
+void editMemory(Ui& ui) {
+    label("Memory");
+    ImGui::SetNextItemWidth(-1.0f);
+    const std::string hint = memoryText(ui.session().budget().machine);
+    if (ImGui::InputTextWithHint("##memory", hint.c_str(), &ui.memory,
+                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+        ui.requests.memory = ui.memory;
+    }
+    place("data.memory");
+    tooltip(
+        "How much memory the times that are held may take: 2GiB, 512MiB, or 50% of what is "
+        "free; empty for a quarter of what is free. Enter sets it, now and for the next time "
+        "the program starts.");
+}
+
+void drawCache(const Session& session) {
+    fact("Held",
+         fmt::format("{} of {} times, {} of {}", session.timesHeld(), session.info()->times.size(),
+                     memoryText(session.cache().bytes()), memoryText(session.cache().limit())));
+    tooltip("Times in memory are shown at once; the time bar marks them.");
+}
+
+}  // namespace
+
+void showAroundClouds(Ui& ui) {
+    const VolumeSummary* shown = ui.session().shown();
+    if (shown == nullptr || !shown->clouds) return;
+    Region region = withMargin(*shown->clouds);
+    const Region domain = domainOf(*ui.session().info(), *shown);
+    region.lowerM = glm::max(region.lowerM, domain.lowerM);
+    region.upperM = glm::min(region.upperM, domain.upperM);
+    ui.session().setRegion(region);
+}
+
+void drawData(Ui& ui) {
+    if (!ImGui::CollapsingHeader("Data", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const DatasetInfo* info = ui.session().info();
+    const VolumeSummary* shown = ui.session().shown();
+    if (info == nullptr || shown == nullptr) {
+        ImGui::TextDisabled("None yet");
+        return;
+    }
+    drawFiles(*info, ui.session().document.time);
+    drawDomain(*info);
+    ImGui::Spacing();
+    drawPlan(*shown, *info, ui.session().budget());
+    ImGui::Spacing();
+    editRegion(ui, *info, *shown);
+    drawButtons(ui, *shown);
+    ImGui::Spacing();
+    editMemory(ui);
+    if (info->times.size() > 1) drawCache(ui.session());
+    ImGui::Checkbox("Follow new times", &ui.session().follow);
+    place("data.follow");
+    tooltip(
+        "From the last time to a new last one, as soon as a file that is still being written "
+        "has it. New times are noticed in any case.");
+}
+
+}  // namespace neph::ui

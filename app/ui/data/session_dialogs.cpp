@@ -1,0 +1,189 @@
+// session_dialogs.cpp: the dialogue for data that have moved, and the offer after a crash.
+#include "app/ui/data/session_dialogs.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/notice_box.h"
+#include "app/ui/widgets/places.h"
+#include "core/base/error.h"
+#include "core/session/autosave.h"
+#include "core/session/moved_data.h"
+#include "core/session/recent.h"
+#include "core/session/session_file.h"
+
+namespace neph::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMissingShown = 6;
+
+std::string dataText(const SessionState& state) {
+    const SlotState& slot = state.slots[static_cast<std::size_t>(state.active)];
+    if (slot.data.empty()) return "the bundled storm";
+    const std::string name = fs::path(slot.data.front()).filename().string();
+    return slot.data.size() == 1 ? name : fmt::format("{} and {} more", name, slot.data.size() - 1);
+}
+
+/// "The last session ended unexpectedly 3 minutes ago (wrfout_d01, saved 12:31)."
+std::string crashText(const LeftSession& left) {
+    const double ago = std::difftime(std::time(nullptr), left.savedAt);
+    std::string what = "it cannot be read";
+    try {
+        what = dataText(loadSession(left.file));
+    } catch (const Error&) {  // told when it is asked for
+    }
+    return fmt::format("The last session ended unexpectedly {} ({}, saved {:%H:%M}).", agoText(ago),
+                       what, fmt::localtime(left.savedAt));
+}
+
+void drawMissing(const WaitingSession& waiting) {
+    ImGui::Text("%s names data that are not where they were:", waiting.name.c_str());
+    ImGui::Indent();
+    for (std::size_t i = 0; i < std::min(kMissingShown, waiting.missing.size()); ++i) {
+        ImGui::TextUnformatted(waiting.missing[i].c_str());
+    }
+    if (waiting.missing.size() > kMissingShown) {
+        ImGui::Text("and %zu more", waiting.missing.size() - kMissingShown);
+    }
+    ImGui::Unindent();
+    ImGui::Spacing();
+    ImGui::TextUnformatted("Where is the first of them now? The others are looked for near it.");
+}
+
+/// False when the dialogue is done with.
+bool drawQuestion(Ui& ui, WaitingSession& waiting) {
+    drawMissing(waiting);
+    ImGui::SetNextItemWidth(30.0f * ImGui::GetFontSize());
+    const bool entered =
+        ImGui::InputText("##moved", &waiting.line, ImGuiInputTextFlags_EnterReturnsTrue);
+    place("moved.line");
+    ImGui::SameLine();
+    if (ImGui::Button("Browse...")) browse(ui, BrowseFor::moved);
+    place("moved.browse");
+    ImGui::TextDisabled("%s", waiting.told.c_str());
+    if (ImGui::Button("Look there") || entered) answer(waiting, waiting.line);
+    place("moved.look");
+    ImGui::SameLine();
+    if (ImGui::Button("Open without them")) leaveOut(ui, waiting);
+    place("moved.without");
+    tooltip("Look and camera are taken over and shown with the data that are open");
+    ImGui::SameLine();
+    const bool left = ImGui::Button("Cancel");
+    place("moved.cancel");
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    drawPathPopup(ui);  // on top of this one
+    return !left && !(escape && !ImGui::IsPopupOpen("###files"));
+}
+
+/// All that was opened lately.
+void drawRecent(Ui& ui) {
+    if (std::exchange(ui.sessionDialogs.showRecent, false)) ImGui::OpenPopup("Opened lately");
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(44.0f * em, display.x - 2.0f * em), 0.0f});
+    if (!ImGui::BeginPopupModal("Opened lately", nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings)) {
+        return;
+    }
+    const std::string chosen = drawRecentList(ui, kMaxRecent);
+    ImGui::Spacing();
+    if (ImGui::Button("Clear the list")) ui.settings.recent.clear();
+    place("recent.clear");
+    ImGui::SameLine();
+    const bool left =
+        ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    place("recent.close");
+    if (left || !chosen.empty() || ui.settings.recent.empty()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    if (!chosen.empty()) openFiles(ui, namesIn(chosen));
+}
+
+}  // namespace
+
+void drawCrashNotice(Ui& ui) {
+    SessionDialogs& dialogs = ui.sessionDialogs;
+    const LeftSession* left =
+        dialogs.autosave == nullptr || dialogs.waiting ? nullptr : dialogs.autosave->crashed();
+    if (left == nullptr || !dialogs.offersCrashed) return;
+    if (dialogs.crashText.empty()) dialogs.crashText = crashText(*left);
+    bool restore = false, discard = false;
+    if (beginNotice(ui, "##crashed", NoticeAt::top)) {
+        ImGui::TextUnformatted(dialogs.crashText.c_str());
+        restore = ImGui::Button("Restore");
+        place("crash.restore");
+        ImGui::SameLine();
+        discard = ImGui::Button("Discard");
+        place("crash.discard");
+    }
+    endNotice();
+    if (restore) {
+        dialogs.offersCrashed = false;
+        reopenLast(ui);
+    }
+    if (discard) {
+        dialogs.autosave->discardCrashed();
+        dialogs.crashText.clear();
+    }
+}
+
+std::string drawRecentList(Ui& ui, std::size_t count) {
+    const std::vector<std::string>& recent = ui.settings.recent;
+    const float em = ImGui::GetFontSize();
+    std::string chosen;
+    for (std::size_t i = 0; i < std::min(count, recent.size()); ++i) {
+        const RecentLabel label = labelOf(recent[i]);
+        const bool there = recentIsThere(ui, i);
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable("##entry", false,
+                              there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
+                              {0.0f, ImGui::GetTextLineHeight()})) {
+            chosen = recent[i];
+        }
+        place(fmt::format("recent:{}", i));
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+            ImGui::SetTooltip("%s%s", recent[i].c_str(), there ? "" : "\nNot there any more");
+        }
+        ImGui::SameLine(0.5f * em);
+        ImGui::TextColored(ImGui::GetStyle().Colors[there ? ImGuiCol_Text : ImGuiCol_TextDisabled],
+                           "%s", label.name.c_str());
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", there ? label.folder.c_str() : "not there any more");
+        ImGui::PopID();
+    }
+    return chosen;
+}
+
+void drawSessionDialogs(Ui& ui) {
+    noteOpened(ui);
+    drawRecent(ui);
+    std::optional<WaitingSession>& waiting = ui.sessionDialogs.waiting;
+    const char* title = "Where are the data?";
+    if (waiting && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal(title, nullptr,
+                                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings)) {
+        return;
+    }
+    if (waiting && !drawQuestion(ui, *waiting)) waiting.reset();
+    if (waiting && waiting->missing.empty()) {
+        takeOver(ui, *std::exchange(waiting, std::nullopt));
+    }
+    if (!waiting) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace neph::ui

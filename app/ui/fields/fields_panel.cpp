@@ -1,0 +1,215 @@
+// fields_panel.cpp: liquid and ice, a row a field: visible, alone, swatch, mixing scale; unfolded,
+// the rest of its parameters and what the data hold of it.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/ui/fields/fields_icons.h"
+#include "app/ui/fields/fields_link.h"
+#include "app/ui/fields/fields_plots.h"
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/colour_editor.h"
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/parameter_widget.h"
+#include "app/ui/widgets/places.h"
+
+namespace neph::ui {
+namespace {
+
+// Columns of a row, from its left, in letters.
+constexpr float kEyeEms = 1.4f, kSoloEms = 2.9f, kSwatchEms = 4.4f, kNameEms = 5.9f,
+                kScaleEms = 10.2f;
+constexpr float kButtonEms = 1.4f, kSwatchWidthEms = 1.2f;
+constexpr float kLeastSliderEms = 2.5f;
+constexpr float kAbsentAlpha = 0.45f;
+
+const Parameter& row(Species s, std::string_view name) {
+    return parameter(fmt::format("{}.{}", info(s).id, name));
+}
+
+/// Why a field cannot be seen whatever its settings, in short and in full; empty when it can.
+struct Absence {
+    std::string brief, full;
+};
+
+Absence absence(const Session& session, Species s) {
+    const VolumeSummary* shown = session.shown();
+    if (shown == nullptr) return {"no data yet", "There are no data yet."};
+    const auto index = static_cast<std::size_t>(s);
+    if (!shown->present[index]) {
+        return {"not in the data", fmt::format("The model has no {}.", info(s).id)};
+    }
+    if (!shown->anything[index]) {
+        return {"none at this time",
+                fmt::format("There is no {} at this time in what is shown.", info(s).id)};
+    }
+    return {};
+}
+
+void column(float start, float ems) {
+    ImGui::SameLine(start + ems * ImGui::GetFontSize());
+}
+
+void drawEye(Session& session, Species s) {
+    Look& look = session.document.look;
+    const Parameter& visible = row(s, "visible");
+    if (eyeButton("##eye", look.of(s).visible, kButtonEms * ImGui::GetFontSize())) {
+        look.of(s).visible = !look.of(s).visible;
+    }
+    place(visible.id);
+    parameterExtras(visible, look, session.presetLook);
+}
+
+void drawSolo(Ui& ui, Species s) {
+    const bool solo = isSolo(ui.session().document.look, s);
+    if (letterButton("S", solo, kButtonEms * ImGui::GetFontSize())) toggleSolo(ui, s);
+    place(fmt::format("{}.solo", info(s).id));
+    tooltip(solo ? "Shows again what was visible before"
+                 : fmt::format("Solo: shows {} alone", info(s).id));
+}
+
+/// The colour that the picture gives the field, and round it the field's own.
+void drawSwatch(Session& session, Species s) {
+    Look& look = session.document.look;
+    const Parameter& colour = row(s, "colour");
+    const bool natural = look.colour == ColourMode::natural;
+    const glm::vec3 shown = natural ? glm::vec3(1.0f) : look.of(s).colour;
+    if (swatchButton("##swatch", shown, look.of(s).colour,
+                     kSwatchWidthEms * ImGui::GetFontSize())) {
+        ImGui::OpenPopup("##colour");
+    }
+    place(colour.id);
+    parameterExtras(colour, look, session.presetLook);
+    if (!ImGui::BeginPopup("##colour")) return;
+    ImGui::TextUnformatted((colour.group + ": " + colour.label).c_str());
+    if (natural) {
+        ImGui::TextDisabled("White in the picture while Colour is Natural");
+    }
+    colourPicker(look.of(s).colour);
+    ImGui::EndPopup();
+}
+
+void drawScale(Session& session, Species s) {
+    const float least = kLeastSliderEms * ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(std::max(least, ImGui::GetContentRegionAvail().x - 1.0f));
+    parameterEditor(row(s, "mixing_scale"), session.document.look, session.presetLook);
+}
+
+/// The row of a field; true when it is unfolded.
+bool header(Ui& ui, Species s, const Absence& absent) {
+    Session& session = ui.session();
+    const float start = ImGui::GetCursorPosX();
+    const bool present = absent.brief.empty();
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, present ? 1.0f : kAbsentAlpha);
+    changedMark(row(s, "mixing_scale"), session.document.look, session.presetLook);
+    const bool open = ImGui::TreeNodeEx("##fold", ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                                      ImGuiTreeNodeFlags_FramePadding |
+                                                      ImGuiTreeNodeFlags_AllowItemOverlap);
+    place(fmt::format("{}.fold", info(s).id));
+    column(start, kEyeEms);
+    drawEye(session, s);
+    column(start, kSoloEms);
+    drawSolo(ui, s);
+    column(start, kSwatchEms);
+    drawSwatch(session, s);
+    column(start, kNameEms);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(info(s).label.data(), info(s).label.data() + info(s).label.size());
+    if (!present) tooltip(absent.full);
+    column(start, kScaleEms);
+    if (present || session.shown() == nullptr) {
+        drawScale(session, s);
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(absent.brief.c_str());
+        tooltip(absent.full);
+    }
+    ImGui::PopStyleVar();
+    return open;
+}
+
+bool drawsItself(const Parameter& r) {
+    return r.id.ends_with(".visible") || r.id.ends_with(".colour") ||
+           r.id.ends_with(".mixing_scale");
+}
+
+/// Said where parameters of a field do not act because of a mode of the whole picture.
+void drawUnused(const Parameter& r, const Look& look) {
+    if (r.id.ends_with(".phase") && look.phaseMode == PhaseMode::uniform) {
+        ImGui::TextDisabled("Not used: Phase is Uniform");
+    }
+    if (r.id.ends_with(".radius_source") && look.extinction == ExtinctionMode::equal) {
+        ImGui::TextDisabled("Not used: Extinction is Equal");
+    }
+    if (r.id.ends_with(".noise_amount") && !look.noise) {
+        ImGui::TextDisabled("Not used: Detail noise is off");
+    }
+}
+
+void unfolded(Ui& ui, Species s, const Absence& absent) {
+    Session& session = ui.session();
+    Look& look = session.document.look;
+    ImGui::Indent();
+    if (!absent.full.empty()) {
+        ImGui::TextDisabled("%s", absent.full.c_str());
+        parameterWidget(row(s, "mixing_scale"), look, session.presetLook);
+    }
+    for (const Parameter& r : lookTable()) {
+        if (r.species != s || drawsItself(r) || !applies(r, look)) continue;
+        drawUnused(r, look);
+        if (r.id.ends_with(".noise_amount")) drawPhasePlot(ui, s);
+        parameterWidget(r, look, session.presetLook);
+    }
+    ImGui::Spacing();
+    if (const VolumeSummary* shown = session.shown()) {
+        drawHistogram(shown->histograms[static_cast<std::size_t>(s)]);
+        drawDepth(ui, s);
+    }
+    ImGui::Unindent();
+    ImGui::Spacing();
+}
+
+void field(Ui& ui, Species s) {
+    Look& look = ui.session().document.look;
+    const Look before = look;
+    const Absence absent = absence(ui.session(), s);
+    ImGui::PushID(static_cast<int>(s));
+    if (header(ui, s, absent)) unfolded(ui, s, absent);
+    ImGui::PopID();
+    if (linkOf(ui.fields, s)) follow(look, before, ui.fields.atPress, s);
+}
+
+void groupHead(Ui& ui, const char* name, Species first) {
+    const float start = ImGui::GetCursorPosX();
+    const float em = ImGui::GetFontSize();
+    bool& linked = linkOf(ui.fields, first);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", name);
+    column(start, kSwatchEms);
+    ImGui::PushID(name);
+    if (chainButton("##link", linked, kSwatchWidthEms * em)) linked = !linked;
+    ImGui::PopID();
+    place(fmt::format("fields.link:{}", info(first).liquid ? "liquid" : "ice"));
+    tooltip(fmt::format(
+        "{} fields together: what is changed of one is changed of all.\nMixing scale and constant "
+        "radius by the same factor; radius source, albedo,\nphase function and noise to the same "
+        "value. Colour, density and the eye\nstay each field's own.",
+        linked ? "Unlink: now these" : "Link these"));
+    column(start, kScaleEms);
+    ImGui::TextDisabled("Mixing scale");
+}
+
+}  // namespace
+
+void drawFields(Ui& ui) {
+    if (!ImGui::CollapsingHeader("Fields", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!ImGui::IsAnyItemActive()) ui.fields.atPress = ui.session().document.look;
+    for (const bool liquid : {true, false}) {
+        groupHead(ui, liquid ? "Liquid" : "Ice", liquid ? Species::cloud : Species::ice);
+        for (int s = 0; s < kSpeciesCount; ++s) {
+            const auto species = static_cast<Species>(s);
+            if (info(species).liquid == liquid) field(ui, species);
+        }
+    }
+}
+
+}  // namespace neph::ui

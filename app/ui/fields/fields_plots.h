@@ -1,0 +1,27 @@
+// fields_plots.h: what an unfolded field shows besides its parameters: its phase function with the
+// angle of the view on it, how much of it there is, and how deep it is along the view.
+#pragma once
+#include "app/ui/shell/ui.h"
+
+namespace neph::ui {
+
+/// Angle by which sunlight is turned towards the eye at the middle of the picture, radians: 0 looks
+/// into the sun.
+double scatteringAngle(const Document& document);
+
+/// The curve of a field, as last computed; another is begun where its phase function is another,
+/// and taken over when it is done.
+const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species species);
+
+/// Optical depths along the middle of the view, computed anew when volume, look or camera changed;
+/// none without data.
+const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session& session);
+
+/// The next tooltip is below a plot, or where there is no room above it, and not over it.
+void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper);
+
+void drawPhasePlot(Ui& ui, Species species);
+void drawHistogram(const FieldHistogram& histogram);
+void drawDepth(Ui& ui, Species species);
+
+}  // namespace neph::ui

@@ -1,0 +1,289 @@
+// output_panel.cpp: the export dialogue, and the notice of the export that runs or has ended.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/ui/output/output_run.h"
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr float kDialogueEms = 34.0f, kLabelEms = 9.0f, kNoticeEms = 26.0f;
+constexpr int kMostSidePx = 65535;  // as the command line takes them
+
+/// A label in a column of its own; what follows stands beside it.
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
+}
+
+/// One of several, greyed with a reason where it cannot be.
+template <typename Choice>
+void choice(const char* text, const char* name, Choice& value, Choice own,
+            const std::string& reason = {}) {
+    ImGui::BeginDisabled(!reason.empty());
+    if (ImGui::RadioButton(text, value == own)) value = own;
+    ImGui::EndDisabled();
+    place(name);
+    if (!reason.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("%s", reason.c_str());
+    }
+}
+
+void drawWhat(Ui& ui, ExportSettings& settings) {
+    const DatasetInfo* info = ui.session().info();
+    const std::size_t times = info == nullptr ? 0 : info->times.size();
+    const CameraPath& path = ui.session().document.path;
+    label("Export");
+    choice("This picture", "export.picture", settings.what, ExportWhat::picture);
+    ImGui::SameLine();
+    choice(times > 1 ? fmt::format("All {} times", times).c_str() : "All times", "export.times",
+           settings.what, ExportWhat::times, times > 1 ? "" : "The data have but one time");
+    ImGui::SameLine();
+    choice("Camera path", "export.path", settings.what, ExportWhat::path,
+           path.keys.empty() ? "There is no camera path: set its keys in the camera panel" : "");
+}
+
+void drawFormat(ExportSettings& settings) {
+    label("Format");
+    choice("PNG", "export.png", settings.format, ExportFormat::png);
+    ImGui::SameLine();
+    choice("EXR", "export.exr", settings.format, ExportFormat::exr);
+    tooltip("Linear light, for further work");
+    ImGui::SameLine();
+    std::string reason;
+    if (settings.what == ExportWhat::picture) {
+        reason = "A film is made of all times, or of pictures along the path";
+    } else if (!findProgram("ffmpeg")) {
+        reason = "A film needs the program ffmpeg, which is not on the PATH: apt install ffmpeg";
+    }
+    choice("MP4 film", "export.mp4", settings.format, ExportFormat::mp4, reason);
+}
+
+void drawSize(const Ui& ui, ExportSettings& settings) {
+    const glm::ivec2 window = exportSceneOf(ui).windowPx;
+    const std::string own = fmt::format("As in the window, {} \u00d7 {}", window.x, window.y);
+    const std::array<const char*, 4> names{own.c_str(), "1920 \u00d7 1080", "3840 \u00d7 2160",
+                                           "Other"};
+    const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
+    label("Size");
+    ImGui::SetNextItemWidth(width);
+    int index = static_cast<int>(settings.size);
+    if (ImGui::Combo("##size", &index, names.data(), static_cast<int>(names.size()))) {
+        settings.size = static_cast<ExportSize>(index);
+    }
+    place("export.size");
+    if (settings.size == ExportSize::own) {
+        label("Pixels");
+        ImGui::SetNextItemWidth(width);
+        ImGui::InputInt2("##pixels", &settings.ownPx.x);
+        settings.ownPx = glm::clamp(settings.ownPx, 1, kMostSidePx);
+        place("export.pixels");
+    }
+    label("Rays a pixel");
+    ImGui::SetNextItemWidth(width);
+    int rays = settings.supersample - 1;
+    if (ImGui::Combo("##rays", &rays,
+                     "1\0"
+                     "2 \u00d7 2\0"
+                     "3 \u00d7 3\0"
+                     "4 \u00d7 4\0")) {
+        settings.supersample = rays + 1;
+    }
+    tooltip("More make edges smoother, and take as much longer");
+    place("export.supersample");
+}
+
+void drawQuality(const Ui& ui, ExportSettings& settings) {
+    const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
+    if (ui.session().document.look.engine == Engine::march) {
+        label("Samples");
+        ImGui::SetNextItemWidth(width);
+        ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        tooltip("Pictures that are averaged: more are smoother");
+        place("export.samples");
+    }
+    if (settings.format == ExportFormat::mp4 || settings.what == ExportWhat::path) {
+        label("Frame rate");
+        ImGui::SetNextItemWidth(width);
+        ImGui::InputDouble("##fps", &settings.fps, 1.0, 5.0, "%.3g per second");
+        settings.fps = std::clamp(settings.fps, 0.1, 240.0);
+        place("export.fps");
+    }
+    if (settings.format != ExportFormat::mp4) {
+        label("Background");
+        ImGui::Checkbox("Transparent, without sky and ground", &settings.transparent);
+        place("export.transparent");
+    }
+    if (!exportSceneOf(ui).split) return;
+    label("Compare");
+    ImGui::Checkbox("Both sides, as in the window", &settings.bothSides);
+    place("export.compare");
+}
+
+/// How many pictures there will be.
+int countOf(const Ui& ui, const ExportSettings& settings) {
+    const Session& session = ui.session();
+    if (settings.what == ExportWhat::times && session.info() != nullptr) {
+        return static_cast<int>(session.info()->times.size());
+    }
+    if (settings.what == ExportWhat::picture) return 1;
+    return static_cast<int>(durationS(session.document.path) * settings.fps + 1e-6) + 1;
+}
+
+/// Name, what will be made, or why it cannot be.
+bool drawFile(const Ui& ui, ExportSettings& settings) {
+    label("File");
+    ImGui::SetNextItemWidth((kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize());
+    ImGui::InputText("##file", &settings.file);
+    place("export.file");
+    if (!ImGui::IsItemActive()) {
+        settings.file = withEnding(settings.file, settings.format).string();
+    }
+    ImGui::PushTextWrapPos((kDialogueEms - 1.0f) * ImGui::GetFontSize());
+    const std::string fault = exportFault(settings, ui.session());
+    if (!fault.empty()) {
+        ImGui::TextColored(warningColour(), "%s", fault.c_str());
+    } else {
+        const glm::ivec2 size = sizeOf(settings, exportSceneOf(ui));
+        const int count = countOf(ui, settings);
+        const bool film = settings.format == ExportFormat::mp4;
+        const std::string length =
+            film ? fmt::format(", {}", durationText(count / settings.fps)) : std::string();
+        ImGui::TextDisabled("%s", fmt::format("{} picture{} of {} \u00d7 {} pixels{}; "
+                                              "a number is added to a name that is taken",
+                                              count, count == 1 ? "" : "s", size.x, size.y, length)
+                                      .c_str());
+    }
+    ImGui::PopTextWrapPos();
+    return fault.empty();
+}
+
+/// The bar of the export that runs, with a button to stop it.
+void drawProgress(Ui& ui) {
+    ExportJob& job = *ui.output.job;
+    const float button = 6.0f * ImGui::GetFontSize();
+    ImGui::ProgressBar(static_cast<float>(job.fraction()),
+                       {ImGui::GetContentRegionAvail().x - button, 0.0f}, job.text().c_str());
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {-1.0f, 0.0f})) job.cancel();
+    place("export.cancel");
+}
+
+/// How it ended.
+void drawEnd(Ui& ui) {
+    const ExportJob& job = *ui.output.job;
+    const std::string file = job.file().string();
+    ImGui::PushTextWrapPos(ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX());
+    switch (job.state()) {
+        case ExportJob::State::done:
+            ImGui::TextUnformatted(
+                job.done() > 1
+                    ? fmt::format("Wrote {} pictures, the last is {}", job.done(), file).c_str()
+                    : ("Wrote " + file).c_str());
+            break;
+        case ExportJob::State::cancelled:
+            ImGui::TextUnformatted(stoppedText(job).c_str());
+            break;
+        default:
+            ImGui::TextColored(errorColour(), "The export failed");
+            ImGui::TextUnformatted(job.fault().c_str());
+    }
+    ImGui::PopTextWrapPos();
+    if (job.state() == ExportJob::State::done && !file.empty()) {
+        if (ImGui::Button("Copy path")) ImGui::SetClipboardText(file.c_str());
+        place("export.copy_path");
+        if (!ui.output.open) ImGui::SameLine();
+    }
+    if (ui.output.open) return;
+    const bool close = ImGui::Button("Close");
+    place("export.dismiss");
+    if (close) ui.output.job.reset();
+}
+
+void drawDialogue(Ui& ui) {
+    ExportSettings& settings = ui.output.settings;
+    if (settings.file.empty()) settings.file = defaultExportFile().string();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
+                            {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({kDialogueEms * ImGui::GetFontSize(), 0.0f});
+    if (ImGui::Begin("Export", &ui.output.open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoSavedSettings)) {
+        const bool running = exports(ui);
+        ImGui::BeginDisabled(running);
+        drawWhat(ui, settings);
+        drawFormat(settings);
+        drawSize(ui, settings);
+        drawQuality(ui, settings);
+        const bool can = drawFile(ui, settings);
+        ImGui::EndDisabled();
+        ImGui::Separator();
+        if (running) {
+            drawProgress(ui);
+        } else {
+            if (ui.output.job) drawEnd(ui);
+            ImGui::BeginDisabled(!can);
+            if (ImGui::Button("Export", {8.0f * ImGui::GetFontSize(), 0.0f})) {
+                startExport(ui, settings);
+            }
+            place("export.start");
+            ImGui::EndDisabled();
+            ImGui::SameLine();
+            if (ImGui::Button("Close")) ui.output.open = false;
+            place("export.close");
+        }
+        if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
+            !ImGui::IsAnyItemActive()) {
+            ui.output.open = false;
+        }
+    }
+    ImGui::End();
+}
+
+/// The same where the dialogue is closed: in the picture's upper right corner, which no overlay
+/// has.
+void drawNotice(Ui& ui) {
+    const PixelBox picture = pictureBox(ui);
+    const ImGuiIO& io = ImGui::GetIO();
+    const float em = ImGui::GetFontSize();
+    const ImVec2 corner{
+        static_cast<float>(picture.upper.x) / io.DisplayFramebufferScale.x - em,
+        io.DisplaySize.y - static_cast<float>(picture.upper.y) / io.DisplayFramebufferScale.y + em};
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0f, 0.0f});
+    ImGui::SetNextWindowSize({kNoticeEms * em, 0.0f});
+    if (ImGui::Begin("##export", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (exports(ui)) {
+            drawProgress(ui);
+        } else {
+            drawEnd(ui);
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+void drawOutput(Ui& ui) {
+    updateExport(ui);
+    if (ui.output.open) {
+        drawDialogue(ui);
+    } else if (ui.output.job) {
+        drawNotice(ui);
+    }
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,91 @@
+// output_run.cpp: what the window shows goes into a session file, which the program beside it
+// reads.
+#include "app/ui/output/output_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/resources.h"
+#include "core/session/session_file.h"
+
+namespace neph::ui {
+namespace {
+
+std::filesystem::path sessionFile() {
+    const auto cache = userCacheDir();
+    const std::filesystem::path folder =
+        (cache ? *cache : std::filesystem::temp_directory_path() / "nephoscope") / "exports";
+    std::filesystem::create_directories(folder);
+    return folder / fmt::format("{}{}", getpid(), kSessionEnding);
+}
+
+void removeSession(OutputState& output) {
+    std::error_code ignored;
+    std::filesystem::remove(std::exchange(output.session, {}), ignored);
+}
+
+}  // namespace
+
+std::string stoppedText(const ExportJob& job) {
+    if (job.done() == 0 || job.file().extension() == ".mp4") {
+        return "The export was stopped; nothing was written";
+    }
+    return fmt::format("The export was stopped; {} picture{} kept", job.done(),
+                       job.done() == 1 ? " is" : "s are");
+}
+
+bool exports(const Ui& ui) {
+    return ui.output.job && ui.output.job->state() == ExportJob::State::running;
+}
+
+ExportScene exportSceneOf(const Ui& ui) {
+    return {pictureBox(ui).size(), ui.compare.active + 1,
+            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers};
+}
+
+void startExport(Ui& ui, const ExportSettings& settings) {
+    OutputState& output = ui.output;
+    if (exports(ui) || !ui.services.state) return;
+    try {
+        const bool series =
+            settings.what != ExportWhat::picture && settings.format != ExportFormat::mp4;
+        const auto out = freeFile(withEnding(settings.file, settings.format), series);
+        output.session = sessionFile();
+        saveSession(output.session, ui.services.state());
+        output.job.emplace(output.program.empty() ? programDir() / "nephoscope" : output.program,
+                           exportArguments(settings, exportSceneOf(ui), output.session, out));
+    } catch (const Error& error) {
+        removeSession(output);
+        ui.session().say(Message::Kind::error, error.message());
+    } catch (const std::filesystem::filesystem_error& error) {
+        ui.session().say(Message::Kind::error, error.what());
+    }
+}
+
+void exportPicture(Ui& ui) {
+    ExportSettings settings = ui.output.settings;
+    settings.what = ExportWhat::picture;
+    settings.size = ExportSize::window;
+    if (settings.format == ExportFormat::mp4) settings.format = ExportFormat::png;
+    if (settings.file.empty()) settings.file = defaultExportFile().string();
+    startExport(ui, settings);
+}
+
+void updateExport(Ui& ui) {
+    OutputState& output = ui.output;
+    if (!exports(ui)) return;
+    ui.again(kLookS);
+    const ExportJob::State state = output.job->poll();
+    if (state == ExportJob::State::running) return;
+    removeSession(output);
+    if (state == ExportJob::State::done) {
+        ui.session().say(Message::Kind::note, "Wrote " + output.job->file().string());
+    } else if (state == ExportJob::State::cancelled) {
+        ui.session().say(Message::Kind::note, stoppedText(*output.job));
+    }
+}
+
+}  // namespace neph::ui

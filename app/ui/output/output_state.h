@@ -1,0 +1,40 @@
+// output_state.h: what the export dialogue keeps between frames: its settings and the export that
+// runs.
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/export_job.h"
+
+namespace neph::ui {
+
+enum class ExportWhat : int { picture, times, path };
+enum class ExportFormat : int { png, exr, mp4 };
+enum class ExportSize : int { window, hd, uhd, own };
+
+struct ExportSettings {
+    ExportWhat what = ExportWhat::picture;
+    ExportFormat format = ExportFormat::png;
+    ExportSize size = ExportSize::window;
+    glm::ivec2 ownPx{1920, 1080};
+    int supersample = 1;
+    int samples = 16;
+    bool transparent = false;
+    bool bothSides = true;  ///< where the window shows two
+    double fps = 25.0;      ///< of films and paths
+    std::string file;       ///< as typed; empty before the dialogue was opened
+};
+
+struct OutputState {
+    bool open = false;  ///< the dialogue is shown
+    ExportSettings settings;
+    std::optional<ExportJob> job;      ///< runs, or has ended and was not yet closed
+    std::filesystem::path session;     ///< what the job reads; removed with it
+    std::filesystem::path program;     ///< that exports; empty: this one
+    std::vector<std::string> readers;  ///< that this program was told of
+};
+
+}  // namespace neph::ui

@@ -1,0 +1,22 @@
+// preset_card.h: one preset in the grid: its picture, its name and what can be done with it.
+#pragma once
+#include "app/ui/presets/preset_browser.h"
+
+namespace neph::ui {
+
+/// Width over height of the pictures.
+inline constexpr float kThumbnailAspect = 16.0f / 9.0f;
+
+/// Height of a card of this width.
+float presetCardHeight(float width);
+
+/// At the cursor. A click loads the preset, a right click opens a menu, "..." the details.
+void drawPresetCard(Ui& ui, const PresetCard& card, float width);
+
+/// The picture, or the colours of the preset's sky and ground where there is none.
+void drawPresetPicture(const PresetCard& card, glm::vec2 lower, glm::vec2 upper);
+
+/// Title, description, and what the preset would change; at most `most` lines of that.
+std::string describePresetCard(const Session& session, const PresetCard& card, std::size_t most);
+
+}  // namespace neph::ui

@@ -1,0 +1,82 @@
+// actions_file.cpp: the actions of the File menu.
+#include <array>
+
+#include "app/ui/shell/actions.h"
+
+namespace neph::ui {
+namespace {
+
+const std::array kActions{
+    Action{.id = "file.open",
+           .label = "Open data...",
+           .menu = Menu::file,
+           .chord = {Key::o, true},
+           .help = "Files of one series, or a folder",
+           .run = [](Ui& ui) { browse(ui, BrowseFor::data); }},
+    Action{.id = "file.bundled",
+           .label = "Open the bundled storm",
+           .menu = Menu::file,
+           .help = "A supercell that comes with the program",
+           .run = [](Ui& ui) { ui.session().open({}); }},
+    Action{.id = "file.recent",
+           .label = "Open recent...",
+           .menu = Menu::file,
+           .chord = {Key::r, true, true},
+           .help = "What was opened lately, newest first",
+           .run = [](Ui& ui) { ui.sessionDialogs.showRecent = true; },
+           .enabled = [](const Ui& ui) { return !ui.settings.recent.empty(); }},
+    Action{.id = "file.reload",
+           .label = "Reload data",
+           .menu = Menu::file,
+           .chord = {Key::r, true},
+           .help = "Reads the open files again, as they are on disk now",
+           .run = reloadData,
+           .enabled = [](const Ui& ui) { return ui.session().info() != nullptr; }},
+    Action{.id = "file.open_session",
+           .label = "Open session...",
+           .menu = Menu::file,
+           .chord = {Key::o, true, true},
+           .help = "Data, looks and cameras as they were saved together",
+           .run = [](Ui& ui) { browse(ui, BrowseFor::session); },
+           .separated = true},
+    Action{.id = "file.save_session",
+           .label = "Save session",
+           .menu = Menu::file,
+           .chord = {Key::w, true, true},
+           .help = "Into the session file that is open; asks for a name where none is",
+           .run =
+               [](Ui& ui) {
+                   if (ui.sessionDialogs.file.empty()) {
+                       browse(ui, BrowseFor::saveSession);
+                   } else {
+                       saveSessionFile(ui, ui.sessionDialogs.file);
+                   }
+               }},
+    Action{.id = "file.save_session_as",
+           .label = "Save session as...",
+           .menu = Menu::file,
+           .help = "Data, looks, cameras, bookmarks and the path, into a file of its own",
+           .run = [](Ui& ui) { browse(ui, BrowseFor::saveSession); }},
+    Action{.id = "file.reopen",
+           .label = "Reopen last session",
+           .menu = Menu::file,
+           .chord = {Key::t, true, true},
+           .help = "As it was when the program ended last, properly or not",
+           .run = [](Ui& ui) { reopenLast(ui); },
+           .enabled = canReopenLast},
+    Action{.id = "file.quit",
+           .label = "Quit",
+           .menu = Menu::file,
+           .chord = {Key::q, true},
+           .help = "The session is kept",
+           .run = [](Ui& ui) { ui.requests.quit = true; },
+           .separated = true},
+};
+
+}  // namespace
+
+std::span<const Action> fileActions() {
+    return kActions;
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,43 @@
+// actions_output.cpp: the actions of the Output menu.
+#include <array>
+
+#include "app/ui/output/output_run.h"
+#include "app/ui/shell/actions.h"
+
+namespace neph::ui {
+namespace {
+
+bool canExport(const Ui& ui) {
+    return ui.session().shown() != nullptr && !exports(ui);
+}
+
+const std::array kActions{
+    Action{.id = "output.export",
+           .label = "Export...",
+           .menu = Menu::output,
+           .chord = {Key::e, true},
+           .help = "Pictures of any size, series over time or along the camera path, films",
+           .run = [](Ui& ui) { ui.output.open = true; }},
+    Action{.id = "output.picture",
+           .label = "Save the picture",
+           .menu = Menu::output,
+           .chord = {Key::f12},
+           .help = "As large as in the window, with the other settings of the last export",
+           .run = [](Ui& ui) { exportPicture(ui); },
+           .enabled = canExport},
+    Action{.id = "output.cancel",
+           .label = "Stop the export",
+           .menu = Menu::output,
+           .help = "Whole pictures that were written are kept",
+           .run = [](Ui& ui) { ui.output.job->cancel(); },
+           .enabled = exports,
+           .separated = true},
+};
+
+}  // namespace
+
+std::span<const Action> outputActions() {
+    return kActions;
+}
+
+}  // namespace neph::ui

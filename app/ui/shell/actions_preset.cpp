@@ -1,0 +1,67 @@
+// actions_preset.cpp: the actions of the Presets menu.
+#include <array>
+
+#include "app/ui/shell/actions.h"
+#include "core/preset/preset_files.h"
+
+namespace neph::ui {
+namespace {
+
+const std::array kActions{
+    Action{
+        .id = "preset.save",
+        .label = "Save preset",
+        .menu = Menu::presets,
+        .chord = {Key::s, true},
+        .help = "Look and camera under the name of your preset; asks for one where there is none",
+        .run = savePreset},
+    Action{.id = "preset.save_as",
+           .label = "Save preset as...",
+           .menu = Menu::presets,
+           .chord = {Key::s, true, true},
+           .help = "Look and camera as a preset of your own",
+           .run = [](Ui& ui) { openPresetDialog(ui, PresetDialog::saveAs); }},
+    Action{.id = "preset.open",
+           .label = "Preset from file...",
+           .menu = Menu::presets,
+           .chord = {},
+           .help = "Takes over look and camera of a preset that lies elsewhere",
+           .run = [](Ui& ui) { openPresetDialog(ui, PresetDialog::open); },
+           .separated = true},
+    Action{.id = "preset.again",
+           .label = "Load the preset again",
+           .menu = Menu::presets,
+           .chord = {},
+           .help = "Gives up what was changed since it was loaded",
+           .run = [](Ui& ui) { applyPreset(ui, std::string(ui.session().presetName)); },
+           .enabled =
+               [](const Ui& ui) {
+                   return !ui.session().presetName.empty() && presetChanged(ui.session());
+               }},
+    Action{.id = "preset.copy",
+           .label = "Copy preset",
+           .menu = Menu::presets,
+           .chord = {Key::c, true, true},
+           .help = "Look and camera as JSON to the clipboard",
+           .run =
+               [](Ui& ui) {
+                   Preset preset = presetOf(ui.session());
+                   preset.title = presetLabel(ui.session().presetName);
+                   copyPreset(ui, preset);
+               },
+           .separated = true},
+    Action{.id = "preset.paste",
+           .label = "Paste preset",
+           .menu = Menu::presets,
+           .chord = {Key::v, true, true},
+           .help = "Look and camera from JSON in the clipboard",
+           .run = pastePreset},
+};
+
+}  // namespace
+
+std::span<const Action> presetActions() {
+    return kActions;
+}
+
+}  // namespace neph::ui

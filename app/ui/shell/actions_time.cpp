@@ -1,0 +1,142 @@
+// actions_time.cpp: the actions of the Time menu.
+#include <algorithm>
+#include <array>
+
+#include "app/ui/shell/actions.h"
+#include "app/ui/shell/panels.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr int kManyTimes = 10;
+
+bool hasTimes(const Ui& ui) {
+    return lastTime(ui) > 0;
+}
+
+bool hasPath(const Ui& ui) {
+    return ui.session().document.path.keys.size() > 1;
+}
+
+void goTo(Ui& ui, int time) {
+    ui.session().document.time = std::clamp(time, 0, lastTime(ui));
+}
+
+void goBy(Ui& ui, int times) {
+    goTo(ui, ui.session().document.time + times);
+}
+
+/// Begins anew where the end was reached before.
+void play(Ui& ui) {
+    Playback& playback = ui.playback;
+    playback.playing = !playback.playing;
+    playback.sinceS = 0.0;
+    playback.from = playback.to = -1;
+    if (!playback.playing) return;
+    playback.alongPath = hasPath(ui) && (playback.alongPath || !hasTimes(ui));
+    if (playback.alongPath) {
+        if (playback.atS >= durationS(ui.session().document.path)) playback.atS = 0.0;
+    } else if (!playback.loop && ui.session().document.time == lastTime(ui)) {
+        goTo(ui, 0);
+    }
+}
+
+const std::array kActions{
+    Action{.id = "time.play",
+           .label = "Play",
+           .menu = Menu::time,
+           .chord = {Key::space},
+           .help = "Through the times of the data, or along the camera path; again to pause",
+           .run = play,
+           .enabled = hasTimeBar,
+           .checked = [](const Ui& ui) { return ui.playback.playing; }},
+    Action{.id = "time.loop",
+           .label = "Loop",
+           .menu = Menu::time,
+           .chord = {Key::l},
+           .help = "Playing begins anew at its end",
+           .run = [](Ui& ui) { ui.playback.loop = !ui.playback.loop; },
+           .checked = [](const Ui& ui) { return ui.playback.loop; }},
+    Action{.id = "time.along_path",
+           .label = "Along the camera path",
+           .menu = Menu::time,
+           .chord = {},
+           .help = "Playing follows the keys of the camera path, and the times with it if the path "
+                   "says so",
+           .run = [](Ui& ui) { ui.playback.alongPath = !ui.playback.alongPath; },
+           .enabled = hasPath,
+           .checked = [](const Ui& ui) { return ui.playback.alongPath; }},
+    Action{.id = "time.slower",
+           .label = "Slower",
+           .menu = Menu::time,
+           .chord = {Key::comma},
+           .help = "Half as many times a second",
+           .run = [](Ui& ui) { changeSpeed(ui.playback, -1); },
+           .enabled = hasTimes},
+    Action{.id = "time.faster",
+           .label = "Faster",
+           .menu = Menu::time,
+           .chord = {Key::period},
+           .help = "Twice as many times a second",
+           .run = [](Ui& ui) { changeSpeed(ui.playback, 1); },
+           .enabled = hasTimes},
+    Action{.id = "time.before",
+           .label = "Time before",
+           .menu = Menu::time,
+           .chord = {Key::left},
+           .help = "One time back",
+           .run = [](Ui& ui) { goBy(ui, -1); },
+           .enabled = hasTimes,
+           .separated = true},
+    Action{.id = "time.after",
+           .label = "Time after",
+           .menu = Menu::time,
+           .chord = {Key::right},
+           .help = "One time on",
+           .run = [](Ui& ui) { goBy(ui, 1); },
+           .enabled = hasTimes},
+    Action{.id = "time.far_before",
+           .label = "Ten times back",
+           .menu = Menu::time,
+           .chord = {.key = Key::left, .shift = true},
+           .help = "Or to the first",
+           .run = [](Ui& ui) { goBy(ui, -kManyTimes); },
+           .enabled = hasTimes},
+    Action{.id = "time.far_after",
+           .label = "Ten times on",
+           .menu = Menu::time,
+           .chord = {.key = Key::right, .shift = true},
+           .help = "Or to the last",
+           .run = [](Ui& ui) { goBy(ui, kManyTimes); },
+           .enabled = hasTimes},
+    Action{.id = "time.first",
+           .label = "First time",
+           .menu = Menu::time,
+           .chord = {Key::home},
+           .help = "The first of the series",
+           .run = [](Ui& ui) { goTo(ui, 0); },
+           .enabled = hasTimes},
+    Action{.id = "time.last",
+           .label = "Last time",
+           .menu = Menu::time,
+           .chord = {Key::end},
+           .help = "The last of the series",
+           .run = [](Ui& ui) { goTo(ui, lastTime(ui)); },
+           .enabled = hasTimes},
+    Action{.id = "time.follow",
+           .label = "Follow new times",
+           .menu = Menu::time,
+           .chord = {Key::f, true},
+           .help = "From the last time to a new last one as soon as there is one",
+           .run = [](Ui& ui) { ui.session().follow = !ui.session().follow; },
+           .checked = [](const Ui& ui) { return ui.session().follow; },
+           .separated = true},
+};
+
+}  // namespace
+
+std::span<const Action> timeActions() {
+    return kActions;
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,145 @@
+// actions_view.cpp: the actions of the View menu.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/ui/shell/actions.h"
+#include "app/ui/shell/panels.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr std::array kTextScales{0.8f, 0.9f, 1.0f, 1.1f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f};
+
+void setTextScale(Ui& ui, float scale) {
+    ui.settings.textScale = scale;
+    ui.requests.restyle = true;
+}
+
+/// To the step before or after the one that is nearest now.
+void scaleText(Ui& ui, int steps) {
+    const auto nearest = std::ranges::min_element(
+        kTextScales, {}, [&ui](float scale) { return std::abs(scale - ui.settings.textScale); });
+    const auto index = static_cast<int>(nearest - kTextScales.begin()) + steps;
+    const int last = static_cast<int>(kTextScales.size()) - 1;
+    setTextScale(ui, kTextScales.at(static_cast<std::size_t>(std::clamp(index, 0, last))));
+}
+
+bool panelsShown(const Ui& ui) {
+    return ui.showPanels;
+}
+
+const std::array kActions{
+    Action{.id = "view.panels",
+           .label = "Panels",
+           .menu = Menu::view,
+           .chord = {Key::tab},
+           .help = "Shows or hides all panels",
+           .run = [](Ui& ui) { ui.showPanels = !ui.showPanels; },
+           .checked = [](const Ui& ui) { return ui.showPanels; }},
+    Action{.id = "view.left",
+           .label = "Left column",
+           .menu = Menu::view,
+           .chord = {Key::f2},
+           .help = "Data and fields",
+           .run = [](Ui& ui) { openColumn(ui, true, layoutOf(ui).left.empty()); },
+           .enabled = panelsShown,
+           .checked = [](const Ui& ui) { return !layoutOf(ui).left.empty(); }},
+    Action{.id = "view.right",
+           .label = "Right column",
+           .menu = Menu::view,
+           .chord = {Key::f4},
+           .help = "Presets, camera, light, view and output",
+           .run = [](Ui& ui) { openColumn(ui, false, layoutOf(ui).right.empty()); },
+           .enabled = panelsShown,
+           .checked = [](const Ui& ui) { return !layoutOf(ui).right.empty(); }},
+    Action{.id = "view.theme",
+           .label = "Light theme",
+           .menu = Menu::view,
+           .chord = {},
+           .help = "Dark letters on light panels, and back",
+           .run =
+               [](Ui& ui) {
+                   const bool light = ui.settings.theme == Theme::light;
+                   ui.settings.theme = light ? Theme::dark : Theme::light;
+                   ui.requests.restyle = true;
+               },
+           .checked = [](const Ui& ui) { return ui.settings.theme == Theme::light; },
+           .separated = true},
+    Action{.id = "view.larger",
+           .label = "Larger text",
+           .menu = Menu::view,
+           .chord = {Key::plus, true},
+           .help = "Text and panels, a step larger",
+           .run = [](Ui& ui) { scaleText(ui, 1); },
+           .enabled = [](const Ui& ui) { return ui.settings.textScale < kTextScales.back(); }},
+    Action{.id = "view.smaller",
+           .label = "Smaller text",
+           .menu = Menu::view,
+           .chord = {Key::minus, true},
+           .help = "Text and panels, a step smaller",
+           .run = [](Ui& ui) { scaleText(ui, -1); },
+           .enabled = [](const Ui& ui) { return ui.settings.textScale > kTextScales.front(); }},
+    Action{.id = "view.text_size",
+           .label = "Text of the usual size",
+           .menu = Menu::view,
+           .chord = {Key::n0, true},
+           .help = "Takes larger and smaller back",
+           .run = [](Ui& ui) { setTextScale(ui, 1.0f); },
+           .enabled = [](const Ui& ui) { return ui.settings.textScale != 1.0f; }},
+    Action{.id = "view.clouds",
+           .label = "Around the clouds",
+           .menu = Menu::view,
+           .chord = {Key::c},
+           .help = "Shows the part of the domain that holds the clouds",
+           .run = showAroundClouds,
+           .enabled =
+               [](const Ui& ui) {
+                   return ui.session().shown() != nullptr &&
+                          ui.session().shown()->clouds.has_value();
+               },
+           .separated = true},
+    Action{.id = "view.whole",
+           .label = "Whole domain",
+           .menu = Menu::view,
+           .chord = {Key::d, true},
+           .help = "Shows the whole domain again",
+           .run = [](Ui& ui) { ui.session().setRegion({}); },
+           .enabled = [](const Ui& ui) { return ui.session().region().has_value(); }},
+    Action{.id = "view.messages",
+           .label = "Messages",
+           .menu = Menu::view,
+           .chord = {Key::m},
+           .help = "The list of all that was said",
+           .run = [](Ui& ui) { ui.showMessages = !ui.showMessages; },
+           .checked = [](const Ui& ui) { return ui.showMessages; },
+           .separated = true},
+    Action{.id = "view.profile",
+           .label = "Performance",
+           .menu = Menu::view,
+           .chord = {Key::f3},
+           .help = "What the picture cost, pass by pass",
+           .run = [](Ui& ui) { ui.requests.redraw = ui.showProfile = !ui.showProfile; },
+           .checked = [](const Ui& ui) { return ui.showProfile; }},
+    Action{.id = "view.full_screen",
+           .label = "Full screen",
+           .menu = Menu::view,
+           .chord = {Key::f11},
+           .help = "And back",
+           .run = [](Ui& ui) { ui.requests.toggleFullScreen = true; },
+           .separated = true},
+    Action{.id = "view.shaders",
+           .label = "Read the shaders again",
+           .menu = Menu::view,
+           .chord = {Key::f5},
+           .help = "After an edit; a fault leaves the last good ones in use",
+           .run = [](Ui& ui) { ui.requests.reloadShaders = true; }},
+};
+
+}  // namespace
+
+std::span<const Action> viewActions() {
+    return kActions;
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,145 @@
+// ui.cpp: puts the panels where the layout has room for them.
+#include "app/ui/shell/ui.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>  // popups and focus
+
+#include <algorithm>
+
+#include "app/ui/shell/panels.h"
+#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/places.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the hand
+constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
+
+bool begin(const char* name, glm::vec2 at, glm::vec2 size, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({at.x, at.y});
+    ImGui::SetNextWindowSize({size.x, size.y});
+    return ImGui::Begin(name, nullptr,
+                        flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoCollapse |
+                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+/// Scrolls where it holds more than there is room for.
+bool beginColumn(const char* name, const Area& area) {
+    return begin(name, area.lower, area.size(), 0);
+}
+
+/// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
+/// where the column is to the left of it.
+void drawEdge(const char* name, const Area& area, float side, bool& open, float& ems) {
+    if (area.empty()) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    const bool drawn = beginFixed(name, area.lower, area.size());
+    ImGui::PopStyleVar();
+    if (drawn) {
+        const glm::vec2 size = area.size();
+        ImGui::InvisibleButton("##edge", {size.x, size.y});
+        place(side > 0.0f ? "view.left" : "view.right");
+        const float dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x;
+        if (open && ImGui::IsItemActive() && dragged != 0.0f) {
+            ems = std::clamp(ems + side * ImGui::GetIO().MouseDelta.x / ImGui::GetFontSize(),
+                             kLeastEms, kMostEms);
+        }
+        if (ImGui::IsItemDeactivated() && dragged == 0.0f) open = !open;
+        const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+        if (hot) {
+            ImGui::SetMouseCursor(open ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_Hand);
+            ImGui::SetTooltip(open ? "Click to close, drag to resize" : "Click to open");
+        }
+        const ImU32 colour = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled);
+        // A mark that points where a click would move the edge.
+        const float half = kMarkEms * ImGui::GetFontSize() * (open ? -side : side);
+        const glm::vec2 at = (area.lower + area.upper) / 2.0f;
+        const float tall = 2.0f * std::abs(half);
+        ImGui::GetWindowDrawList()->AddTriangleFilled(
+            {at.x - half, at.y - tall}, {at.x - half, at.y + tall}, {at.x + half, at.y}, colour);
+    }
+    ImGui::End();
+}
+
+void drawColumns(Ui& ui, const Layout& layout) {
+    if (!layout.left.empty()) {
+        if (beginColumn("##left", layout.left)) {
+            drawData(ui);
+            drawFields(ui);
+        }
+        ImGui::End();
+    }
+    if (!layout.right.empty()) {
+        if (beginColumn("##right", layout.right)) {
+            drawFind(ui);
+            drawPresets(ui);
+            drawCamera(ui);
+            drawGroups(ui);
+        }
+        ImGui::End();
+    }
+    bool left = !layout.left.empty(), right = !layout.right.empty();
+    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.columns.leftEms);
+    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
+    if (left == layout.left.empty()) openColumn(ui, true, left);
+    if (right == layout.right.empty()) openColumn(ui, false, right);
+}
+
+/// A menu or dialog that was there before this frame is closed by Escape.
+void closeOnEscape(int popupsBefore) {
+    const int popups = GImGui->OpenPopupStack.Size;
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (escape && popups > 0 && popups == popupsBefore) {
+        ImGui::ClosePopupToLevel(popups - 1, true);
+    }
+}
+
+/// Whether ImGui needs another frame before it takes keys as what is on the screen suggests: a line
+/// that is about to have the keyboard, or has just given it up.
+bool unsettled() {
+    const ImGuiContext& gui = *GImGui;
+    return gui.NavMoveSubmitted || gui.NavNextActivateId != 0 ||
+           (gui.WantTextInputNextFrame == 1) != gui.IO.WantTextInput;
+}
+
+}  // namespace
+
+void openColumn(Ui& ui, bool left, bool open) {
+    (left ? ui.settings.leftColumn : ui.settings.rightColumn) = open;
+    if (open) ui.columns.leftLast = left;
+}
+
+bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
+    return begin(name, at, size, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+}
+
+void draw(Ui& ui) {
+    const int popups = GImGui->OpenPopupStack.Size;
+    playOn(ui);
+    moveCamera(ui);
+    const Layout layout = layoutOf(ui);
+    drawCameraOverlays(ui);
+    if (ui.showPanels) {
+        drawMenuBar(ui);
+        drawColumns(ui, layout);
+        drawTimeBar(ui);
+        drawStatus(ui);
+    }
+    drawCompare(ui);
+    if (ui.showProfile) drawProfile(ui);
+    drawNotices(ui);
+    drawPathPopup(ui);
+    drawSessionDialogs(ui);
+    drawOutput(ui);
+    drawPresetDialogs(ui);
+    drawHistory(ui);
+    if (ui.showHelp) drawHelp(ui);
+    drawPalette(ui);
+    closeOnEscape(popups);
+    ui.animates |= unsettled();
+}
+
+}  // namespace neph::ui

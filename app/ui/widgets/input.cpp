@@ -1,0 +1,20 @@
+// input.cpp: tooltips as wide as all others.
+#include "app/ui/widgets/input.h"
+
+namespace neph::ui {
+namespace {
+
+constexpr float kTooltipEms = 26.0f;
+
+}  // namespace
+
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipEms);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,31 @@
+// words.cpp: letters of names and of searches.
+#include "app/ui/widgets/words.h"
+
+#include <algorithm>
+
+namespace neph::ui {
+
+std::string lower(std::string_view text) {
+    std::string small(text);
+    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return small;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::size_t from = text.find_first_not_of(kBlanks);
+    if (from == std::string_view::npos) return {};
+    return text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
+}
+
+bool holdsWords(std::string_view text, std::string_view wanted) {
+    const std::string known = lower(text), words = lower(wanted);
+    for (std::size_t from = 0; from < words.size();) {
+        const std::size_t to = std::min(words.find(' ', from), words.size());
+        if (known.find(words.substr(from, to - from)) == std::string::npos) return false;
+        from = to + 1;
+    }
+    return true;
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,22 @@
+// picture_textures.h: pictures that panels show, as textures.
+#pragma once
+#include <filesystem>
+#include <map>
+
+#include "app/gl/objects.h"
+#include "app/ui/shell/ui.h"
+#include "core/image/image.h"
+
+namespace neph {
+
+class PictureTextures {
+  public:
+    ui::LoadedPicture load(const std::filesystem::path& png);
+    ui::LoadedPicture show(const Image8& image);
+    void drop(unsigned texture) { textures_.erase(texture); }
+
+  private:
+    std::map<unsigned, gl::Texture> textures_;
+};
+
+}  // namespace neph

@@ -1,0 +1,99 @@
+// quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
+//
+// In motion a frame is to take no longer than it may, panels and window included. At rest the
+// picture is refined, in steps where the machine is slow, so that it shows a better one soon; the
+// march then averages kSamples pictures, and the reference adds paths. Work is the share of pixels
+// x steps of the full picture.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "core/look/look.h"
+
+namespace neph::ui {
+
+struct Refinement {
+    double restS;    ///< at rest for so long
+    double draftMs;  ///< a picture that is expected to take so long,
+    double fullMs;   ///< or the full one, when that takes no longer than this
+};
+/// A picture that takes up to 0.85 s is there in full a second after the hand rests.
+inline constexpr std::array kRefinements{Refinement{0.1, 250.0, 850.0},
+                                         Refinement{0.4, 1500.0, 1500.0}};
+inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
+inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
+// Of the full work: a sixth of each direction with steps to thin; coarser shows nothing useful.
+inline constexpr double kLeastShare = 0.004;
+inline constexpr int kSamples = 16;  // averaged at rest; more show no difference
+
+/// Least share of planes or steps in motion. With fewer steps the march is grainy, which is worse
+/// to look at than fewer pixels; fewer slices are not. Paths have no steps to thin.
+constexpr double leastDetailOf(Engine engine) {
+    return engine == Engine::march ? 0.5 : engine == Engine::reference ? 1.0 : 0.0;
+}
+
+/// One picture to draw.
+struct Draft {
+    glm::ivec2 sizePx{0};
+    double detail = 1.0;  ///< share of the look's planes, or of its steps
+    int step = 0;         ///< 0 in motion, then as kRefinements, kFullStep in full
+    int sample = 0;       ///< as FrameInputs::sample
+    bool operator==(const Draft&) const = default;
+};
+
+class QualityControl {
+  public:
+    /// `firstShare`: of the full work, for the first picture.
+    explicit QualityControl(double firstShare = 0.02) : motionShare_(firstShare) {}
+
+    /// What to draw when nothing has changed for `restS` seconds; of the planes or steps at least a
+    /// share of `leastDetail`.
+    Draft draft(double restS, glm::ivec2 windowPx, double leastDetail = 0.0) const;
+
+    /// Tells how long a draft of a full picture of `windowPx` took; without preparation, which a
+    /// coarser picture needs as well and a refinement does not repeat.
+    void measured(const Draft& draft, double milliseconds, glm::ivec2 windowPx);
+
+    /// Of a full picture, as far as is known.
+    double fullMs() const { return fullMs_; }
+
+    /// For a whole frame in motion, from now on.
+    void setFrameMs(double milliseconds) { frameMs_ = milliseconds; }
+
+    /// Tells how long panels and window took in a frame.
+    void measuredPanels(double milliseconds);
+
+  private:
+    static constexpr std::size_t kRemembered = 5;  // pictures in motion; one slow one is no reason
+    double aimMs() const;
+    double medianCostMs() const;
+    void aim(double work, double costMs);
+
+    double frameMs_ = 1000.0 / 30.0;
+    double motionShare_;      // of the full work
+    double fullMs_ = 2000.0;  // of a full picture, from the last measurement; a guess
+    double coarseMs_ = 0.0;   // of as much work as a full picture, in small ones; 0: unknown
+    double ratio_ = 1.0;      // of what work costs in large pictures and in small ones
+    double panelsMs_ = 10.0;  // of panels and window; likewise
+    std::array<double, kRemembered> costsMs_{};  // of as much work as a full picture, in motion
+    std::size_t measured_ = 0;                   // of them, since the start
+};
+
+/// What to draw, if anything, while nothing changes: `wanted` where it is finer than what is shown;
+/// then, where the engine `averages`, further samples of the full picture.
+std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& wanted,
+                               bool averages);
+
+/// The same with the reference, `restS` after the last change, where a full picture takes `fullMs`:
+/// as in motion, then four times the pixels each, so that there is soon something to see however
+/// slow paths are; in full one path a pixel after the other, as long as there is to be `more`.
+std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& moving,
+                                glm::ivec2 windowPx, double restS, double fullMs, bool more);
+
+/// Slices of a draft, of `planes` in full. Odd, as sizes are: software drivers compile shaders anew
+/// for textures whose sides are powers of two.
+int planesOf(const Draft& draft, int planes);
+
+}  // namespace neph::ui

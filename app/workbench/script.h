@@ -1,0 +1,43 @@
+// script.h: recorded input: a text file of commands that is played into the window, for tests,
+// demonstrations and the pictures of the documentation.
+//
+// One command a line; '#' opens a comment. PLACE is a name of app/ui/widgets/places.h or "x,y" in
+// shares of the window; "picture" is where the picture is.
+//   wait                     until data are read, the picture is whole and exports are done
+//   frames N                 so many frames
+//   size WxH                 of the window
+//   action ID                carries out an action
+//   key CHORD                "Ctrl+Shift+S", as the menus have it
+//   text WORDS               types
+//   move PLACE               the mouse
+//   click|right|double PLACE
+//   drag PLACE X0 X1         along its width, in shares of it
+//   orbit DX DY              left drag on the picture, in shares of the window
+//   wheel PLACE NOTCHES
+//   open FILE...             as dropped on the window
+//   set ID=VALUE             a parameter of the look
+//   expect ID=VALUE          fails where it is another
+//   expect-place PLACE       fails where there is none
+//   expect-file FILE         fails where there is none, or an empty one
+//   expect-time INDEX
+//   screenshot FILE.png      of the window
+//   monkey EVENTS SEED       random mouse, wheel, keys and text
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace neph {
+
+struct ScriptStep {
+    std::string command;
+    std::vector<std::string> words;
+    int line = 0;
+};
+
+/// Throws Error that names file and line.
+std::vector<ScriptStep> parseScript(std::string_view text, const std::string& where);
+std::vector<ScriptStep> loadScript(const std::filesystem::path& file);
+
+}  // namespace neph

@@ -1,0 +1,189 @@
+// slot.cpp: from a document to the picture on the screen, by way of drafts.
+#include "app/workbench/slot.h"
+
+#include <utility>
+
+#include "app/workbench/profile_text.h"
+
+namespace neph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Paths in motion that take longer are left for what the hand did meanwhile.
+constexpr std::chrono::seconds kLongestInMotion{1};
+
+/// Whether paths that were traced for the one are as good for the other.
+bool samePaths(const Document& a, const Document& b) {
+    return a.camera == b.camera && a.time == b.time && a.look.engine == Engine::reference &&
+           firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve;
+}
+
+}  // namespace
+
+void Slot::takeData() {
+    session.poll();
+    try {
+        if (const auto volume = session.takeVolume()) {
+            renderer_.setVolume(*volume);
+            drawn_.reset();
+            changed_ = Clock::now();
+        }
+    } catch (const Error& error) {
+        session.say(Message::Kind::error, error.message());
+    }
+}
+
+void Slot::noteChanges() {
+    if (session.document == seen_) return;
+    changed_ = Clock::now();
+    if (drawn_ && drawn_->step == ui::kFullStep && samePaths(session.document, seen_)) {
+        retone_ = true;
+    } else {
+        drawn_.reset();
+    }
+    seen_ = session.document;
+}
+
+double Slot::restS() const {
+    return std::chrono::duration<double>(Clock::now() - changed_).count();
+}
+
+bool Slot::averages(bool moving) const {
+    return !moving && session.document.look.engine == Engine::march;
+}
+
+/// With a target that was changed since the picture was drawn, too.
+bool Slot::addsPaths(bool moving) const {
+    ui::ReferenceReport reached = report.reference;
+    reached.targetError = static_cast<double>(session.document.look.targetError);
+    return !moving && !ui::isReached(reached);
+}
+
+Slot::Waiting Slot::waiting(bool moving) const {
+    if (!session.shown()) return Waiting::no;
+    if (!drawn_ || retone_) return Waiting::now;
+    if (drawn_->step < ui::kFullStep) return Waiting::rest;
+    const bool further =
+        traces() ? addsPaths(moving) : averages(moving) && drawn_->sample + 1 < ui::kSamples;
+    return further ? Waiting::now : Waiting::no;
+}
+
+render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
+    render::FrameInputs inputs;
+    inputs.look = session.document.look;
+    inputs.sizePx = draft.sizePx;
+    inputs.sample = draft.sample;
+    inputs.draftLight = draft.step == 0;
+    inputs.profile = request.profile;
+    if (inputs.look.engine == Engine::slicing) {
+        inputs.planes = ui::planesOf(draft, inputs.look.planes);
+    } else {
+        inputs.look.quality *= static_cast<float>(draft.detail);
+    }
+    inputs.camera = placeCamera(session.document.camera, session.shown()->grid,
+                                static_cast<double>(request.placePx.x) / request.placePx.y);
+    return inputs;
+}
+
+std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
+                                               const render::FrameInputs& inputs,
+                                               const DrawRequest& request) {
+    const Clock::time_point start = Clock::now();
+    double panelsMs = 0.0;
+    try {
+        // A frame in motion is short and always comes through; a refinement gives way to the hand.
+        render::FrameStats stats = renderer_.render(inputs, [&](double) {
+            panelsMs += request.panels();
+            const bool slow =
+                inputs.look.engine == Engine::reference && Clock::now() - start > kLongestInMotion;
+            if (draft.step == 0 && !slow) return true;
+            return !(changedSinceLastLook() || request.giveWay());
+        });
+        stats.milliseconds -= panelsMs;
+        return stats;
+    } catch (const Cancelled&) {
+        return {};
+    }
+}
+
+/// The picture to draw now, if any.
+std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
+    if (std::exchange(retone_, false)) return drawn_;
+    const Engine engine = session.document.look.engine;
+    // A button held still is still motion: the next move must find the machine ready.
+    const double rest = request.moving ? 0.0 : restS();
+    ui::QualityControl& quality = qualityOf(engine);
+    quality.setFrameMs(request.frameMs);
+    const double leastDetail = ui::leastDetailOf(engine);
+    if (engine == Engine::reference) {
+        return ui::nextTraced(drawn_, quality.draft(0.0, placePx_, leastDetail), placePx_, rest,
+                              quality.fullMs(), addsPaths(request.moving));
+    }
+    return ui::nextDraft(drawn_, quality.draft(rest, placePx_, leastDetail),
+                         averages(request.moving));
+}
+
+/// Learns from a picture of data of `time` what pictures cost, and reports it.
+void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
+                const render::FrameStats& stats) {
+    ui::QualityControl& quality = qualityOf(look.engine);
+    const render::ReferenceProgress& traced = stats.reference;
+    // What the camera does not change is no measure of how finely to draw while it moves.
+    const bool prepared = stats.bakedMedium || (look.engine == Engine::march && stats.marchedLight);
+    if (look.engine == Engine::reference) {
+        // Later paths were begun with those before; a pass may have been taken up again.
+        const bool first = stats.marchedEye && drawn.sample == 0;
+        if (first) quality.measured(drawn, 1e3 * traced.seconds, placePx_);
+    } else if (stats.marchedEye && !prepared) {
+        quality.measured(drawn, stats.milliseconds, placePx_);
+    }
+    report = {.milliseconds = stats.milliseconds,
+              .engine = look.engine,
+              .planes = stats.planes,
+              .samples = drawn.sample + 1,
+              .sizePx = drawn.sizePx,
+              .full = drawn.step == ui::kFullStep,
+              .device = renderer_.deviceName(),
+              .gpuBytes = renderer_.gpuBytes(),
+              .time = time,
+              .reference = {.paths = traced.samples,
+                            .relativeError = traced.relativeError,
+                            .targetError = static_cast<double>(look.targetError),
+                            .seconds = traced.seconds}};
+}
+
+bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
+    if (!session.shown()) return false;
+    noteChanges();  // a further sample of another picture would be no average
+    if (placePx_ != request.placePx) {
+        placePx_ = request.placePx;
+        changed_ = Clock::now();
+        drawn_.reset();
+    }
+    retone_ &= drawn_.has_value();
+    const bool retones = retone_;
+    const std::optional<ui::Draft> wanted = next(request);
+    if (!wanted) return false;
+    render::FrameInputs inputs = inputsOf(*wanted, request);
+    inputs.profile &= !retones;  // which would have it drawn anew
+    // Until the data of another time are there the picture is of the time before.
+    const int time = session.shows(session.document.time) ? session.document.time : report.time;
+    const std::optional<render::FrameStats> stats = render(*wanted, inputs, request);
+    if (!stats) return false;
+    tell(*wanted, inputs.look, time, *stats);
+    if (inputs.profile) ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
+    drawn_ = wanted;
+    if (!retones) ++pictures_;
+    for (std::string& message : renderer_.takeMessages()) {
+        session.say(Message::Kind::warning, std::move(message));
+    }
+    return true;
+}
+
+void Slot::reloadShaders() {
+    renderer_.reloadChangedShaders();
+    drawn_.reset();
+}
+
+}  // namespace neph

@@ -1,0 +1,95 @@
+// slot.h: one of the two sides that can be compared: data, look and camera, and the pictures drawn
+// of them.
+//
+// Everything is on the main thread. While a picture is drawn the panels are given a turn now and
+// then, so that they follow the hand however slow the picture is.
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "app/render/renderer.h"
+#include "app/ui/shell/ui.h"
+#include "app/workbench/quality.h"
+#include "core/base/resources.h"
+#include "core/session/session.h"
+
+namespace neph {
+
+/// What decides how a picture is drawn besides the document.
+struct DrawRequest {
+    glm::ivec2 placePx{1};    ///< of the picture on the screen
+    bool moving = false;      ///< a hand is on it, or something moves by itself
+    bool profile = false;     ///< with the time of each pass
+    double frameMs = 1000.0;  ///< for a frame in motion, panels included
+    /// Lets the panels have their turn where it is time, and returns the milliseconds that took.
+    std::function<double()> panels;
+    /// A refinement is to be left for what the hand did meanwhile.
+    std::function<bool()> giveWay;
+};
+
+class Slot {
+  public:
+    Slot(PluginHost host, std::function<void()> wake) : session(std::move(host), std::move(wake)) {}
+
+    Session session;
+    ui::FrameReport report;  ///< of the picture that `texture` shows
+
+    /// Takes in what was read since the last call, and hands it to the renderer.
+    void takeData();
+    /// Notices what was changed since the last call.
+    void noteChanges();
+    /// Draws the next picture, if there is a better one than that shown. Returns whether it did;
+    /// `profile` is brought up to date where it was asked for.
+    bool draw(const DrawRequest& request, ui::Profile& profile);
+
+    void reloadShaders();
+    void redraw() { drawn_.reset(); }
+    void measuredPanels(double milliseconds) {
+        for (ui::QualityControl& quality : qualities_) quality.measuredPanels(milliseconds);
+    }
+
+    unsigned texture() const { return renderer_.displayTexture(); }
+    /// Counts the pictures; one that has but other tones is none.
+    std::uint64_t pictures() const { return pictures_; }
+    bool traces() const { return session.document.look.engine == Engine::reference; }
+    /// Whether the picture is of the document, and in full.
+    bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }
+    /// The picture in linear light, and its halves where the reference drew it.
+    ImageF linear() const { return renderer_.readLinear(); }
+    ui::LinearHalves halves() const { return renderer_.readHalves(); }
+    bool changedSinceLastLook() const { return session.document != seen_; }
+    /// Whether there is a picture still to be drawn: at once, or after some rest.
+    enum class Waiting { no, rest, now };
+    Waiting waiting(bool moving) const;
+    double restS() const;
+
+  private:
+    render::FrameInputs inputsOf(const ui::Draft& draft, const DrawRequest& request) const;
+    bool averages(bool moving) const;
+    bool addsPaths(bool moving) const;
+    ui::QualityControl& qualityOf(Engine engine) {
+        return qualities_.at(static_cast<std::size_t>(engine));
+    }
+    std::optional<ui::Draft> next(const DrawRequest& request);
+    void tell(const ui::Draft& drawn, const Look& look, int time, const render::FrameStats& stats);
+    std::optional<render::FrameStats> render(const ui::Draft& draft,
+                                             const render::FrameInputs& inputs,
+                                             const DrawRequest& request);
+
+    render::Renderer renderer_{resourcePath("shaders")};
+    // Of each engine: they differ a thousandfold.
+    std::array<ui::QualityControl, 3> qualities_{ui::QualityControl{}, ui::QualityControl{},
+                                                 ui::QualityControl{ui::kLeastShare}};
+    Document seen_;  // as of the last look
+    glm::ivec2 placePx_{0};
+    std::optional<ui::Draft> drawn_;  // none: to be drawn again
+    bool retone_ = false;             // what is drawn is good but for its tones
+    std::uint64_t pictures_ = 0;
+    std::chrono::steady_clock::time_point changed_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace neph

@@ -1,0 +1,103 @@
+// workbench_host.h: ImGui in a GLFW window: backends, fonts, keys and dropped files.
+#pragma once
+#include <deque>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "app/gl/context.h"
+#include "app/ui/shell/actions.h"
+#include "app/ui/shell/ui.h"
+#include "app/workbench/script_player.h"
+#include "core/image/image.h"
+#include "core/session/settings.h"
+
+namespace neph {
+
+/// A picture on the screen, or the part of it between two shares of its width.
+struct HostPicture {
+    ui::PixelBox place;
+    unsigned texture = 0;  ///< 0: none yet
+    glm::ivec2 sizePx{1};
+    glm::vec2 widthShare{0.0f, 1.0f};
+};
+
+/// Lives as long as the window; not copied, because the window's callbacks point to it.
+class WorkbenchHost {
+  public:
+    explicit WorkbenchHost(gl::Window& window);
+    ~WorkbenchHost();
+    WorkbenchHost(const WorkbenchHost&) = delete;
+    WorkbenchHost& operator=(const WorkbenchHost&) = delete;
+
+    /// Theme, spacing and font, anew.
+    void restyle(const Settings& settings);
+
+    void beginFrame();
+    /// Shows the frame: pictures in their places below the panels. `shot`, if any, gets what is
+    /// shown.
+    void endFrame(std::span<const HostPicture> pictures, Image8* shot = nullptr);
+
+    /// Of the window, in the units of the mouse.
+    glm::vec2 sizePx() const;
+    void resize(glm::ivec2 size);
+
+    /// Chords pressed and files dropped since the last call.
+    std::vector<ui::Chord> takeChords();
+    std::vector<std::filesystem::path> takeDropped();
+
+    /// Whether the window came to the fore since the last call.
+    bool takeFocus();
+
+    /// Waits for input, a wake-up or the time to pass; 0 only looks. False when nothing happened.
+    bool wait(double seconds);
+    /// Ends a wait; from any thread.
+    static void wake();
+
+    /// Looks for input without taking it; true when there is any that panels have not seen. Not
+    /// between beginFrame and endFrame.
+    bool inputWaits();
+    /// Whether chords or dropped files wait to be taken, or the window is to be closed.
+    bool commandsWait() const;
+
+    /// Mouse and keys of the next frame; those of the window are not heeded from then on.
+    void play(const PlayedInput& input);
+
+    /// Whether a mouse button is down.
+    bool interacting() const;
+
+    void close();
+    void toggleFullScreen();
+
+    void onKey(int key, int scancode, int mods);
+    void onMouseButton(int button, bool down);
+    void onOther() { unseen_ = true; }
+    void onFocus();
+    void onDrop(int count, const char** paths);
+
+  private:
+    struct Press {
+        int button = 0;
+        glm::vec2 at{0.0f};  ///< where it went down, then where it came up
+        bool released = false;
+        bool shown = false;  ///< ImGui has seen it go down
+    };
+
+    void holdTappedKeys();
+    void applyPlayed();
+    void takeChord(ui::Chord chord);
+    void replayPresses();
+
+    gl::Window& window_;
+    std::vector<ui::Chord> chords_;
+    std::deque<Press> presses_;       // of mouse buttons, that ImGui has not seen through
+    std::vector<int> tapped_, held_;  // keys pressed since the last frame, and those held for it
+    std::vector<std::filesystem::path> dropped_;
+    glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
+    bool fullScreen_ = false;
+    bool focused_ = false;
+    std::optional<PlayedInput> played_;
+    bool unseen_ = true;  ///< something has happened since the last beginFrame
+};
+
+}  // namespace neph

@@ -1,0 +1,237 @@
+// child_process.cpp: fork and exec, pipes that are never waited for, and the signals.
+#include "core/base/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+
+extern char** environ;
+
+namespace neph {
+namespace {
+
+constexpr auto kGrace = std::chrono::seconds(4);  // for a cancelled program to tidy up
+constexpr int kWaitMs = 20;                       // between two looks
+constexpr std::size_t kMostWords = 4096;          // of stderr that are kept
+constexpr int kExecFailed = 127;                  // as a shell has it
+
+[[noreturn]] void refuse(const std::filesystem::path& program, int errorNumber) {
+    throw Error({.where = program.string(),
+                 .what = "cannot be started",
+                 .found = std::generic_category().message(errorNumber)});
+}
+
+/// Both ends of a pipe, or of a socket where `twoWay`, closed when this goes unless taken.
+struct Ends {
+    int ours = -1, theirs = -1;
+    Ends() = default;
+    Ends(const Ends&) = delete;
+    Ends& operator=(const Ends&) = delete;
+    ~Ends() {
+        if (ours >= 0) ::close(ours);
+        if (theirs >= 0) ::close(theirs);
+    }
+    bool openPipe() {
+        std::array<int, 2> pair{};
+        if (pipe2(pair.data(), O_CLOEXEC) != 0) return false;
+        ours = pair[0];
+        theirs = pair[1];
+        return true;
+    }
+    /// A socket, since writing to one can be told to raise no SIGPIPE.
+    bool openInput() {
+        std::array<int, 2> pair{};
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return false;
+        ours = pair[0];
+        theirs = pair[1];
+        return shutdown(ours, SHUT_RD) == 0;
+    }
+    int takeOurs() { return std::exchange(ours, -1); }
+};
+
+/// In the child, where only what is safe in a signal handler may be called. Never returns.
+[[noreturn]] void become(const char* program, char* const* arguments, const std::array<int, 3>& io,
+                         int fault, int niceness, pid_t owner) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != owner) _exit(kExecFailed);  // it had gone before
+    if (niceness != 0 && nice(niceness) == -1) errno = 0;
+    for (int i = 0; i < 3; ++i) dup2(io[static_cast<std::size_t>(i)], i);
+    execve(program, arguments, environ);
+    const int why = errno;
+    if (::write(fault, &why, sizeof why) < 0) _exit(kExecFailed);
+    _exit(kExecFailed);
+}
+
+/// Reads what is there; false at the end.
+bool drain(int descriptor, std::string& to) {
+    std::array<char, 4096> some{};
+    for (;;) {
+        const ssize_t count = ::read(descriptor, some.data(), some.size());
+        if (count > 0) {
+            to.append(some.data(), static_cast<std::size_t>(count));
+        } else if (count == 0 || (errno != EINTR && errno != EAGAIN)) {
+            return false;
+        } else if (errno == EAGAIN) {
+            return true;
+        }
+    }
+}
+
+void close(int& descriptor) {
+    if (descriptor >= 0) ::close(descriptor);
+    descriptor = -1;
+}
+
+}  // namespace
+
+std::optional<std::filesystem::path> findProgram(std::string_view name) {
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path == nullptr ? "/usr/bin:/bin" : path;
+    for (bool more = true; more;) {
+        const std::size_t colon = rest.find(':');
+        const std::string_view folder = rest.substr(0, colon);
+        const auto file = std::filesystem::path(folder.empty() ? "." : folder) / name;
+        std::error_code none;
+        if (std::filesystem::is_regular_file(file, none) && access(file.c_str(), X_OK) == 0) {
+            return file;
+        }
+        more = colon != rest.npos;
+        if (more) rest.remove_prefix(colon + 1);
+    }
+    return {};
+}
+
+ChildProcess::ChildProcess(const std::filesystem::path& program,
+                           const std::vector<std::string>& arguments, const Options& options) {
+    std::string name = program.string();
+    std::vector<char*> argv{name.data()};
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    Ends in, out, err, fault;
+    in.theirs = options.takesInput ? -1 : open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool opened = (options.takesInput ? in.openInput() : in.theirs >= 0) && out.openPipe() &&
+                        err.openPipe() && fault.openPipe();
+    if (!opened) refuse(program, errno);
+    const pid_t owner = getpid();
+    pid_ = fork();
+    if (pid_ < 0) refuse(program, errno);
+    if (pid_ == 0) {
+        become(name.c_str(), argv.data(), {in.theirs, out.theirs, err.theirs}, fault.theirs,
+               options.niceness, owner);
+    }
+    ::close(std::exchange(fault.theirs, -1));
+    int why = 0;
+    ssize_t told = 0;  // until it has become the program, or could not
+    while ((told = ::read(fault.ours, &why, sizeof why)) < 0 && errno == EINTR) {
+    }
+    if (told == sizeof why) {
+        waitpid(pid_, nullptr, 0);
+        refuse(program, why);
+    }
+    input_ = in.takeOurs();
+    output_ = out.takeOurs();
+    errors_ = err.takeOurs();
+    for (const int end : {output_, errors_}) fcntl(end, F_SETFL, O_NONBLOCK);
+}
+
+ChildProcess::~ChildProcess() {
+    cancel();
+    wait();
+    closeAll();
+}
+
+void ChildProcess::closeAll() {
+    for (int* descriptor : {&input_, &output_, &errors_}) close(*descriptor);
+}
+
+void ChildProcess::takeOutput() {
+    if (output_ >= 0 && !drain(output_, unread_)) close(output_);
+    if (errors_ >= 0 && !drain(errors_, words_)) close(errors_);
+    if (words_.size() > kMostWords) words_.erase(0, words_.size() - kMostWords);
+}
+
+/// What it printed before it ended is taken after: the pipes hold it.
+void ChildProcess::takeEnd() {
+    int status = 0;
+    if (status_ || waitpid(pid_, &status, WNOHANG) != pid_) return;
+    status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+bool ChildProcess::poll() {
+    if (status_) return false;
+    if (killAt_ && Clock::now() >= *killAt_) kill(-pid_, SIGKILL);
+    takeEnd();
+    takeOutput();
+    if (status_) closeAll();
+    return !status_;
+}
+
+int ChildProcess::wait() {
+    while (poll()) {
+        std::array<pollfd, 2> both{pollfd{output_, POLLIN, 0}, pollfd{errors_, POLLIN, 0}};
+        ::poll(both.data(), both.size(), kWaitMs);
+    }
+    return *status_;
+}
+
+std::vector<std::string> ChildProcess::takeLines() {
+    std::vector<std::string> lines;
+    for (std::size_t end = unread_.find('\n'); end != unread_.npos; end = unread_.find('\n')) {
+        lines.push_back(unread_.substr(0, end));
+        unread_.erase(0, end + 1);
+    }
+    return lines;
+}
+
+std::string ChildProcess::lastWords() const {
+    return words_.substr(0, words_.find_last_not_of(" \r\n") + 1);
+}
+
+void ChildProcess::cancel() {
+    if (status_ || killAt_) return;
+    kill(-pid_, SIGTERM);
+    killAt_ = Clock::now() + kGrace;
+}
+
+void ChildProcess::end() {
+    killAt_ = Clock::now();
+    wait();
+}
+
+bool ChildProcess::write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        if (!poll() || input_ < 0) return false;
+        const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent > 0) {
+            bytes = bytes.subspan(static_cast<std::size_t>(sent));
+        } else if (errno == EAGAIN) {
+            pollfd room{input_, POLLOUT, 0};
+            ::poll(&room, 1, kWaitMs);
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void ChildProcess::closeInput() {
+    close(input_);
+}
+
+}  // namespace neph

@@ -1,0 +1,231 @@
+// dataset.cpp: merges files into one series and reads from whichever file holds a time.
+#include "core/dataset/dataset.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/names.h"
+#include "core/dataset/header_cache.h"
+#include "core/dataset/series.h"
+#include "core/plugin/reader_file.h"
+
+namespace neph {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The document's words and the ABI's are the same numbers.
+static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
+static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
+static_assert(static_cast<int>(VariableRole::numberConcentration) ==
+              NEPH_ROLE_NUMBER_CONCENTRATION);
+static_assert(static_cast<int>(Microphysics::morrison) == NEPH_MICROPHYSICS_MORRISON);
+static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
+static_assert(static_cast<int>(Species::hail) == NEPH_SPECIES_HAIL);
+
+VariableInfo infoOf(const FileVariable& variable) {
+    VariableInfo info;
+    info.name = variable.name;
+    info.standardName = variable.standardName;
+    info.units = variable.units;
+    info.description = variable.description;
+    info.role = static_cast<VariableRole>(variable.role);
+    if (variable.species != NEPH_SPECIES_NONE)
+        info.species = static_cast<Species>(variable.species);
+    info.size = variable.size;
+    return info;
+}
+
+/// What a data set keeps of one of its files.
+struct KnownFile {
+    fs::path path;
+    std::map<std::string, std::size_t, std::less<>> variables;  ///< name to index in the file
+};
+
+class SeriesDataset : public Dataset {
+  public:
+    explicit SeriesDataset(const Series& series);
+    Array3f read(std::string_view variable, int time, std::optional<Box> box,
+                 const Progress& progress) override;
+    std::unique_ptr<Dataset> anotherHandle() const override {
+        return std::unique_ptr<Dataset>(new SeriesDataset(info_, reader_, files_));
+    }
+
+  private:
+    using KnownFiles = std::vector<KnownFile>;
+    SeriesDataset(const DatasetInfo& info, std::shared_ptr<const ReaderPlugin> reader,
+                  std::shared_ptr<const KnownFiles> files)
+        : reader_(std::move(reader)), files_(std::move(files)) {
+        info_ = info;
+    }
+    void describe(const FileDescription& first);
+    void mergeVariables(const FileDescription& file);
+    void sortTimes();
+    ReaderFile& opened(const KnownFile& file, const Progress& progress);
+    void requireUnchanged(const FileDescription& now, const TimeInfo& when,
+                          std::string_view variable, std::size_t index) const;
+    Error missing(const TimeInfo& when, const KnownFile& file, std::string_view variable) const;
+
+    std::shared_ptr<const ReaderPlugin> reader_;
+    std::shared_ptr<const KnownFiles> files_;  ///< shared by all handles
+    std::unique_ptr<ReaderFile> open_;         ///< the file read last
+    fs::path openPath_;
+};
+
+SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
+    describe(series.files.front().description);
+    auto files = std::make_shared<KnownFiles>();
+    for (const SeriesFile& file : series.files) {
+        const FileDescription& described = file.description;
+        mergeVariables(described);
+        for (std::size_t i = 0; i < described.times.size(); ++i) {
+            const FileTime& time = described.times[i];
+            info_.times.push_back({time.label, time.seconds, file.path, static_cast<int>(i)});
+        }
+        for (const std::string& note : described.notes) {
+            if (std::ranges::find(info_.notes, note) == info_.notes.end()) {
+                info_.notes.push_back(note);
+            }
+        }
+        KnownFile kept{file.path, {}};
+        for (std::size_t i = 0; i < described.variables.size(); ++i) {
+            kept.variables[described.variables[i].name] = i;
+        }
+        files->push_back(std::move(kept));
+    }
+    files_ = std::move(files);
+    sortTimes();
+    info_.notes.insert(info_.notes.end(), series.notes.begin(), series.notes.end());
+}
+
+void SeriesDataset::describe(const FileDescription& first) {
+    info_.reader = reader_->id;
+    info_.model = first.model;
+    info_.scheme = first.scheme;
+    info_.microphysics = static_cast<Microphysics>(first.microphysics);
+    info_.cloudDropletsPerM3 = first.cloudDropletsPerM3;
+    info_.size = first.size;
+    info_.spacingM = first.spacingM;
+    info_.attributes = first.attributes;
+}
+
+void SeriesDataset::mergeVariables(const FileDescription& file) {
+    for (const FileVariable& variable : file.variables) {
+        if (info_.find(variable.name) == nullptr) info_.variables.push_back(infoOf(variable));
+    }
+}
+
+void SeriesDataset::sortTimes() {
+    std::ranges::stable_sort(info_.times, {}, &TimeInfo::seconds);
+    std::vector<TimeInfo> kept;
+    for (TimeInfo& time : info_.times) {
+        if (!kept.empty() && kept.back().seconds == time.seconds) {
+            info_.notes.push_back(fmt::format("{} is there twice: taken from {}, not from {}",
+                                              time.label, kept.back().file.filename().string(),
+                                              time.file.filename().string()));
+            continue;
+        }
+        kept.push_back(std::move(time));
+    }
+    const double origin = kept.front().seconds;
+    for (TimeInfo& time : kept) time.seconds -= origin;
+    info_.times = std::move(kept);
+}
+
+ReaderFile& SeriesDataset::opened(const KnownFile& file, const Progress& progress) {
+    if (!open_ || openPath_ != file.path) {
+        open_.reset();
+        open_ = std::make_unique<ReaderFile>(reader_, file.path,
+                                             [&](double) { return goOn(progress, 0.0); });
+        openPath_ = file.path;
+    }
+    return *open_;
+}
+
+/// Throws when a file was replaced since the series was opened and no longer holds what it did.
+void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo& when,
+                                     std::string_view variable, std::size_t index) const {
+    const auto time = static_cast<std::size_t>(when.indexInFile);
+    if (now.size == info_.size && index < now.variables.size() &&
+        now.variables[index].name == variable && time < now.times.size() &&
+        now.times[time].label == when.label) {
+        return;
+    }
+    throw Error({.where = when.file.string(),
+                 .what = "the file has changed since it was opened",
+                 .hint = "open it again"});
+}
+
+Error SeriesDataset::missing(const TimeInfo& when, const KnownFile& file,
+                             std::string_view variable) const {
+    std::vector<std::string_view> names;
+    for (const auto& entry : file.variables) names.push_back(entry.first);
+    ErrorParts parts{.where = file.path.string(),
+                     .what = fmt::format("variable {} is missing", variable),
+                     .found = fmt::format("{}", fmt::join(names, ", "))};
+    if (info_.find(variable) != nullptr) {
+        parts.what += fmt::format(" at {}", when.label);
+        parts.expected = "the variables that other files of the series have";
+        parts.hint = "leave this file out, or write the variable at all times";
+    } else if (const std::string_view nearest = nearestName(variable, names); !nearest.empty()) {
+        parts.hint = fmt::format("did you mean {}?", nearest);
+    }
+    return Error(parts);
+}
+
+Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<Box> box,
+                            const Progress& progress) {
+    if (time < 0 || time >= static_cast<int>(info_.times.size())) {
+        throw Error({.what = fmt::format("there is no time {}", time),
+                     .expected = fmt::format("0 to {}", info_.times.size() - 1)});
+    }
+    const TimeInfo& when = info_.times[static_cast<std::size_t>(time)];
+    const auto file = std::ranges::find(*files_, when.file, &KnownFile::path);
+    const auto index = file->variables.find(variable);
+    if (index == file->variables.end()) throw missing(when, *file, variable);
+    ReaderFile& source = opened(*file, progress);
+    requireUnchanged(source.description(), when, variable, index->second);
+    const glm::ivec3 size = source.description().variables[index->second].size;
+    const Box all = box.value_or(Box{glm::ivec3(0), size});
+    if (glm::any(glm::lessThan(all.lower, glm::ivec3(0))) ||
+        glm::any(glm::greaterThan(all.upper, size)) ||
+        glm::any(glm::lessThanEqual(all.size(), glm::ivec3(0)))) {
+        throw Error({.where = when.file.string(),
+                     .what = fmt::format("the box asked of {} lies outside it", variable),
+                     .expected = fmt::format("within {} x {} x {} cells", size.x, size.y, size.z)});
+    }
+    Array3f values;
+    values.size = all.size();
+    values.values = source.read(index->second, static_cast<std::size_t>(when.indexInFile),
+                                all.lower, all.upper, progress);
+    return values;
+}
+
+}  // namespace
+
+const VariableInfo* DatasetInfo::find(std::string_view name) const {
+    const auto found = std::ranges::find(variables, name, &VariableInfo::name);
+    return found == variables.end() ? nullptr : &*found;
+}
+
+const VariableInfo* DatasetInfo::find(VariableRole role, std::optional<Species> species) const {
+    const auto found = std::ranges::find_if(variables, [&](const VariableInfo& variable) {
+        return variable.role == role && variable.species == species;
+    });
+    return found == variables.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
+                                       const Progress& progress) {
+    return open(files, host, HeaderCache::standardFolder(), progress);
+}
+
+std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
+                                       const fs::path& cacheFolder, const Progress& progress) {
+    return std::make_shared<SeriesDataset>(describeSeries(files, host, cacheFolder, progress));
+}
+
+}  // namespace neph

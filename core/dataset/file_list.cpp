@@ -1,0 +1,53 @@
+// file_list.cpp: paths checked, the bundled samples found.
+#include "core/dataset/file_list.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/resources.h"
+
+namespace neph {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> listFiles(std::span<const std::string> named) {
+    std::vector<fs::path> files;
+    if (named.empty()) files.push_back(resourcePath("samples/supercell"));
+    for (const std::string& name : named) {
+        std::error_code error;
+        if (fs::exists(name, error)) {
+            files.emplace_back(name);
+            continue;
+        }
+        const bool bare = !name.empty() && name.find('/') == name.npos && !name.starts_with('.');
+        const auto sample = bare ? findResource("samples/" + name) : std::nullopt;
+        if (!sample) {
+            throw Error({name, "there is no such file or folder",
+                         error ? error.message() : std::string(), "",
+                         "a bundled sample is opened by its name: supercell, cumulus"});
+        }
+        files.push_back(*sample);
+    }
+    return files;
+}
+
+std::vector<fs::path> filesIn(std::span<const fs::path> paths) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : paths) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t before = files.size();
+        for (const auto& item : fs::directory_iterator(path, error)) {
+            const bool hidden = item.path().filename().string().starts_with('.');
+            std::error_code unseen;  // a link that leads nowhere is no file
+            if (!hidden && item.is_regular_file(unseen)) files.push_back(item.path());
+        }
+        std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
+    }
+    return files;
+}
+
+}  // namespace neph

@@ -1,0 +1,165 @@
+// header_cache.cpp: descriptions as the reader processes send them. What the files of a series say
+// alike is written once.
+#include "core/dataset/header_cache.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/base/resources.h"
+#include "core/plugin/reader_wire.h"
+
+namespace neph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kVersion = 2;  // raised with every change of what is written
+constexpr std::string_view kExtension = ".headers";
+constexpr std::size_t kMostFolders = 64;           // cache files that are kept
+constexpr std::uintmax_t kMostBytes = 32U << 20U;  // of one cache file
+
+/// What a cache file opens with.
+std::string checksumOf(std::string_view body) {
+    return fmt::format("{:016x}\n", hashOf(body));
+}
+constexpr std::size_t kChecksumLength = 17;
+
+/// Everything but the times.
+std::string packCommon(FileDescription description) {
+    description.times.clear();
+    wire::Packer to;
+    wire::pack(to, description);
+    return to.take();
+}
+
+/// Makes room for one more cache file.
+void prune(const fs::path& cacheFolder) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    for (const auto& entry : fs::directory_iterator(cacheFolder)) {
+        if (entry.path().extension() == kExtension) {
+            files.emplace_back(entry.last_write_time(), entry.path());
+        }
+    }
+    std::ranges::sort(files);
+    for (std::size_t i = 0; i + kMostFolders <= files.size(); ++i) fs::remove(files[i].second);
+}
+
+}  // namespace
+
+std::optional<HeaderStamp> headerStampOf(const fs::path& file) {
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) return {};
+    const auto bytes = fs::file_size(file, code);
+    if (code) return {};
+    const auto changed = fs::last_write_time(file, code);
+    if (code) return {};
+    return HeaderStamp{bytes, std::chrono::nanoseconds(changed.time_since_epoch()).count()};
+}
+
+fs::path HeaderCache::standardFolder() {
+    const auto folder = userCacheDir();
+    return folder ? *folder / "headers" : fs::path();
+}
+
+HeaderCache::HeaderCache(fs::path cacheFolder, const fs::path& dataFolder,
+                         const ReaderName& reader) {
+    std::error_code code;
+    folder_ = fs::absolute(dataFolder.empty() ? fs::path(".") : dataFolder, code)
+                  .lexically_normal()
+                  .string();
+    const HeaderStamp library = headerStampOf(reader.library).value_or(HeaderStamp{});
+    reader_ =
+        fmt::format("{} {} {} {}", reader.id, reader.version, library.bytes, library.changedNs);
+    if (cacheFolder.empty()) return;
+    cacheFile_ = cacheFolder / fmt::format("{:016x}{}", hashOf(folder_ + reader.id), kExtension);
+    try {
+        load();
+    } catch (const std::exception&) {
+        entries_.clear();  // of another make: it is written anew
+    }
+}
+
+void HeaderCache::load() {
+    const auto stamp = headerStampOf(cacheFile_);
+    if (!stamp || stamp->bytes > kMostBytes) return;
+    std::ifstream in(cacheFile_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t body = std::min(kChecksumLength, text.size());
+    if (text.substr(0, body) != checksumOf(std::string_view(text).substr(body))) return;
+    wire::Unpacker from(std::string_view(text).substr(body));
+    if (from.number<std::uint32_t>() != kVersion || from.text() != folder_ ||
+        from.text() != reader_) {
+        return;
+    }
+    std::vector<FileDescription> common(from.count(sizeof(std::uint64_t)));
+    for (FileDescription& description : common) {
+        const std::string packed = from.text();
+        wire::Unpacker inner(packed);
+        description = wire::unpackDescription(inner);
+    }
+    for (std::size_t left = from.count(sizeof(std::uint64_t)); left > 0; --left) {
+        const std::string name = from.text();
+        Entry entry{from.number<HeaderStamp>(), common.at(from.number<std::uint64_t>())};
+        entry.description.times.resize(from.count(sizeof(std::uint64_t)));
+        for (FileTime& time : entry.description.times) {
+            time.label = from.text();
+            time.seconds = from.number<double>();
+        }
+        entries_[name] = std::move(entry);
+    }
+}
+
+std::optional<FileDescription> HeaderCache::find(const fs::path& file,
+                                                 const HeaderStamp& stamp) const {
+    const auto found = entries_.find(file.filename().string());
+    if (found == entries_.end() || found->second.stamp != stamp) return {};
+    return found->second.description;
+}
+
+void HeaderCache::put(const fs::path& file, const HeaderStamp& stamp, FileDescription description) {
+    entries_[file.filename().string()] = {stamp, std::move(description)};
+    changed_ = true;
+}
+
+void HeaderCache::save() const {
+    if (!changed_ || cacheFile_.empty()) return;
+    try {
+        std::vector<std::string> common;
+        wire::Packer files;
+        std::uint64_t count = 0;
+        for (const auto& [name, entry] : entries_) {
+            if (headerStampOf(fs::path(folder_) / name) != entry.stamp) continue;
+            std::string shared = packCommon(entry.description);
+            const auto place = std::ranges::find(common, shared);
+            const auto index = static_cast<std::uint64_t>(place - common.begin());
+            if (place == common.end()) common.push_back(std::move(shared));
+            files.text(name).number(entry.stamp).number(index);
+            files.number(static_cast<std::uint64_t>(entry.description.times.size()));
+            for (const FileTime& time : entry.description.times) {
+                files.text(time.label).number(time.seconds);
+            }
+            ++count;
+        }
+        wire::Packer to;
+        to.number(kVersion).text(folder_).text(reader_);
+        to.number(static_cast<std::uint64_t>(common.size()));
+        for (const std::string& description : common) to.text(description);
+        to.number(count);
+        const std::string body = to.take() + files.take();
+        fs::create_directories(cacheFile_.parent_path());
+        if (!fs::exists(cacheFile_)) prune(cacheFile_.parent_path());
+        replaceFile(cacheFile_, checksumOf(body) + body);
+    } catch (const Error&) {
+    } catch (const fs::filesystem_error&) {
+    }
+}
+
+}  // namespace neph

@@ -1,0 +1,240 @@
+// series.cpp: which files belong together, and headers read in parallel.
+#include "core/dataset/series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/dataset/file_list.h"
+#include "core/dataset/header_cache.h"
+
+namespace neph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostReaders = 8;  // files whose headers are read at once
+constexpr std::size_t kNamedLeftOut = 3;
+
+/// A file that may be part of the series.
+struct Candidate {
+    fs::path path;
+    fs::path folder{};  ///< that stands for it; empty where the user named the file itself
+    std::optional<HeaderStamp> stamp{};  ///< taken before it is read
+    std::optional<FileDescription> description{};
+    std::optional<Error> fault{};
+
+    bool mayFail() const { return !folder.empty(); }
+};
+
+bool takenWhole(const fs::path& folder, const PluginHost& host, const Progress& progress) {
+    try {
+        host.pick(folder, progress);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host,
+                                    const Progress& progress) {
+    std::vector<Candidate> candidates;
+    for (const fs::path& path : named) {
+        std::error_code code;
+        if (!fs::is_directory(path, code) || takenWhole(path, host, progress)) {
+            candidates.push_back({path});
+            continue;
+        }
+        std::vector<fs::path> files = filesIn(std::span(&path, 1));
+        if (files.empty()) {
+            throw Error({.where = path.string(),
+                         .what = "holds no files",
+                         .expected = "model output in this folder"});
+        }
+        for (fs::path& file : files) candidates.push_back({std::move(file), path});
+    }
+    if (candidates.empty()) {
+        throw Error({.what = "no files were given", .hint = "name at least one"});
+    }
+    return candidates;
+}
+
+std::string gridText(const FileDescription& file) {
+    return fmt::format("{} x {} x {} cells of {} x {} m", file.size.x, file.size.y, file.size.z,
+                       file.spacingM.x, file.spacingM.y);
+}
+
+bool sameGrid(const FileDescription& a, const FileDescription& b) {
+    return a.size == b.size && a.spacingM == b.spacingM;
+}
+
+class SeriesMaker {
+  public:
+    SeriesMaker(std::vector<Candidate> candidates, const PluginHost& host, fs::path cacheFolder)
+        : candidates_(std::move(candidates)), host_(host), cacheFolder_(std::move(cacheFolder)) {}
+
+    Series make(const Progress& progress) {
+        findFirst([&](double) { return goOn(progress, 0.0); });
+        describeRest(progress);
+        for (std::size_t i = 0; i < candidates_.size(); ++i) sort(candidates_[i]);
+        for (auto& [folder, left] : leftOut_) note(folder, left);
+        return std::move(series_);
+    }
+
+  private:
+    struct LeftOut {
+        std::vector<std::string> unreadable;
+        std::string reason;  ///< of the first
+        std::vector<std::string> otherGrid;
+        std::string grid;  ///< of the first
+    };
+
+    /// The first candidate that can be read gives the reader.
+    void findFirst(const Progress& progress) {
+        for (; first_ < candidates_.size(); ++first_) {
+            Candidate& candidate = candidates_[first_];
+            try {
+                series_.reader = host_.pick(candidate.path, progress);
+                candidate.description =
+                    ReaderFile(series_.reader, candidate.path, progress).description();
+                return;
+            } catch (const Error& error) {
+                if (!candidate.mayFail()) throw;
+                candidate.fault = error;
+            }
+        }
+        throw Error({.where = candidates_.front().folder.string(),
+                     .what = "holds no file that can be read",
+                     .found = fmt::format("{} files; {}: {}", candidates_.size(),
+                                          candidates_.front().path.filename().string(),
+                                          candidates_.front().fault->parts().what),
+                     .expected = "output of one model run",
+                     .hint = "`nephoscope readers` lists what can be read"});
+    }
+
+    void describeRest(const Progress& progress) {
+        std::map<fs::path, HeaderCache> caches;
+        std::vector<Candidate*> unknown;
+        for (std::size_t i = first_ + 1; i < candidates_.size(); ++i) {
+            Candidate& candidate = candidates_[i];
+            const fs::path folder = candidate.path.parent_path();
+            const auto cache =
+                caches.try_emplace(folder, cacheFolder_, folder, *series_.reader).first;
+            candidate.stamp = headerStampOf(candidate.path);
+            if (candidate.stamp) {
+                candidate.description = cache->second.find(candidate.path, *candidate.stamp);
+            }
+            if (!candidate.description) unknown.push_back(&candidate);
+        }
+        shareOut(
+            unknown.size(), workerCount(kMostReaders),
+            [&](std::size_t i, std::size_t, const Progress& alone) {
+                describe(*unknown[i], [&](double) { return goOn(alone, 0.0); });
+            },
+            progress);
+        for (const Candidate* candidate : unknown) {
+            if (!candidate->stamp || !candidate->description) continue;
+            caches.at(candidate->path.parent_path())
+                .put(candidate->path, *candidate->stamp, *candidate->description);
+        }
+        for (const auto& [folder, cache] : caches) cache.save();
+    }
+
+    void describe(Candidate& candidate, const Progress& progress) const {
+        try {
+            candidate.description =
+                ReaderFile(series_.reader, candidate.path, progress).description();
+        } catch (const Error& error) {
+            if (!candidate.mayFail()) throw foreign(candidate, error);
+            candidate.fault = error;
+        }
+    }
+
+    /// What is wrong with a file that the user named: it may be another reader's.
+    Error foreign(const Candidate& candidate, const Error& error) const {
+        const auto reader = host_.pick(candidate.path);
+        if (reader == series_.reader) return error;
+        return Error({.where = candidate.path.string(),
+                      .what = fmt::format("is not of the same series as {}",
+                                          candidates_[first_].path.string()),
+                      .found = reader->title,
+                      .expected = series_.reader->title,
+                      .hint = "open files of one model run together"});
+    }
+
+    /// Into the series, or out of it.
+    void sort(Candidate& candidate) {
+        const std::string name = candidate.path.filename().string();
+        LeftOut* left = candidate.mayFail() ? &leftOut_[candidate.folder] : nullptr;
+        if (!candidate.description) {
+            if (left->unreadable.empty()) left->reason = candidate.fault->parts().what;
+            left->unreadable.push_back(name);
+            return;
+        }
+        if (!series_.files.empty() &&
+            !sameGrid(*candidate.description, series_.files.front().description)) {
+            if (left == nullptr) throw otherGrid(candidate);
+            if (left->otherGrid.empty()) left->grid = gridText(*candidate.description);
+            left->otherGrid.push_back(name);
+            return;
+        }
+        series_.files.push_back({candidate.path, std::move(*candidate.description)});
+    }
+
+    Error otherGrid(const Candidate& candidate) const {
+        const SeriesFile& first = series_.files.front();
+        return Error({.where = candidate.path.string(),
+                      .what = fmt::format("its grid is not that of {}", first.path.string()),
+                      .found = gridText(*candidate.description),
+                      .expected = gridText(first.description),
+                      .hint = "open each domain of a nested run by itself"});
+    }
+
+    static std::string listed(const std::vector<std::string>& names) {
+        std::string text;
+        for (std::size_t i = 0; i < std::min(names.size(), kNamedLeftOut); ++i) {
+            text += (i == 0 ? "" : ", ") + names[i];
+        }
+        return names.size() > kNamedLeftOut ? text + ", ..." : text;
+    }
+
+    void note(const fs::path& folder, const LeftOut& left) {
+        const auto count = [](std::size_t n) {
+            return fmt::format("{} file{}", n, n == 1 ? "" : "s");
+        };
+        const std::string of =
+            folder.filename().empty() ? folder.string() : folder.filename().string();
+        if (!left.unreadable.empty()) {
+            series_.notes.push_back(fmt::format(
+                "{} in {} left out, as not of this series: {} ({}).", count(left.unreadable.size()),
+                of, listed(left.unreadable), left.reason));
+        }
+        if (!left.otherGrid.empty()) {
+            series_.notes.push_back(fmt::format(
+                "{} in {} left out, as of another grid ({}): {}. Name them to open them.",
+                count(left.otherGrid.size()), of, left.grid, listed(left.otherGrid)));
+        }
+    }
+
+    std::vector<Candidate> candidates_;
+    const PluginHost& host_;
+    const fs::path cacheFolder_;
+    std::size_t first_ = 0;
+    Series series_;
+    std::map<fs::path, LeftOut> leftOut_;
+};
+
+}  // namespace
+
+Series describeSeries(std::span<const fs::path> named, const PluginHost& host,
+                      const fs::path& cacheFolder, const Progress& progress) {
+    const Progress begin = [&](double) { return goOn(progress, 0.0); };
+    return SeriesMaker(candidatesOf(named, host, begin), host, cacheFolder).make(progress);
+}
+
+}  // namespace neph

@@ -1,0 +1,75 @@
+// species.h: the hydrometeors, and what holds their mass on a regular grid.
+//
+// Radii are those of [Riley03] table 3, colours those of its table 2; particle densities are from
+// docs/physics.md. Hail is not in the paper: its radius is the smallest that counts as hail (5 mm
+// diameter stones, [AMS]) and its density Morrison's.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grid/grid.h"
+
+namespace neph {
+
+enum class Species : int { cloud, ice, rain, snow, graupel, hail };
+inline constexpr int kSpeciesCount = 6;
+
+struct SpeciesInfo {
+    std::string_view id;          ///< spelling in parameter ids and JSON
+    std::string_view label;       ///< spelling on screen
+    bool liquid;                  ///< water droplets; otherwise ice particles
+    float radiusM;                ///< equivalent spherical radius
+    float densityKgPerM3;         ///< of one particle
+    std::array<float, 3> colour;  ///< linear RGB of the field-colour mode
+};
+
+inline constexpr std::array<SpeciesInfo, kSpeciesCount> kSpecies{{
+    {"cloud", "Cloud", true, 10e-6f, 1000.0f, {1.0f, 0.05f, 0.05f}},
+    {"ice", "Ice", false, 1e-3f, 917.0f, {1.0f, 0.05f, 1.0f}},
+    {"rain", "Rain", true, 1e-3f, 1000.0f, {0.08f, 0.12f, 1.0f}},
+    {"snow", "Snow", false, 2e-3f, 100.0f, {1.0f, 0.9f, 0.05f}},
+    {"graupel", "Graupel", false, 2.5e-3f, 400.0f, {0.05f, 0.8f, 0.1f}},
+    {"hail", "Hail", false, 2.5e-3f, 900.0f, {0.05f, 0.85f, 0.9f}},
+}};
+
+constexpr const SpeciesInfo& info(Species s) {
+    return kSpecies[static_cast<std::size_t>(s)];
+}
+
+/// How a volume holds a species.
+enum class Holding : int { absent, content, extinction };
+
+/// Every hydrometeor on one regular grid at one time: what the renderer is given. Owns its data.
+///
+/// A species is held in one of two ways: as mass content where its particles have one size for the
+/// whole picture, or as extinction where their size comes from the model and so changes from cell
+/// to cell. Either is additive, so that remapping and averaging keep its column integral.
+struct SpeciesVolume {
+    RegularGrid grid;
+    /// kg of hydrometeor per m³ of air, size `grid.size`, or empty.
+    std::array<Array3f, kSpeciesCount> contentKgPerM3{};
+    /// Extinction coefficient, 1/m, size `grid.size`, or empty. At a mixing scale of 1.
+    std::array<Array3f, kSpeciesCount> extinctionPerM{};
+    std::string timeLabel;
+    double timeSeconds = 0.0;        ///< since the first time of the series
+    std::vector<std::string> notes;  ///< what was clipped, masked or assumed, one sentence each
+
+    /// False where the model has no such species.
+    bool has(Species s) const { return holding(s) != Holding::absent; }
+    Holding holding(Species s) const {
+        if (holdsExtinction(s)) return Holding::extinction;
+        return content(s).empty() ? Holding::absent : Holding::content;
+    }
+    std::array<Holding, kSpeciesCount> holdings() const;
+    bool holdsExtinction(Species s) const { return !extinction(s).empty(); }
+    const Array3f& content(Species s) const { return contentKgPerM3[static_cast<std::size_t>(s)]; }
+    const Array3f& extinction(Species s) const {
+        return extinctionPerM[static_cast<std::size_t>(s)];
+    }
+    std::size_t bytes() const;
+};
+
+}  // namespace neph

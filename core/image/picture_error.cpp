@@ -1,0 +1,183 @@
+// picture_error.cpp: sums over the pixels, in double.
+//
+// With halves, (I_A - R_A)(I_B - R_B) and (I_A - R_B)(I_B - R_A) have the squared true difference
+// as their expectation, because the four errors are independent. The mean of the two is what is
+// summed: the squared difference of the means, less a quarter of the squared differences between
+// halves, which is the noise. A picture without halves stands for both of its own.
+#include "core/image/picture_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace neph {
+namespace {
+
+constexpr double kFloorShare = 0.01;  // of the mean or the maximum of R, below which it is dark
+constexpr double kQuantile = 0.95;
+constexpr int kColours = 3;
+
+void checkFinite(const ImageF& image, const char* name) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const glm::vec4& pixel = image.pixels[i];
+        if (std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b)) continue;
+        const auto width = static_cast<std::size_t>(image.size.x);
+        throw Error({.what = fmt::format("{} has a value that is no finite number", name),
+                     .found = fmt::format("{}, {}, {} in column {}, row {} from the top", pixel.r,
+                                          pixel.g, pixel.b, i % width, i / width),
+                     .expected = "finite red, green and blue"});
+    }
+}
+
+void checkHalves(const SampledPicture& sampled, const char* name) {
+    if (!sampled.halved()) return;
+    for (const ImageF* half : {sampled.halfA, sampled.halfB}) {
+        if (half->size != sampled.picture.size) {
+            throw Error(
+                {.what = fmt::format("{} and its halves differ in size", name),
+                 .found = fmt::format("{}x{}", half->size.x, half->size.y),
+                 .expected = fmt::format("{}x{}", sampled.picture.size.x, sampled.picture.size.y)});
+        }
+        checkFinite(*half, name);
+    }
+}
+
+/// What is summed over pixels.
+struct Sums {
+    double difference = 0.0;     // I-R
+    double reference = 0.0;      // R
+    double squared = 0.0;        // (I-R)², noise taken off
+    double noise = 0.0;          // that was taken off
+    double squaredVariance = 0;  // of `squared`
+    double biasVariance = 0.0;   // of `difference`
+};
+
+/// Channels of one pixel share their paths, so that their errors add before they are squared.
+void add(Sums& sums, const SampledPicture& picture, const SampledPicture& reference,
+         std::size_t i) {
+    const auto half = [i](const SampledPicture& of, const ImageF* which) {
+        return glm::dvec3((of.halved() ? *which : of.picture).pixels[i]);
+    };
+    const glm::dvec3 a = half(picture, picture.halfA), b = half(picture, picture.halfB);
+    const glm::dvec3 refA = half(reference, reference.halfA),
+                     refB = half(reference, reference.halfB);
+    const glm::dvec3 middle = 0.5 * ((a + b) - (refA + refB));
+    const glm::dvec3 apart = 0.5 * (a - b), refApart = 0.5 * (refA - refB);
+    const glm::dvec3 one(1.0);
+    const glm::dvec3 whole(reference.picture.pixels[i]);
+    sums.difference += glm::dot(glm::dvec3(picture.picture.pixels[i]) - whole, one);
+    sums.reference += glm::dot(whole, one);
+    const double noise = glm::dot(apart, apart) + glm::dot(refApart, refApart);
+    sums.squared += glm::dot(middle, middle) - noise;
+    sums.noise += noise;
+    const double along = glm::dot(middle, apart), refAlong = glm::dot(middle, refApart);
+    sums.squaredVariance += 4.0 * (along * along + refAlong * refAlong);
+    const double total = glm::dot(apart, one), refTotal = glm::dot(refApart, one);
+    sums.biasVariance += total * total + refTotal * refTotal;
+}
+
+/// Mean of the squared difference over the squared reference, both per channel.
+double relativeMse(const ImageF& picture, const ImageF& reference, double meanReference) {
+    const double floor = kFloorShare * meanReference;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        for (int c = 0; c < kColours; ++c) {
+            const double is = static_cast<double>(picture.pixels[i][c]);
+            const double should = static_cast<double>(reference.pixels[i][c]);
+            sum += (is - should) * (is - should) / (should * should + floor * floor);
+        }
+    }
+    return sum / (kColours * static_cast<double>(picture.pixels.size()));
+}
+
+float brightest(const ImageF& image) {
+    float most = 0.0f;
+    for (const glm::vec4& pixel : image.pixels) most = std::max(most, luminance(pixel));
+    return most;
+}
+
+[[noreturn]] void refuseBlack() {
+    throw Error({.what = "the reference is black: errors relative to it are not defined",
+                 .expected = "a reference with some light"});
+}
+
+double relativeP95(const ImageF& picture, const ImageF& reference) {
+    const float floor = static_cast<float>(kFloorShare) * brightest(reference);
+    std::vector<float> errors;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const float should = luminance(reference.pixels[i]);
+        if (should > floor) {
+            errors.push_back(std::abs(luminance(picture.pixels[i]) - should) / should);
+        }
+    }
+    return errors.empty() ? 0.0 : quantile(errors, kQuantile);
+}
+
+}  // namespace
+
+float luminance(const glm::vec4& colour) {
+    return 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
+}
+
+double quantile(std::span<const float> values, double share) {
+    std::vector<float> sorted(values.begin(), values.end());
+    const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+    const auto at =
+        sorted.begin() + std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(rank), 1) - 1;
+    std::nth_element(sorted.begin(), at, sorted.end());
+    return static_cast<double>(*at);
+}
+
+void checkComparable(const ImageF& picture, const ImageF& reference) {
+    if (picture.size != reference.size) {
+        throw Error({.what = "the pictures differ in size",
+                     .found = fmt::format("{}x{} and {}x{}", picture.size.x, picture.size.y,
+                                          reference.size.x, reference.size.y),
+                     .expected = "the same view at the same size",
+                     .hint = "render one of them again with --size"});
+    }
+    if (picture.pixels.empty()) throw Error({.what = "the pictures have no pixels"});
+    checkFinite(picture, "the picture");
+    checkFinite(reference, "the reference");
+}
+
+PictureErrors pictureErrors(const SampledPicture& picture, const SampledPicture& reference) {
+    checkComparable(picture.picture, reference.picture);
+    checkHalves(picture, "the picture");
+    checkHalves(reference, "the reference");
+    Sums sums;
+    const std::size_t pixels = picture.picture.pixels.size();
+    for (std::size_t i = 0; i < pixels; ++i) add(sums, picture, reference, i);
+    if (!(sums.reference > 0.0)) refuseBlack();
+    const double count = kColours * static_cast<double>(pixels);
+    const double mean = sums.reference / count;
+    const double mse = sums.squared / count, noise = sums.noise / count;
+    const double sigma = std::sqrt(sums.squaredVariance) / count;
+    PictureErrors errors;
+    errors.bias = sums.difference / sums.reference;
+    errors.biasSigma = std::sqrt(sums.biasVariance) / sums.reference;
+    errors.relRmse = std::sqrt(std::max(mse, 0.0)) / mean;
+    errors.relRmseRaw = std::sqrt(std::max(mse + noise, 0.0)) / mean;
+    errors.noise = std::sqrt(noise) / mean;
+    errors.relRmseSigma = std::sqrt(std::max(mse, 0.0) + sigma) / mean - errors.relRmse;
+    errors.relMse = relativeMse(picture.picture, reference.picture, mean);
+    errors.p95 = relativeP95(picture.picture, reference.picture);
+    return errors;
+}
+
+std::vector<float> relativeErrors(const ImageF& picture, const ImageF& reference) {
+    checkComparable(picture, reference);
+    const float floor = static_cast<float>(kFloorShare) * brightest(reference);
+    if (!(floor > 0.0f)) refuseBlack();
+    std::vector<float> errors(picture.pixels.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const float should = luminance(reference.pixels[i]);
+        errors[i] = (luminance(picture.pixels[i]) - should) / std::max(should, floor);
+    }
+    return errors;
+}
+
+}  // namespace neph

@@ -1,0 +1,37 @@
+// file_description.h: what a reader says of one file, as plain data.
+#pragma once
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/plugin/reader_abi.h"
+
+namespace neph {
+
+struct FileTime {
+    std::string label;
+    double seconds = 0.0;  ///< on the clock that the files of a series share
+};
+
+struct FileVariable {
+    std::string name, standardName, units, description;
+    NephRole role = NEPH_ROLE_OTHER;
+    NephSpecies species = NEPH_SPECIES_NONE;
+    glm::ivec3 size{0};
+};
+
+/// What a reader says of one file, as plain data.
+struct FileDescription {
+    std::string model, scheme;
+    NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
+    double cloudDropletsPerM3 = 0.0;  ///< 0 when unknown
+    glm::ivec3 size{0};
+    glm::dvec2 spacingM{0.0};
+    std::vector<FileTime> times;  ///< in the order of the file, at least one
+    std::vector<FileVariable> variables;
+    std::vector<std::string> notes;
+    std::map<std::string, std::string> attributes;
+};
+
+}  // namespace neph

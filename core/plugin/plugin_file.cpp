@@ -1,0 +1,296 @@
+// plugin_file.cpp: calls through the ABI and the checks on what comes back.
+#include "core/plugin/plugin_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace neph {
+namespace {
+
+// Bounds on what a description may claim: far above any model's output, far below what would
+// exhaust memory.
+constexpr std::uint32_t kMaxEntries = 1'000'000;
+constexpr std::size_t kMaxTextLength = 65536;
+constexpr std::int32_t kMaxAxis = 1 << 20;
+constexpr std::int64_t kMaxCells = std::int64_t{1} << 36;
+constexpr double kMaxSpacingM = 1e7;  // a quarter of the way around the Earth
+
+/// One faulty claim of a plugin; becomes an Error that names plugin and file.
+struct Fault {
+    std::string text;
+};
+
+std::string checkedText(const char* text, std::string_view of) {
+    if (text == nullptr) return {};
+    const std::size_t length = strnlen(text, kMaxTextLength);
+    if (length == kMaxTextLength) throw Fault{fmt::format("text of {} has no end", of)};
+    return {text, length};
+}
+
+template <typename T>
+const T& checkedStruct(const T* pointer, std::string_view of) {
+    if (pointer == nullptr) throw Fault{fmt::format("{} is null", of)};
+    if (pointer->header.abi_version != NEPH_READER_ABI_VERSION ||
+        pointer->header.struct_size < sizeof(T)) {
+        throw Fault{fmt::format("{} has ABI {} and {} bytes, not ABI {} and {}", of,
+                                pointer->header.abi_version, pointer->header.struct_size,
+                                NEPH_READER_ABI_VERSION, sizeof(T))};
+    }
+    return *pointer;
+}
+
+template <typename T>
+std::span<const T> checkedList(const T* list, std::uint32_t count, std::string_view of) {
+    if (count > kMaxEntries) throw Fault{fmt::format("{} {} are claimed", count, of)};
+    if (count > 0 && list == nullptr) throw Fault{fmt::format("the list of {} is null", of)};
+    return {list, count};
+}
+
+glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
+    std::int64_t cells = 1;
+    for (std::int32_t length : size) {
+        if (length < 1 || length > kMaxAxis) {
+            throw Fault{fmt::format("size {} x {} x {} of {}", size[0], size[1], size[2], of)};
+        }
+        cells *= length;
+        if (cells > kMaxCells) throw Fault{fmt::format("{} cells of {}", cells, of)};
+    }
+    return {size[0], size[1], size[2]};
+}
+
+FileVariable checkedVariable(const NephVariable* pointer) {
+    const NephVariable& raw = checkedStruct(pointer, "a variable");
+    FileVariable variable;
+    variable.name = checkedText(raw.name, "a variable's name");
+    if (variable.name.empty()) throw Fault{"a variable has no name"};
+    variable.standardName = checkedText(raw.standard_name, variable.name);
+    variable.units = checkedText(raw.units, variable.name);
+    variable.description = checkedText(raw.description, variable.name);
+    variable.size = checkedSize(raw.size, variable.name);
+    const bool roleKnown =
+        raw.role >= NEPH_ROLE_OTHER && raw.role <= NEPH_ROLE_NUMBER_CONCENTRATION;
+    variable.role = roleKnown ? raw.role : NEPH_ROLE_OTHER;
+    const bool speciesKnown = raw.species >= NEPH_SPECIES_CLOUD && raw.species <= NEPH_SPECIES_HAIL;
+    variable.species = speciesKnown ? raw.species : NEPH_SPECIES_NONE;
+    return variable;
+}
+
+/// Whether a variable's size fits its role on a grid of `cells`.
+bool fitsGrid(const FileVariable& variable, glm::ivec3 cells) {
+    if (variable.role == NEPH_ROLE_OTHER) return true;
+    if (variable.role == NEPH_ROLE_INTERFACE_HEIGHT) ++cells.z;
+    const bool ofSpecies = variable.role == NEPH_ROLE_MIXING_RATIO ||
+                           variable.role == NEPH_ROLE_EFFECTIVE_RADIUS ||
+                           variable.role == NEPH_ROLE_NUMBER_CONCENTRATION;
+    const bool profile = variable.size == glm::ivec3(1, 1, cells.z);
+    return variable.size == cells || (profile && !ofSpecies);
+}
+
+/// Takes its role from what does not lie on the grid, with a note: it can still be read by name.
+void dropMisfits(FileDescription& description) {
+    for (FileVariable& variable : description.variables) {
+        if (fitsGrid(variable, description.size)) continue;
+        variable.role = NEPH_ROLE_OTHER;
+        variable.species = NEPH_SPECIES_NONE;
+        description.notes.push_back(
+            fmt::format("{} is not used: it has {} x {} x {} values and does not lie on the grid.",
+                        variable.name, variable.size.x, variable.size.y, variable.size.z));
+    }
+}
+
+std::vector<FileTime> checkedTimes(const NephDescription& raw) {
+    std::vector<FileTime> times;
+    for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
+        const NephTime& time = checkedStruct(pointer, "a time");
+        if (!std::isfinite(time.seconds)) throw Fault{"a time is not a finite number"};
+        times.push_back({checkedText(time.label, "a time"), time.seconds});
+    }
+    if (times.empty()) throw Fault{"it has no times"};
+    return times;
+}
+
+std::vector<FileVariable> checkedVariables(const NephDescription& raw) {
+    std::vector<FileVariable> variables;
+    std::set<std::string> names;
+    for (const NephVariable* pointer :
+         checkedList(raw.variables, raw.variable_count, "variables")) {
+        variables.push_back(checkedVariable(pointer));
+        if (!names.insert(variables.back().name).second) {
+            throw Fault{fmt::format("variable {} is there twice", variables.back().name)};
+        }
+    }
+    return variables;
+}
+
+FileDescription checkedDescription(const NephDescription* pointer) {
+    const NephDescription& raw = checkedStruct(pointer, "the description");
+    FileDescription description;
+    description.model = checkedText(raw.model, "the model");
+    description.scheme = checkedText(raw.scheme, "the scheme");
+    const bool schemeKnown = raw.microphysics >= NEPH_MICROPHYSICS_UNKNOWN &&
+                             raw.microphysics <= NEPH_MICROPHYSICS_MORRISON;
+    description.microphysics = schemeKnown ? raw.microphysics : NEPH_MICROPHYSICS_UNKNOWN;
+    const double droplets = raw.cloud_droplets_per_m3;
+    if (!std::isfinite(droplets) || droplets < 0.0) {
+        throw Fault{fmt::format("{} cloud droplets per m3", droplets)};
+    }
+    description.cloudDropletsPerM3 = droplets;
+    description.size = checkedSize(raw.size, "the grid");
+    for (double spacing : raw.spacing_m) {
+        if (!(spacing > 0.0 && spacing <= kMaxSpacingM)) {
+            throw Fault{fmt::format("a grid spacing of {} m", spacing)};
+        }
+    }
+    description.spacingM = {raw.spacing_m[0], raw.spacing_m[1]};
+    description.times = checkedTimes(raw);
+    description.variables = checkedVariables(raw);
+    for (const char* note : checkedList(raw.notes, raw.note_count, "notes")) {
+        description.notes.push_back(checkedText(note, "a note"));
+    }
+    for (const NephAttribute* entry :
+         checkedList(raw.attributes, raw.attribute_count, "attributes")) {
+        const NephAttribute& attribute = checkedStruct(entry, "an attribute");
+        description.attributes[checkedText(attribute.name, "an attribute")] =
+            checkedText(attribute.value, "an attribute");
+    }
+    dropMisfits(description);
+    return description;
+}
+
+NephError emptyError() {
+    NephError error{};
+    error.header = {NEPH_READER_ABI_VERSION, sizeof(NephError)};
+    return error;
+}
+
+template <std::size_t N>
+std::string partOf(const char (&text)[N]) {
+    return {text, strnlen(text, N)};
+}
+
+Error errorFrom(const NephError& raw, const std::filesystem::path& path,
+                const std::string& reader) {
+    ErrorParts parts{partOf(raw.where), partOf(raw.what), partOf(raw.found), partOf(raw.expected),
+                     partOf(raw.hint)};
+    if (parts.where.empty()) parts.where = path.string();
+    if (parts.what.empty()) parts.what = fmt::format("reader {} failed and gave no reason", reader);
+    return Error(std::move(parts));
+}
+
+struct ProgressBridge {
+    const Progress& progress;
+    bool stopped = false;
+    std::exception_ptr thrown{};  ///< kept here, because nothing may be thrown through the plugin
+};
+
+std::int32_t reportProgress(void* context, double fraction) {
+    auto& bridge = *static_cast<ProgressBridge*>(context);
+    try {
+        fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+        bridge.stopped = bridge.stopped || !goOn(bridge.progress, fraction);
+    } catch (...) {
+        bridge.thrown = std::current_exception();
+        bridge.stopped = true;
+    }
+    return bridge.stopped ? 0 : 1;
+}
+
+constexpr float kUntouched = -6.02e23f;  // what no field holds
+
+}  // namespace
+
+void PluginFile::Closer::operator()(NephFile* file) const {
+    try {
+        calls->close(file);
+    } catch (...) {  // against the rules, and nothing is left to be told
+    }
+}
+
+Error PluginFile::faulty(const std::string& text) const {
+    return Error({.where = path_.string(),
+                  .what = fmt::format("reader {} is faulty: {}", reader_, text),
+                  .hint = "report this to the author of the reader"});
+}
+
+void PluginFile::guarded(const std::function<void()>& call) const {
+    try {
+        call();
+    } catch (const Error&) {
+        throw;
+    } catch (const Fault& fault) {
+        throw faulty(fault.text);
+    } catch (const std::bad_alloc&) {
+        throw Error({.where = path_.string(), .what = "there is not enough memory to read it"});
+    } catch (const std::exception& problem) {
+        throw faulty(fmt::format("it threw {}", problem.what()));
+    } catch (...) {
+        throw faulty("it threw what is no std::exception");
+    }
+}
+
+PluginFile::PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path)
+    : calls_(&calls),
+      reader_(std::move(reader)),
+      path_(std::move(path)),
+      file_(nullptr, Closer{&calls}) {
+    guarded([this] {
+        NephError error = emptyError();
+        NephFile* raw = nullptr;
+        const NephStatus status = calls_->open(path_.c_str(), &raw, &error);
+        if (status != NEPH_OK) throw errorFrom(error, path_, reader_);
+        if (raw == nullptr) throw Fault{"open gave no handle"};
+        file_.reset(raw);
+        description_ = checkedDescription(calls_->describe(file_.get()));
+    });
+}
+
+void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
+                      std::span<float> room, const Progress& progress) {
+    const std::span<float> values = room.first(room.size() - kGuardValues);
+    const std::span<float> guard = room.last(kGuardValues);
+    std::ranges::fill(values, std::numeric_limits<float>::quiet_NaN());
+    std::ranges::fill(guard, kUntouched);
+    NephReadRequest request{};
+    request.header = {NEPH_READER_ABI_VERSION, sizeof(NephReadRequest)};
+    request.variable = static_cast<std::uint32_t>(variable);
+    request.time = static_cast<std::uint32_t>(time);
+    for (int axis = 0; axis < 3; ++axis) {
+        request.lower[axis] = lower[axis];
+        request.upper[axis] = upper[axis];
+    }
+    request.values = values.data();
+    request.value_count = values.size();
+    ProgressBridge bridge{progress};
+    request.progress = &reportProgress;
+    request.progress_context = &bridge;
+    const std::string& name = description_.variables.at(variable).name;
+    guarded([&] {
+        NephError error = emptyError();
+        const NephStatus status = calls_->read(file_.get(), &request, &error);
+        if (bridge.stopped) return;
+        if (status == NEPH_CANCELLED) throw Fault{"read was cancelled, and nobody had asked to"};
+        if (status != NEPH_OK) throw errorFrom(error, path_, reader_);
+        if (std::ranges::any_of(guard, [](float value) { return value != kUntouched; })) {
+            throw Fault{
+                fmt::format("read wrote beyond the {} values asked of {}", values.size(), name)};
+        }
+        if (request.values_written != values.size()) {
+            throw Fault{fmt::format("read gave {} values of {}, {} were asked for",
+                                    request.values_written, name, values.size())};
+        }
+    });
+    if (bridge.thrown) std::rethrow_exception(bridge.thrown);
+    if (bridge.stopped) throw Cancelled{};
+}
+
+}  // namespace neph

@@ -1,0 +1,53 @@
+// plugin_file.h: one file, opened through the calls of a reader in this process, with everything
+// that the reader says checked.
+//
+// Nothing that comes through the ABI is trusted: sizes, counts, numbers and strings are checked
+// before they are used, so that a faulty reader gives an Error and no wrong picture.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/plugin/file_description.h"
+#include "core/plugin/reader_abi.h"
+
+namespace neph {
+
+class PluginFile {
+  public:
+    /// Opens and describes. `reader` is the name of the reader in messages. Throws Error.
+    PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path);
+
+    const FileDescription& description() const { return description_; }
+
+    /// Values that `read` needs beyond those asked for: a reader that writes too much is found out
+    /// there.
+    static constexpr std::size_t kGuardValues = 1024;
+
+    /// Fills `room` with the cells of [lower, upper), x fastest, NaN where the reader left them
+    /// unwritten; behind them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
+    void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
+              std::span<float> room, const Progress& progress);
+
+  private:
+    struct Closer {
+        const NephReader* calls;
+        void operator()(NephFile* file) const;
+    };
+    /// Runs one call of the reader; what it throws against the rules becomes an Error.
+    void guarded(const std::function<void()>& call) const;
+    Error faulty(const std::string& text) const;
+
+    const NephReader* calls_;
+    std::string reader_;
+    std::filesystem::path path_;
+    std::unique_ptr<NephFile, Closer> file_;
+    FileDescription description_;
+};
+
+}  // namespace neph

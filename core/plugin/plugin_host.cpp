@@ -1,0 +1,202 @@
+// plugin_host.cpp: loading, checking and scoring of reader plugins.
+#include "core/plugin/plugin_host.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/resources.h"
+
+namespace neph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostIdle = 4;  // processes kept for later, a reader
+
+std::vector<fs::path> librariesIn(const fs::path& place) {
+    std::error_code none;
+    if (fs::is_regular_file(place, none)) return {place};
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(place, none)) {
+        if (entry.path().extension() == ".so") found.push_back(entry.path());
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+/// The first bytes of a file as a person can read them.
+std::string firstBytes(const fs::path& file) {
+    std::array<char, 24> bytes{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(bytes.data(), bytes.size());
+    const auto count = static_cast<std::size_t>(in.gcount());
+    if (count == 0) return "an empty file";
+    std::string text;
+    for (char c : std::string_view(bytes.data(), count)) {
+        text += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '.';
+    }
+    return fmt::format("a file that begins with \"{}\"", text);
+}
+
+/// Throws when a path cannot be opened for reading at all.
+void requireReadable(const fs::path& file) {
+    std::error_code code;
+    const fs::file_status status = fs::status(file, code);
+    if (code || !fs::exists(status)) {
+        const bool absent = !code || code == std::errc::no_such_file_or_directory;
+        throw Error({.where = file.string(),
+                     .what = absent ? "no such file" : "cannot be opened: " + code.message(),
+                     .hint = "check the spelling of the path"});
+    }
+    if (fs::is_directory(status)) return;
+    if (!fs::is_regular_file(status)) {
+        throw Error({.where = file.string(),
+                     .what = "is neither a file nor a folder",
+                     .hint = "readers seek in what they read: save the data to a file first"});
+    }
+    if (!std::ifstream(file, std::ios::binary)) {
+        throw Error({.where = file.string(),
+                     .what = fmt::format("cannot be read: {}", std::strerror(errno)),
+                     .hint = "check its permissions"});
+    }
+}
+
+}  // namespace
+
+ReaderPlugin::ReaderPlugin(const fs::path& file, const ReaderLimits& limits) : limits_(limits) {
+    library = file;
+    auto process = std::make_unique<ReaderProcess>(library, limits_);
+    static_cast<wire::Identity&>(*this) = process->identity();
+    giveBack(std::move(process));
+}
+
+std::unique_ptr<ReaderProcess> ReaderPlugin::borrow() const {
+    {
+        const std::scoped_lock lock(mutex_);
+        while (!idle_.empty()) {
+            auto process = std::move(idle_.back());
+            idle_.pop_back();
+            if (process->alive()) return process;
+        }
+    }
+    return std::make_unique<ReaderProcess>(library, limits_);
+}
+
+void ReaderPlugin::giveBack(std::unique_ptr<ReaderProcess> process) const {
+    const std::scoped_lock lock(mutex_);
+    if (process->alive() && idle_.size() < kMostIdle) idle_.push_back(std::move(process));
+}
+
+PluginHost::PluginHost(std::span<const fs::path> places, const ReaderLimits& limits) {
+    for (const fs::path& place : places) {
+        for (const fs::path& library : librariesIn(place)) load(library, limits);
+    }
+}
+
+PluginHost PluginHost::standard(std::span<const std::string> named) {
+    std::vector<fs::path> places;
+    for (const std::string& name : named) {
+        if (!fs::exists(name)) {
+            throw Error({.where = name,
+                         .what = "there is no such reader",
+                         .hint = "give the path of a library or of a folder of libraries"});
+        }
+        places.push_back(fs::absolute(name));
+    }
+    const std::size_t namedCount = places.size();
+    std::ranges::move(standardPlaces(), std::back_inserter(places));
+    PluginHost host(places);
+    for (const fs::path& place : std::span(places).first(namedCount)) {
+        const auto fault = std::ranges::find(host.rejected_, place, &RejectedPlugin::library);
+        if (fault == host.rejected_.end()) continue;
+        throw Error({.where = place.string(),
+                     .what = "cannot be used as a reader: " + fault->reason,
+                     .hint = "docs/write-a-reader.md tells what a reader needs"});
+    }
+    return host;
+}
+
+std::vector<fs::path> PluginHost::standardPlaces() {
+    std::vector<fs::path> places;
+    if (const char* list = std::getenv("NEPHOSCOPE_READER_PATH"); list != nullptr) {
+        std::string_view rest(list);
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(':'), rest.size());
+            if (end > 0) places.push_back(fs::absolute(rest.substr(0, end)));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    if (const auto dir = userDataDir()) places.push_back(*dir / "readers");
+    places.push_back(ownReaderDir());
+    return places;
+}
+
+void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
+    std::shared_ptr<const ReaderPlugin> reader;
+    try {
+        reader = std::make_shared<const ReaderPlugin>(library, limits);
+    } catch (const Error& error) {
+        const std::string& detail = error.parts().found;
+        rejected_.push_back({library, error.parts().what + (detail.empty() ? "" : ": " + detail)});
+        return;
+    }
+    const auto same = std::ranges::find(readers_, reader->id, [](const auto& r) { return r->id; });
+    if (same != readers_.end()) {
+        rejected_.push_back({library, fmt::format("{} was already found in {}", reader->id,
+                                                  (*same)->library.string())});
+        return;
+    }
+    readers_.push_back(std::move(reader));
+}
+
+std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
+                                                     const Progress& progress) const {
+    requireReadable(file);
+    std::shared_ptr<const ReaderPlugin> best;
+    int bestScore = 0;
+    std::string known;
+    std::optional<Error> failure;
+    for (const auto& reader : readers_) {
+        known += (known.empty() ? "" : "; ") + reader->title;
+        try {
+            auto process = reader->borrow();
+            const int score = process->score(file, progress);
+            reader->giveBack(std::move(process));
+            if (score <= bestScore) continue;
+            best = reader;
+            bestScore = score;
+        } catch (const Error& error) {
+            failure = error;  // its process did not survive; another reader may take the file
+        }
+    }
+    if (best) return best;
+    if (failure) throw *failure;
+    if (readers_.empty()) {
+        throw Error({.where = file.string(),
+                     .what = "cannot be opened: no reader plugin was found",
+                     .hint = "`nephoscope readers` lists where they are looked for and why they "
+                             "were rejected; NEPHOSCOPE_READER_PATH adds folders"});
+    }
+    std::error_code none;
+    throw Error({.where = file.string(),
+                 .what = "no reader knows this format",
+                 .found = fs::is_directory(file, none) ? "a folder" : firstBytes(file),
+                 .expected = known,
+                 .hint =
+                     "give the model's own output files; `nephoscope readers` lists what can be "
+                     "read"});
+}
+
+}  // namespace neph

@@ -1,0 +1,45 @@
+// reader_file.h: one file, opened by a reader in a process of its own.
+//
+// Whatever the file or the reader does, the answer is an Error and nothing worse. One ReaderFile is
+// used by one thread at a time; several may be used side by side.
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/plugin/file_description.h"
+#include "core/plugin/plugin_host.h"
+#include "core/plugin/reader_process.h"
+
+namespace neph {
+
+class ReaderFile {
+  public:
+    /// Opens and describes. Throws Error or Cancelled.
+    ReaderFile(std::shared_ptr<const ReaderPlugin> reader, std::filesystem::path path,
+               const Progress& progress = {});
+    ~ReaderFile();
+    ReaderFile(const ReaderFile&) = delete;
+    ReaderFile& operator=(const ReaderFile&) = delete;
+
+    const FileDescription& description() const { return description_; }
+
+    /// The cells of [lower, upper), x fastest; NaN where the reader left them unwritten. Throws
+    /// Error or Cancelled. After a crash of the reader the next read opens the file anew.
+    std::vector<float> read(std::size_t variable, std::size_t time, glm::ivec3 lower,
+                            glm::ivec3 upper, const Progress& progress);
+
+  private:
+    void open(const Progress& progress);
+
+    std::shared_ptr<const ReaderPlugin> reader_;
+    std::filesystem::path path_;
+    std::unique_ptr<ReaderProcess> process_;
+    std::uint32_t handle_ = 0;
+    FileDescription description_;
+};
+
+}  // namespace neph

@@ -1,0 +1,110 @@
+// reader_process.h: a process that runs one reader library, and the questions put to it.
+//
+// Whatever a library does to its process (crash, abort, hang, eat memory), the host gets an Error
+// that names the reader and the file, and nothing that the library started stays behind. One
+// ReaderProcess is used by one thread at a time.
+#pragma once
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/plugin/file_description.h"
+#include "core/plugin/reader_wire.h"
+
+namespace neph {
+
+/// Numbers of the descriptors that the process inherits.
+inline constexpr int kReaderSocket = 3;
+inline constexpr int kReaderMemory = 4;
+
+/// What lies at the start of the shared memory. Values begin at kReaderValuesAt.
+struct ReaderControl {
+    std::uint32_t cancel = 0;  ///< set by the host; both sides use atomic_ref
+    std::uint32_t beats = 0;   ///< counts the reader's signs of progress
+    double fraction = 0.0;     ///< the last of them
+};
+inline constexpr std::size_t kReaderValuesAt = 4096;
+
+/// What a reader process may take before it is ended.
+struct ReaderLimits {
+    /// Computing while it opens or reads, without a sign of progress: readers report every few
+    /// megabytes. One that waits for a slow disk does not compute.
+    double silentCpuSeconds = 5.0;
+    /// By the clock, for what takes no reading of data: being loaded, scoring, closing.
+    double answerSeconds = 30.0;
+    /// Address space. Far above what reading a band or a chunk of any model output needs; a damaged
+    /// header that asks for more gets "not enough memory".
+    std::uint64_t memoryBytes = std::uint64_t{8} << 30U;
+};
+
+class ReaderProcess {
+  public:
+    /// Starts the process and has it load `library`. Throws Error, with the reason in `what`, when
+    /// that is no reader.
+    explicit ReaderProcess(const std::filesystem::path& library, const ReaderLimits& limits = {});
+    ~ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+
+    const wire::Identity& identity() const { return identity_; }
+    bool alive() const { return pid_ > 0 && !hasEnded(); }
+
+    /// What the reader makes of a file, 0 to 100. Throws Error when the reader does not survive it,
+    /// or Cancelled.
+    int score(const std::filesystem::path& file, const Progress& progress = {});
+
+    struct Opened {
+        std::uint32_t handle = 0;
+        FileDescription description;
+    };
+    /// Throws Error or Cancelled.
+    Opened open(const std::filesystem::path& file, const Progress& progress);
+    void close(std::uint32_t handle);
+
+    /// The values of a box, x fastest; `what` names file and variable in messages. Throws Error or
+    /// Cancelled.
+    std::vector<float> read(const wire::ReadRequest& request, const std::filesystem::path& file,
+                            std::string_view variable, const Progress& progress);
+
+  private:
+    struct Task {
+        const std::filesystem::path& file;
+        std::string doing;  ///< "opening it", "reading QCLOUD"
+        double mostSeconds = std::numeric_limits<double>::infinity();
+    };
+    void start();
+    int spawn(const std::string& program, int theirs);
+    void growMemory(std::size_t bytes);
+    void map(std::size_t bytes);
+    /// Puts a question and waits for the answer, which comes without its first byte when it is ok.
+    std::string ask(std::string_view message, const Task& task, const Progress& progress);
+    void endIfStuck(const Task& task, double silentCpuSeconds,
+                    std::chrono::duration<double> waited);
+    bool await(const Task& task, const Progress& progress);
+    template <typename Unpack>
+    std::invoke_result_t<Unpack, wire::Unpacker&> unpacked(std::string_view answer,
+                                                           const Task& task, Unpack&& unpack);
+    bool hasEnded() const;
+    [[noreturn]] void endAndThrow(const Task& task, std::string reason);
+    std::string end();
+
+    std::filesystem::path library_;
+    ReaderLimits limits_;
+    wire::Identity identity_;
+    pid_t pid_ = -1;
+    int socket_ = -1;
+    int memory_ = -1;
+    std::byte* mapped_ = nullptr;
+    std::size_t mappedBytes_ = 0;
+};
+
+}  // namespace neph

@@ -1,0 +1,86 @@
+// preset_write.cpp: presets to JSON, and to disk.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "core/camera/camera_format.h"
+#include "core/preset/preset.h"
+#include "core/preset/preset_format.h"
+
+namespace neph {
+namespace {
+
+/// Keeps the order of keys, and floats as floats, so that they are written in their shortest form.
+using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
+                                  std::int64_t, std::uint64_t, float>;
+
+Json toJson(const glm::vec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json toJson(const Parameter& row, const ParameterValue& value) {
+    switch (row.kind) {
+        case ParameterKind::toggle:
+            return std::get<bool>(value);
+        case ParameterKind::integer:
+            return std::get<int>(value);
+        case ParameterKind::choice:
+            return formatValue(row, value);
+        case ParameterKind::colour:
+            return toJson(std::get<glm::vec3>(value));
+        case ParameterKind::number:
+            break;
+    }
+    return std::get<float>(value);
+}
+
+Json toJson(const CameraPose& pose) {
+    Json camera = Json::object();
+    camera["target"] = toJson(pose.target);
+    for (const CameraKey& row : kCameraKeys) camera[std::string(row.key)] = pose.*(row.member);
+    return camera;
+}
+
+/// One key a line, values on their line: easier to read and to compare than either of dump()'s.
+std::string layOut(const Json& document) {
+    std::string out = "{";
+    std::string_view comma = "\n";
+    for (const auto& [key, value] : document.items()) {
+        out += fmt::format("{}  {}: ", comma, Json(key).dump());
+        comma = ",\n";
+        if (!value.is_object()) {
+            out += value.dump();
+            continue;
+        }
+        out += "{";
+        std::string_view inner = "\n";
+        for (const auto& [name, item] : value.items()) {
+            out += fmt::format("{}    {}: {}", inner, Json(name).dump(), item.dump());
+            inner = ",\n";
+        }
+        out += "\n  }";
+    }
+    return out + "\n}\n";
+}
+
+}  // namespace
+
+std::string formatPreset(const Preset& preset) {
+    Json document = Json::object();
+    document["type"] = kPresetType;
+    document["version"] = kPresetVersion;
+    document["title"] = preset.title;
+    document["description"] = preset.description;
+    Json look = Json::object();
+    for (const Parameter& row : lookTable()) look[row.id] = toJson(row, valueOf(preset.look, row));
+    document["look"] = std::move(look);
+    if (preset.camera) document["camera"] = toJson(*preset.camera);
+    return layOut(document);
+}
+
+void savePreset(const std::filesystem::path& file, const Preset& preset) {
+    replaceFile(file, formatPreset(preset));
+}
+
+}  // namespace neph

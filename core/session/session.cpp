@@ -1,0 +1,305 @@
+// session.cpp: what is asked for, what is shown, and opening; presets and messages.
+#include "core/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/dataset/file_list.h"
+#include "core/volume/memory_setting.h"
+
+namespace neph {
+namespace {
+
+constexpr std::size_t kMaxMessages = 200;
+constexpr double kOpenShare = 0.3;  // of the work of opening and reading one time
+
+std::string nameOf(const std::vector<std::filesystem::path>& paths) {
+    if (paths.empty()) return "nothing";
+    const std::string first = paths.front().filename().string();
+    return paths.size() == 1 ? first : fmt::format("{} and {} more", first, paths.size() - 1);
+}
+
+VolumeKey keyFor(const DatasetInfo& info, int time, const VolumeRequest& request) {
+    const TimeInfo& when = info.times[static_cast<std::size_t>(time)];
+    return {when.indexInFile, when.file.string(), request};
+}
+
+}  // namespace
+
+int defaultTime(const DatasetInfo& info) {
+    return std::max(0, static_cast<int>(info.times.size()) - 1) / 2;
+}
+
+Session::Session(PluginHost host, std::function<void()> wake)
+    : Session([host = std::make_shared<const PluginHost>(std::move(host))](
+                  std::span<const std::filesystem::path> paths,
+                  const Progress& progress) { return Dataset::open(paths, *host, progress); },
+              std::move(wake)) {}
+
+Session::Session(OpenSeries open, std::function<void()> wake,
+                 std::chrono::milliseconds watchInterval)
+    : open_(std::move(open)), watch_(wake, watchInterval), jobs_(std::move(wake)) {}
+
+void Session::open(std::span<const std::string> named, std::optional<int> time,
+                   std::optional<Region> region) {
+    std::vector<std::filesystem::path> paths;
+    try {
+        paths = listFiles(named);
+    } catch (const Error& error) {
+        say(Message::Kind::error, error.message());
+        return;
+    }
+    const std::vector<std::string> names(named.begin(), named.end());
+    auto work = [this, open = open_, names, paths, time, region, budget = budget_,
+                 look = document.look](const Progress& progress) {
+        std::vector<FileStamp> stamps = stampsOf(paths);  // before: later growth is noticed
+        auto dataset =
+            open(paths, [&progress](double share) { return goOn(progress, kOpenShare * share); });
+        const int count = static_cast<int>(dataset->info().times.size());
+        const int wanted = time.value_or(defaultTime(dataset->info()));
+        const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
+        const VolumeRequest request{region, budget, planRadii(look, dataset->info())};
+        const Held held = std::make_shared<const HeldVolume>(
+            readVolume(*dataset, index, request, [&progress](double share) {
+                return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
+            }));
+        return Jobs::Finish(
+            [this, names, paths, stamps = std::move(stamps), dataset, index, request, held] {
+                opening_ = false;
+                dataset_ = dataset;
+                named_ = names;
+                paths_ = paths;
+                stamps_ = stamps;
+                region_ = request.region;
+                cache_.clear();
+                shown_.reset();
+                failedKey_.reset();
+                grown_.reset();
+                unreadable_.clear();
+                toldNotes_.clear();
+                missedLast_ = false;
+                settledSerial = lastSerial_;
+                sayNew(dataset->info().notes);
+                const VolumeKey key = keyFor(dataset->info(), index, request);
+                cache_.put(key, held);
+                show(key, held);
+                document.time = seenTime_ = index;
+                history.restart(document);
+                watch_.watch(paths, stamps);
+            });
+    };
+    opening_ = true;
+    readingKey_.reset();
+    jobs_.start("Opening " + nameOf(paths), std::move(work), [this](const Error& error) {
+        opening_ = false;
+        say(Message::Kind::error, error.message());
+    });
+}
+
+void Session::copyFrom(const Session& other) {
+    document = other.document;
+    history.restart(document);
+    homeCamera = other.homeCamera;
+    presetName = other.presetName;
+    presetLook = other.presetLook;
+    presetCamera = other.presetCamera;
+    setBudget(other.budget_);
+    std::shared_ptr<Dataset> another =
+        other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();
+    if (!another || !other.shown_) {
+        open(other.named_, other.document.time, other.region_);
+        return;
+    }
+    dataset_ = std::move(another);
+    named_ = other.named_;
+    paths_ = other.paths_;
+    stamps_ = other.stamps_;
+    region_ = other.region_;
+    cache_ = other.cache_;
+    shown_ = fresh_ = other.shown_;
+    shownKey_ = other.shownKey_;
+    seenTime_ = document.time;
+    watch_.watch(paths_, stamps_);
+}
+
+void Session::setRegion(const std::optional<Region>& region) {
+    region_ = region;
+    failedKey_.reset();
+}
+
+void Session::setBudget(const MemoryBudget& budget) {
+    budget_ = budget;
+    cache_.setLimit(budget.machine);
+}
+
+VolumeKey Session::keyOf(int time) const {
+    const DatasetInfo& info = dataset_->info();
+    return keyFor(info, time, {region_, budget_, planRadii(document.look, info)});
+}
+
+void Session::poll() {
+    jobs_.poll();
+    if (!dataset_) return;
+    if (auto change = watch_.takeChange()) grown_ = std::move(change);
+    const int last = static_cast<int>(dataset_->info().times.size()) - 1;
+    document.time = std::clamp(document.time, 0, last);
+    const bool stepped = document.time != seenTime_;
+    if (stepped) {
+        direction_ = document.time > seenTime_ ? 1 : -1;
+        seenTime_ = document.time;
+        missedLast_ = false;
+        aheadDone_ = false;
+        failedKey_.reset();
+    }
+    if (opening_ && !stepped) return;
+    want(keyOf(document.time));
+    if (!jobs_.idle()) return;
+    if (grown_) {
+        readAgain();
+    } else {
+        readAhead();
+    }
+}
+
+/// Brings what `key` says onto the screen, now where it is held.
+void Session::want(const VolumeKey& key) {
+    if ((key == shownKey_ && !shownStale_) || key == failedKey_) {
+        if (jobs_.busy() && !opening_) jobs_.cancel();  // the wish before was taken back
+        return;
+    }
+    if (const Held held = cache_.find(key)) {
+        if (!opening_) jobs_.cancel();
+        show(key, held);
+    } else if (!jobs_.idle() && readingKey_ == key) {
+        jobs_.want();
+    } else {
+        read(document.time, key, Jobs::Kind::wanted);
+    }
+}
+
+void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
+    opening_ = false;
+    readingKey_ = key;
+    const std::string label =
+        "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
+    auto work = [this, dataset = dataset_, time, key](const Progress& progress) {
+        const Held held =
+            std::make_shared<const HeldVolume>(readVolume(*dataset, time, key.request, progress));
+        return Jobs::Finish([this, key, held] {
+            readingKey_.reset();
+            aheadDone_ = false;
+            cache_.put(key, held);
+            if (key == keyOf(document.time)) show(key, held);
+        });
+    };
+    jobs_.start(
+        label, std::move(work),
+        [this, time, key](const Error& error) { readFailed(time, key, error); }, kind);
+}
+
+void Session::cancelLoading() {
+    jobs_.cancel();
+    opening_ = false;
+    readingKey_.reset();
+    if (!dataset_) return;
+    goBackToShown();
+    failedKey_ = keyOf(document.time);
+}
+
+void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
+    readingKey_.reset();
+    unreadable_.push_back(key);
+    if (key != keyOf(document.time)) return;  // read ahead: told when somebody asks for it
+    const std::size_t count = dataset_->info().times.size();
+    const bool growing = count > 1 && static_cast<std::size_t>(time) + 1 == count;
+    missedLast_ = growing && follow;
+    if (growing) {  // perhaps still being written
+        say(Message::Kind::warning,
+            error.message() + "\n       hint: the last time is tried again when its file grows");
+    } else {
+        say(Message::Kind::error, error.message());
+    }
+    failedKey_ = key;
+    goBackToShown();
+}
+
+/// Wishes for what is shown already, for want of anything else.
+void Session::goBackToShown() {
+    if (!shown_ || !shownKey_) return;
+    region_ = shownKey_->request.region;
+    const auto& times = dataset_->info().times;
+    const auto back = std::ranges::find_if(times, [this](const TimeInfo& when) {
+        return when.file.string() == shownKey_->file && when.indexInFile == shownKey_->indexInFile;
+    });
+    if (back != times.end()) {
+        document.time = seenTime_ = static_cast<int>(back - times.begin());
+    }
+}
+
+void Session::show(const VolumeKey& key, const Held& held) {
+    if (shown_) keepView(shown_->summary.grid, held->summary.grid);
+    shown_ = fresh_ = held;
+    shownKey_ = key;
+    shownStale_ = false;
+    failedKey_.reset();
+    aheadDone_ = false;
+    const DatasetInfo& info = dataset_->info();
+    sayNew(key.request.radii.notes);
+    sayNew(held->volume.notes);
+    if (held->summary.plan.coarsening > 1) sayNew({describe(held->summary.plan, info)});
+    if (held->summary.empty()) {
+        sayNew({fmt::format("{}: there is no hydrometeor at this time", held->volume.timeLabel)},
+               Message::Kind::warning);
+    }
+}
+
+/// Poses are shares of the grid that is shown: another part of the same domain is to be seen from
+/// the same place, now and in every step of the history.
+void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
+    if (before.originM == now.originM && before.extentM() == now.extentM()) return;
+    const auto change = [&](Document& state) {
+        state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+    };
+    change(document);
+    history.adapt(change);
+}
+
+std::shared_ptr<const SpeciesVolume> Session::takeVolume() {
+    const Held held = std::exchange(fresh_, nullptr);
+    return held ? std::shared_ptr<const SpeciesVolume>(held, &held->volume) : nullptr;
+}
+
+void Session::say(Message::Kind kind, std::string text) {
+    if (!messages.empty() && messages.back().kind == kind && messages.back().text == text) return;
+    messages.push_back({kind, std::move(text), ++lastSerial_});
+    if (messages.size() > kMaxMessages) messages.erase(messages.begin());
+}
+
+/// Says what has not been said of these data before.
+void Session::sayNew(const std::vector<std::string>& notes, Message::Kind kind) {
+    for (const std::string& note : notes) {
+        if (toldNotes_.insert(note).second) say(kind, note);
+    }
+}
+
+bool Session::undo() {
+    if (!history.undo(document)) return false;
+    say(Message::Kind::note, "Undone: " + history.redoLabel());
+    return true;
+}
+
+bool Session::redo() {
+    if (!history.redo(document)) return false;
+    say(Message::Kind::note, "Done again: " + history.undoLabel());
+    return true;
+}
+
+bool Session::jumpTo(std::size_t steps) {
+    if (!history.jumpTo(document, steps)) return false;
+    say(Message::Kind::note, steps == 0 ? "Back at the start" : "Back at: " + history.undoLabel());
+    return true;
+}
+
+}  // namespace neph

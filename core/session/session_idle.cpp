@@ -1,0 +1,174 @@
+// session_idle.cpp: what a session does when nothing is asked of it: reading the next times ahead,
+// and reading files again that have grown.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/session/session.h"
+
+namespace neph {
+namespace {
+
+bool sameTime(const TimeInfo& a, const TimeInfo& b) {
+    return a.label == b.label;
+}
+
+/// Index in `now` of a time that `before` had at `index`; the nearest there is where it is gone.
+int movedTime(const DatasetInfo& before, const DatasetInfo& now, int index) {
+    const int known = std::clamp(index, 0, static_cast<int>(before.times.size()) - 1);
+    const TimeInfo& when = before.times[static_cast<std::size_t>(known)];
+    const auto found = std::ranges::find_if(
+        now.times, [&](const TimeInfo& other) { return sameTime(when, other); });
+    if (found != now.times.end()) return static_cast<int>(found - now.times.begin());
+    return std::clamp(index, 0, static_cast<int>(now.times.size()) - 1);
+}
+
+/// The file of `before` that is on disk but not in `now`; nullptr when there is none.
+const TimeInfo* lostFile(const DatasetInfo& before, const DatasetInfo& now) {
+    for (const TimeInfo& when : before.times) {
+        std::error_code error;
+        const bool kept = std::ranges::any_of(
+            now.times, [&](const TimeInfo& other) { return other.file == when.file; });
+        if (!kept && std::filesystem::exists(when.file, error)) return &when;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+bool Session::holds(int time) const {
+    return dataset_ && cache_.holds(keyOf(time));
+}
+
+bool Session::shows(int time) const {
+    return dataset_ && shownKey_ == keyOf(time);
+}
+
+int Session::timesHeld() const {
+    if (!dataset_) return 0;
+    int held = 0;
+    VolumeKey key = keyOf(document.time);
+    for (const TimeInfo& when : dataset_->info().times) {
+        key.file = when.file.string();
+        key.indexInFile = when.indexInFile;
+        if (cache_.holds(key)) ++held;
+    }
+    return held;
+}
+
+/// Times worth having besides the one that is shown, the next first: as many as memory holds, in
+/// the direction of the last step first, but for the one behind.
+std::vector<int> Session::timesAhead() const {
+    const int count = static_cast<int>(dataset_->info().times.size());
+    const std::uint64_t each = std::max<std::uint64_t>(1, shown_->volume.bytes());
+    const auto room = static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(count),
+                                                               cache_.limit() / each)) -
+                      1;
+    std::vector<int> times;
+    const auto add = [&](int time) {
+        if (time >= 0 && time < count && static_cast<int>(times.size()) < room) {
+            times.push_back(time);
+        }
+    };
+    add(document.time + direction_);
+    add(document.time - direction_);
+    for (int step = 2; step < count; ++step) add(document.time + step * direction_);
+    for (int step = 2; step < count; ++step) add(document.time - step * direction_);
+    return times;
+}
+
+void Session::readAhead() {
+    if (aheadDone_ || !shown_ || shownStale_ || keyOf(document.time) != shownKey_) return;
+    const std::vector<int> times = timesAhead();
+    // Used in reverse order, so that what is nearest is given up last.
+    for (auto time = times.rbegin(); time != times.rend(); ++time) cache_.find(keyOf(*time));
+    cache_.find(*shownKey_);
+    for (const int time : times) {
+        const VolumeKey key = keyOf(time);
+        if (cache_.holds(key) || std::ranges::find(unreadable_, key) != unreadable_.end()) continue;
+        read(time, key, Jobs::Kind::ahead);
+        return;
+    }
+    aheadDone_ = true;
+}
+
+void Session::readAgain() {
+    auto work = [this, open = open_, paths = paths_, stamps = *grown_](const Progress& progress) {
+        auto grown = open(paths, progress);
+        return Jobs::Finish([this, grown, stamps] { adoptGrown(grown, stamps); });
+    };
+    const auto failed = [this](const Error& error) {
+        grown_.reset();
+        sayNew({"Changed files cannot be read yet and are tried again when they grow: " +
+                error.message()});
+    };
+    jobs_.start("Reading again what has grown", std::move(work), failed, Jobs::Kind::ahead);
+}
+
+void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps) {
+    grown_.reset();
+    const std::shared_ptr<Dataset> old = std::exchange(dataset_, std::move(grown));
+    const DatasetInfo& before = old->info();
+    const DatasetInfo& now = dataset_->info();
+    if (const TimeInfo* lost = lostFile(before, now)) {
+        sayNew({lost->file.string() + ": cannot be read now; its times stay as they were"});
+        dataset_ = old;
+        return;
+    }
+    failedKey_.reset();
+    unreadable_.clear();
+    aheadDone_ = false;
+    dropChanged(before, stamps);
+    stamps_ = std::move(stamps);
+    if (now.size != before.size || now.spacingM != before.spacingM) {
+        cache_.clear();
+        shownStale_ = true;
+    }
+    sayNew(now.notes);
+    adoptTimes(before, now);
+}
+
+/// Gives up volumes of files that changed. What a file had before it grew stays, but for its last
+/// time, which may have been half written.
+void Session::dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps) {
+    const auto find = [](const std::vector<FileStamp>& all, const std::string& file) {
+        return std::ranges::find_if(all, [&](const FileStamp& s) { return s.path == file; });
+    };
+    const auto changed = [&](const VolumeKey& key) {
+        const auto was = find(stamps_, key.file), is = find(stamps, key.file);
+        // Of data that a file describes rather than holds nothing is known: read them again.
+        if (was == stamps_.end() || is == stamps.end()) return true;
+        if (*was == *is) return false;
+        if (is->bytes <= was->bytes) return true;
+        int last = 0;
+        for (const TimeInfo& when : before.times) {
+            if (when.file == key.file) last = std::max(last, when.indexInFile);
+        }
+        return key.indexInFile >= last;
+    };
+    cache_.drop(changed);
+    if (shownKey_ && changed(*shownKey_)) shownStale_ = true;
+}
+
+void Session::adoptTimes(const DatasetInfo& before, const DatasetInfo& now) {
+    const bool atLast = document.time + 1 == static_cast<int>(before.times.size());
+    const auto move = [&](Document& state) { state.time = movedTime(before, now, state.time); };
+    move(document);
+    history.adapt(move);
+    const auto added = std::ranges::count_if(now.times, [&](const TimeInfo& when) {
+        return std::ranges::none_of(before.times,
+                                    [&](const TimeInfo& other) { return sameTime(when, other); });
+    });
+    if (added > 0) {
+        say(Message::Kind::note, fmt::format("{} new time{}, up to {}", added,
+                                             added == 1 ? "" : "s", now.times.back().label));
+    }
+    if (follow && ((added > 0 && atLast) || missedLast_)) {
+        document.time = static_cast<int>(now.times.size()) - 1;
+    }
+    seenTime_ = document.time;
+    missedLast_ = false;
+}
+
+}  // namespace neph

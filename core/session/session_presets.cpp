@@ -1,0 +1,76 @@
+// session_presets.cpp: presets taken over into the document, and the document saved as one.
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/preset/preset_files.h"
+#include "core/session/session.h"
+
+namespace neph {
+
+void Session::setPreset(const std::string& name) {
+    presetName = name;
+    presetLook = document.look;
+    presetCamera = document.camera;
+    if (name.empty()) return;
+    try {
+        const Preset preset = neph::loadPreset(findPreset(name)).preset;
+        presetLook = preset.look;
+        presetCamera = preset.camera;
+        if (preset.camera) homeCamera = *preset.camera;
+    } catch (const Error&) {  // deleted, or out of reach: what is shown is what there is
+    }
+}
+
+void Session::takePreset(const LoadedPreset& loaded, PresetParts parts, const std::string& label) {
+    for (const std::string& warning : loaded.warnings) say(Message::Kind::warning, warning);
+    history.commit(document);
+    takeOver(loaded.preset, parts, document.look, document.camera);
+    if ((parts & kPresetCamera) != 0 && loaded.preset.camera) homeCamera = *loaded.preset.camera;
+    const bool whole = parts == kPresetAll;
+    const std::string step = whole ? label : fmt::format("{}: {}", label, presetPartsText(parts));
+    history.commit(document, step);
+    say(Message::Kind::note, step);
+}
+
+bool Session::loadPreset(const std::string& nameOrFile, PresetParts parts) {
+    try {
+        const LoadedPreset loaded = neph::loadPreset(findPreset(nameOrFile));
+        const std::string name = presetNameOf(nameOrFile);
+        takePreset(loaded, parts, "Preset " + presetLabel(name));
+        if (parts != kPresetAll) return true;
+        presetName = name;
+        presetLook = loaded.preset.look;
+        presetCamera = loaded.preset.camera;
+        return true;
+    } catch (const Error& error) {
+        say(Message::Kind::error, error.message());
+        return false;
+    }
+}
+
+bool Session::savePreset(const std::string& name, bool replace, std::optional<PresetText> text) {
+    try {
+        const PresetNameUse use = presetNameUse(name);
+        if (!text && use == PresetNameUse::own) {
+            const Preset before = neph::loadPreset(findPreset(name)).preset;
+            text = {before.title, before.description};
+        }
+        const PresetText words = text.value_or(PresetText{});
+        const std::filesystem::path file = saveOwnPreset(
+            name, {words.title, words.description, document.look, document.camera}, replace);
+        presetName = name;
+        presetLook = document.look;
+        presetCamera = homeCamera = document.camera;
+        say(Message::Kind::note,
+            fmt::format("Saved {}{}", file.string(),
+                        use == PresetNameUse::bundled
+                            ? "; it hides the bundled preset of that name until it is deleted"
+                            : ""));
+        return true;
+    } catch (const Error& error) {
+        say(Message::Kind::error, error.message());
+        return false;
+    }
+}
+
+}  // namespace neph

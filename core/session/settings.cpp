@@ -1,0 +1,148 @@
+// settings.cpp: one JSON object; `type` nephoscope-settings, version 1.
+#include "core/session/settings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/base/resources.h"
+#include "core/base/strict_json.h"
+#include "core/session/recent.h"
+
+namespace neph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kType = "nephoscope-settings";
+constexpr int kVersion = 1;
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;  // paths of what was opened lately
+
+std::optional<std::filesystem::path> settingsFile() {
+    const auto folder = userConfigDir();
+    if (!folder) return {};
+    return *folder / "settings.json";
+}
+
+/// The object in the file; none where there is no file. Throws Error where it is none of ours.
+std::optional<Json> readObject(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return {};
+    try {
+        const std::string where = file.string();
+        const auto json = parseStrictJson<Json>(readJsonText(file, "settings", kMaxBytes), where);
+        checkJsonHeader(json, where, "a file of settings", kType, kVersion);
+        return json;
+    } catch (const Error& fault) {
+        ErrorParts parts = fault.parts();
+        parts.hint = "remove it to start anew";
+        throw Error(parts);
+    }
+}
+
+bool take(const Json& json, std::string& value) {
+    if (json.is_string()) value = json.get<std::string>();
+    return json.is_string();
+}
+bool take(const Json& json, bool& value) {
+    if (json.is_boolean()) value = json.get<bool>();
+    return json.is_boolean();
+}
+template <typename Number>
+bool take(const Json& json, Number& value, double lo, double hi) {
+    const bool fits = json.is_number() && json.get<double>() >= lo && json.get<double>() <= hi;
+    if (fits) value = static_cast<Number>(json.get<double>());
+    return fits;
+}
+bool take(const Json& json, Theme& value) {
+    if (json != "dark" && json != "light") return false;
+    value = json == "light" ? Theme::light : Theme::dark;
+    return true;
+}
+bool take(const Json& json, std::vector<std::string>& value) {
+    if (!json.is_array() || json.size() > kMaxRecent) return false;
+    std::vector<std::string> read(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (!take(json[i], read[i])) return false;
+    }
+    value = std::move(read);
+    return true;
+}
+
+/// The single spelling of a setting.
+struct Row {
+    const char* key;
+    const char* expected;
+    bool (*read)(const Json&, Settings&);
+    Json (*write)(const Settings&);
+};
+
+template <bool Settings::*member>
+constexpr Row switchRow(const char* key) {
+    return {key, "true or false", [](const Json& j, Settings& s) { return take(j, s.*member); },
+            [](const Settings& s) { return Json(s.*member); }};
+}
+
+constexpr std::array kRows{
+    Row{"memory", "text such as \"2GiB\"",
+        [](const Json& j, Settings& s) { return take(j, s.memory); },
+        [](const Settings& s) { return Json(s.memory); }},
+    Row{"theme", "\"dark\" or \"light\"",
+        [](const Json& j, Settings& s) { return take(j, s.theme); },
+        [](const Settings& s) { return Json(s.theme == Theme::light ? "light" : "dark"); }},
+    Row{"text_scale", "a number from 0.5 to 4",
+        [](const Json& j, Settings& s) { return take(j, s.textScale, 0.5, 4.0); },
+        [](const Settings& s) { return Json(asWritten(s.textScale)); }},
+    Row{"frames_per_second", "a number from 1 to 240",
+        [](const Json& j, Settings& s) { return take(j, s.framesPerSecond, 1.0, 240.0); },
+        [](const Settings& s) { return Json(s.framesPerSecond); }},
+    switchRow<&Settings::leftColumn>("left_column"),
+    switchRow<&Settings::rightColumn>("right_column"),
+    switchRow<&Settings::scaleBar>("scale_bar"),
+    switchRow<&Settings::compass>("compass"),
+    switchRow<&Settings::heightRuler>("height_ruler"),
+    Row{"recent", "a list of at most 12 names",
+        [](const Json& j, Settings& s) { return take(j, s.recent); },
+        [](const Settings& s) { return Json(s.recent); }},
+};
+
+}  // namespace
+
+Settings loadSettings(std::vector<std::string>& warnings) {
+    Settings settings;
+    const auto file = settingsFile();
+    if (!file) return settings;
+    try {
+        const auto json = readObject(*file);
+        for (const Row& row : kRows) {
+            if (!json || !json->contains(row.key) || row.read(json->at(row.key), settings))
+                continue;
+            warnings.push_back(
+                fmt::format("{}: \"{}\" cannot take {}; the default is used instead\n"
+                            "       expected: {}",
+                            file->string(), row.key, excerpt(json->at(row.key)), row.expected));
+        }
+    } catch (const Error& error) {
+        warnings.push_back(error.message());
+    }
+    return settings;
+}
+
+void saveSettings(const Settings& settings) {
+    const auto file = settingsFile();
+    if (!file) {
+        throw Error({"", "settings cannot be remembered", "no home folder", "",
+                     "set XDG_CONFIG_HOME or HOME"});
+    }
+    Json json = readObject(*file).value_or(Json{{"type", kType}, {"version", kVersion}});
+    for (const Row& row : kRows) json[row.key] = row.write(settings);
+    std::error_code error;
+    std::filesystem::create_directories(file->parent_path(), error);
+    replaceFile(*file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace neph

@@ -1,0 +1,135 @@
+// held_volume.cpp: plan, read, look through.
+#include "core/volume/held_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/volume/resample.h"
+
+namespace neph {
+namespace {
+
+// What bounds the clouds: thinner is not seen even across a storm. A droplet cloud of this content
+// has a mean free path of 6.7 km ([Riley03] eq. 3, 10 µm), and so has this extinction.
+constexpr float kVisibleContentKgPerM3 = 1e-6f;
+constexpr float kVisibleExtinctionPerM = 1.5e-4f;
+constexpr double kMarginShare = 0.1;  // tuned by eye
+
+// Lowest bin of histograms: far below what is seen, and eight decades on more than any cell holds.
+constexpr double kLeastDecadeKgPerM3 = -9.0;
+constexpr double kLeastDecadePerM = -7.0;
+
+double leastDecade(Holding holding) {
+    return holding == Holding::extinction ? kLeastDecadePerM : kLeastDecadeKgPerM3;
+}
+
+struct CellBounds {
+    glm::ivec3 lower{std::numeric_limits<int>::max()}, upper{-1};
+    bool empty() const { return upper.x < 0; }
+};
+
+/// Widens `bounds` by the cells above `threshold` and counts those that hold something.
+void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
+                 FieldHistogram& histogram) {
+    std::size_t i = 0;
+    for (int z = 0; z < field.size.z; ++z) {
+        for (int y = 0; y < field.size.y; ++y) {
+            for (int x = 0; x < field.size.x; ++x, ++i) {
+                const float value = field.values[i];
+                if (value > 0.0f) histogram.add(value);
+                if (value <= threshold) continue;
+                bounds.lower = glm::min(bounds.lower, glm::ivec3(x, y, z));
+                bounds.upper = glm::max(bounds.upper, glm::ivec3(x, y, z));
+            }
+        }
+    }
+}
+
+/// Lowest and highest level of the domain; a region may hold but some of them.
+glm::dvec2 domainHeights(Dataset& dataset, int time, const VolumeRequest& request,
+                         const ReadPlan& plan, const Progress& progress) {
+    const bool cut = request.region && (std::isfinite(request.region->lowerM.z) ||
+                                        std::isfinite(request.region->upperM.z));
+    const RegularGrid grid = cut ? planRead(dataset, time, {}, {}, progress).grid : plan.grid;
+    return {grid.originM.z, grid.upperM().z};
+}
+
+}  // namespace
+
+double FieldHistogram::lowerBound(Holding holding, int bin) {
+    return std::pow(10.0, leastDecade(holding) + static_cast<double>(bin) / kBinsPerDecade);
+}
+
+std::uint64_t FieldHistogram::filled() const {
+    return std::accumulate(cells.begin(), cells.end(), below + above);
+}
+
+void FieldHistogram::add(float value) {
+    least = most > 0.0f ? std::min(least, value) : value;
+    most = std::max(most, value);
+    const float decades = std::log10(value) - static_cast<float>(leastDecade(holding));
+    const auto bin = static_cast<int>(std::floor(decades * kBinsPerDecade));
+    if (bin < 0) {
+        ++below;
+    } else if (bin >= kBins) {
+        ++above;
+    } else {
+        ++cells[static_cast<std::size_t>(bin)];
+    }
+}
+
+bool VolumeSummary::empty() const {
+    return std::ranges::none_of(anything, [](bool some) { return some; });
+}
+
+VolumeSummary summarise(const SpeciesVolume& volume) {
+    VolumeSummary summary;
+    summary.grid = volume.grid;
+    summary.timeLabel = volume.timeLabel;
+    CellBounds bounds;
+    for (std::size_t s = 0; s < kSpeciesCount; ++s) {
+        FieldHistogram& histogram = summary.histograms[s];
+        histogram.holding = volume.holding(static_cast<Species>(s));
+        lookThrough(volume.contentKgPerM3[s], kVisibleContentKgPerM3, bounds, histogram);
+        lookThrough(volume.extinctionPerM[s], kVisibleExtinctionPerM, bounds, histogram);
+        summary.present[s] = histogram.holding != Holding::absent;
+        summary.anything[s] = histogram.most > 0.0f;
+    }
+    if (!bounds.empty()) {
+        const RegularGrid& grid = volume.grid;
+        summary.clouds = Region{grid.originM + glm::dvec3(bounds.lower) * grid.spacingM,
+                                grid.originM + glm::dvec3(bounds.upper + 1) * grid.spacingM};
+    }
+    return summary;
+}
+
+HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
+                      const Progress& progress) {
+    constexpr double kPlanShare = 0.05;
+    const auto part = [&progress](double from, double to) {
+        return Progress([&progress, from, to](double fraction) {
+            return goOn(progress, from + (to - from) * fraction);
+        });
+    };
+    const Progress planning = part(0.0, kPlanShare);
+    const ReadPlan plan = planRead(dataset, time, request.region, request.budget, planning);
+    const glm::dvec2 heights = domainHeights(dataset, time, request, plan, planning);
+    HeldVolume held;
+    ResampleOptions options;
+    options.plan = plan;
+    options.radii = request.radii;
+    held.volume = resample(dataset, time, options, part(kPlanShare, 1.0));
+    held.summary = summarise(held.volume);
+    held.summary.plan = plan;
+    held.summary.domainHeightsM = heights;
+    return held;
+}
+
+Region withMargin(const Region& region) {
+    const glm::dvec3 margin = kMarginShare * (region.upperM - region.lowerM);
+    return {region.lowerM - margin, region.upperM + margin};
+}
+
+}  // namespace neph

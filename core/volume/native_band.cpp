@@ -1,0 +1,172 @@
+// native_band.cpp: reading and checking of bands, and the threads that share them out.
+#include "core/volume/native_band.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace neph {
+namespace {
+
+constexpr std::size_t kBandBytes = 1U << 20U;  // a field: a handful of them stay in a core's cache
+constexpr std::size_t kMostThreads = 4;        // memory, not computing, bounds what more would give
+
+std::string textOf(glm::ivec3 size) {
+    return fmt::format("{} x {} x {}", size.x, size.y, size.z);
+}
+
+bool isProfile(const VariableInfo& variable, const DatasetInfo& info) {
+    return variable.size.x == 1 && variable.size.y == 1 && (info.size.x > 1 || info.size.y > 1);
+}
+
+struct BadCell {
+    std::size_t index;  ///< into the values of the band
+    std::string expected;
+};
+
+Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, const Box& band,
+              const ColumnField& field, const BadCell& bad) {
+    const TimeInfo& when = dataset.info().times.at(static_cast<std::size_t>(time));
+    const auto width = static_cast<std::size_t>(field.values.size.x);
+    const std::size_t layer = field.levelStride();
+    const glm::ivec3 lower = field.profile ? glm::ivec3(0, 0, band.lower.z) : band.lower;
+    const glm::ivec3 cell =
+        lower + glm::ivec3(bad.index % width, bad.index % layer / width, bad.index / layer);
+    return Error({.where = when.file.string(),
+                  .what = fmt::format("variable {} is unusable at {}", variable.name, when.label),
+                  .found = fmt::format("{} in cell x {}, y {}, level {} ({})",
+                                       field.values.values[bad.index], cell.x, cell.y, cell.z,
+                                       variable.description),
+                  .expected = bad.expected,
+                  .hint = "the run blew up or the file is damaged: leave this time out"});
+}
+
+}  // namespace
+
+Box wholeBox(const DatasetInfo& info) {
+    return {glm::ivec3(0), info.size};
+}
+
+std::vector<Box> bandsOf(const Box& box, int coarsening) {
+    const std::size_t row = static_cast<std::size_t>(box.size().x) *
+                            static_cast<std::size_t>(box.size().z) * sizeof(float);
+    const int blocks =
+        std::max(static_cast<int>(kBandBytes / row / static_cast<std::size_t>(coarsening)), 1);
+    std::vector<Box> bands;
+    for (int y = box.lower.y; y < box.upper.y;) {
+        Box band = box;
+        band.lower.y = y;
+        band.upper.y = std::min(y + blocks * coarsening, box.upper.y);
+        y = band.upper.y;
+        bands.push_back(band);
+    }
+    return bands;
+}
+
+void requireOnGrid(const Dataset& dataset, const VariableInfo& variable, bool profiles) {
+    const DatasetInfo& info = dataset.info();
+    glm::ivec3 expected = info.size;
+    if (variable.role == VariableRole::interfaceHeight) ++expected.z;
+    if (variable.size == expected) return;
+    const glm::ivec3 profile(1, 1, expected.z);
+    if (profiles && variable.size == profile) return;
+    throw Error({.where = info.times.front().file.string(),
+                 .what = fmt::format("variable {} does not lie on the grid", variable.name),
+                 .found = textOf(variable.size),
+                 .expected = textOf(expected) + (profiles ? " or " + textOf(profile) : "")});
+}
+
+const VariableInfo& requiredVariable(const Dataset& dataset, VariableRole role,
+                                     std::string_view meaning) {
+    if (const VariableInfo* variable = dataset.info().find(role)) {
+        requireOnGrid(dataset, *variable, true);
+        return *variable;
+    }
+    throw Error({.where = dataset.info().times.front().file.string(),
+                 .what = fmt::format("{} cannot be had from this file", meaning),
+                 .expected = "a variable of that role from the reader"});
+}
+
+ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
+                        const Progress& progress) {
+    Box box = band;
+    box.upper.z += variable.size.z - dataset.info().size.z;
+    ColumnField field;
+    field.profile = isProfile(variable, dataset.info());
+    if (field.profile) {
+        box.lower = {0, 0, box.lower.z};
+        box.upper = {1, 1, box.upper.z};
+    }
+    field.values = dataset.read(variable.name, time, box, progress);
+    return field;
+}
+
+ColumnField readHeights(Dataset& dataset, int time, const Box& band, const Progress& progress) {
+    const VariableInfo& variable =
+        requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
+    ColumnField heights = readColumns(dataset, variable, time, band, progress);
+    const std::vector<float>& values = heights.values.values;
+    const std::size_t layer = heights.levelStride();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            throw errorOf(dataset, time, variable, band, heights, {i, "heights in metres"});
+        }
+        if (i >= layer && !(values[i] > values[i - layer])) {
+            throw errorOf(
+                dataset, time, variable, band, heights,
+                {i, fmt::format("more than the {} of the level below", values[i - layer])});
+        }
+    }
+    return heights;
+}
+
+ColumnField readDensity(Dataset& dataset, int time, const Box& band, const Progress& progress) {
+    const VariableInfo& variable =
+        requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
+    ColumnField density = readColumns(dataset, variable, time, band, progress);
+    const auto bad = std::ranges::find_if(density.values.values, [](float value) {
+        return !(value > 0.0f) || !std::isfinite(value);
+    });
+    if (bad != density.values.values.end()) {
+        const auto index = static_cast<std::size_t>(bad - density.values.values.begin());
+        throw errorOf(dataset, time, variable, band, density, {index, "above 0 kg/m3"});
+    }
+    return density;
+}
+
+Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
+                  Repairs& repairs, const Progress& progress) {
+    Array3f ratio = dataset.read(variable.name, time, band, progress);
+    repairs += repair(ratio);
+    return ratio;
+}
+
+void overBands(Dataset& dataset, std::size_t bandCount, const BandWork& work,
+               const Progress& progress) {
+    const std::size_t workers = std::min(workerCount(kMostThreads), bandCount);
+    std::vector<std::unique_ptr<Dataset>> handles;
+    while (handles.size() + 1 < workers) {
+        auto handle = dataset.anotherHandle();
+        if (!handle) break;
+        handles.push_back(std::move(handle));
+    }
+    // Each takes one run of neighbouring bands, so that what a reader keeps (a row of chunks)
+    // serves the next band as well, and few rows are needed by two readers.
+    const std::size_t runs = handles.size() + 1;
+    shareOut(
+        runs, handles.size() + 1,
+        [&](std::size_t run, std::size_t worker, const Progress& report) {
+            const std::size_t end = (run + 1) * bandCount / runs;
+            for (std::size_t band = run * bandCount / runs; band < end; ++band) {
+                if (!goOn(report, 0.0)) throw Cancelled{};
+                work(worker == 0 ? dataset : *handles[worker - 1], band, report);
+            }
+        },
+        progress);
+}
+
+}  // namespace neph

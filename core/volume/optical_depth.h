@@ -1,0 +1,25 @@
+// optical_depth.h: how much light the fields take away along one ray through what is shown.
+//
+// World space, metres. The held values are trilinear between the centres of their cells and
+// constant beyond the outermost; detail noise is left out.
+#pragma once
+#include <array>
+#include <glm/glm.hpp>
+#include <numeric>
+
+#include "core/grid/species.h"
+#include "core/look/medium.h"
+
+namespace neph {
+
+struct OpticalDepth {
+    std::array<double, kSpeciesCount> of{};  ///< 0 where absent or invisible
+    double total() const { return std::accumulate(of.begin(), of.end(), 0.0); }
+};
+
+/// Along the ray from `eyeWorld` in the unit direction `dirWorld`, with the extinction of `plan`,
+/// Eq. 9: trapezoids of at most half the width of a cell.
+OpticalDepth opticalDepthAlong(const SpeciesVolume& volume, const MediumPlan& plan,
+                               const glm::dvec3& eyeWorld, const glm::dvec3& dirWorld);
+
+}  // namespace neph

@@ -1,0 +1,205 @@
+// read_plan.cpp: the target grid, and the least coarsening that memory asks for.
+#include "core/volume/read_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/volume/native_band.h"
+
+namespace neph {
+namespace {
+
+constexpr int kMostLevels = 256;
+constexpr std::size_t kDepthSamples = 100'000;  // layers that tell the median depth well
+constexpr int kFewestSampleRows = 3;
+constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here and on the GPU
+// One RGBA32F texture holds three optical classes and the skylight,
+// app/render/medium/medium_bake.cpp.
+constexpr std::uint64_t kMediumBytes = 16;
+constexpr int kClassesPerTexture = 3;
+
+/// What the levels of the grid are chosen from, metres.
+struct NativeLevels {
+    double lowest = 0.0, highest = 0.0, medianDepth = 0.0;
+};
+
+/// The largest number with two digits that is not above `value`; value > 0.
+double roundedDown(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::floor(value / unit + 1e-9) * unit;
+}
+
+void addDepths(const ColumnField& heights, std::vector<float>& depths) {
+    const std::vector<float>& values = heights.values.values;
+    const std::size_t layer = heights.levelStride();
+    for (std::size_t i = layer; i < values.size(); ++i) {
+        depths.push_back(values[i] - values[i - layer]);
+    }
+}
+
+double median(std::vector<float>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return static_cast<double>(*middle);
+}
+
+/// Lowest and highest of one level of interfaces.
+std::ranges::minmax_result<float> extremes(Dataset& dataset, const VariableInfo& variable, int time,
+                                           int level, const Progress& progress) {
+    Box plane{{0, 0, level}, variable.size};
+    plane.upper.z = level + 1;
+    return std::ranges::minmax(dataset.read(variable.name, time, plane, progress).values);
+}
+
+NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
+    const VariableInfo& variable =
+        requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
+    const glm::ivec3 size = dataset.info().size;
+    const auto perRow = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.z);
+    const int rows = std::clamp(static_cast<int>(kDepthSamples / perRow),
+                                std::min(kFewestSampleRows, size.y), variable.size.y);
+    std::vector<float> depths;
+    for (int i = 0; i < rows; ++i) {
+        Box row = wholeBox(dataset.info());
+        row.lower.y = static_cast<int>((i + 0.5) * size.y / rows);
+        row.upper.y = row.lower.y + 1;
+        addDepths(readHeights(dataset, time, row, progress), depths);
+    }
+    NativeLevels levels;
+    levels.lowest = static_cast<double>(extremes(dataset, variable, time, 0, progress).min);
+    levels.highest = static_cast<double>(extremes(dataset, variable, time, size.z, progress).max);
+    levels.medianDepth = median(depths);
+    return levels;
+}
+
+/// Levels of the grid: `z` of origin, spacing and size. Spacing and borders are chosen for the
+/// whole depth, so that a region's levels are some of the whole domain's.
+void placeLevels(const NativeLevels& native, const std::optional<Region>& region,
+                 RegularGrid& grid) {
+    double spacing = roundedDown(native.medianDepth);
+    const auto below = [&](double z) { return std::floor(z / spacing + 1e-6); };
+    const auto above = [&](double z) { return std::ceil(z / spacing - 1e-6); };
+    if (above(native.highest) - below(native.lowest) > kMostLevels) {
+        spacing = (native.highest - native.lowest) / (kMostLevels - 2);
+    }
+    double first = below(native.lowest);
+    double last = std::max(above(native.highest), first + 1.0);
+    if (region) {
+        first = std::max(first, below(region->lowerM.z));
+        last = std::min(last, above(region->upperM.z));
+    }
+    grid.spacingM.z = spacing;
+    grid.originM.z = spacing * first;
+    grid.size.z = static_cast<int>(last - first);
+}
+
+/// Native cells that a region touches.
+Box boxOf(const DatasetInfo& info, const std::optional<Region>& region) {
+    Box box = wholeBox(info);
+    if (!region) return box;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double cell = info.spacingM[axis];
+        const double most = info.size[axis];
+        const double lower = std::floor(region->lowerM[axis] / cell + 1e-6);
+        const double upper = std::ceil(region->upperM[axis] / cell - 1e-6);
+        box.lower[axis] = static_cast<int>(std::clamp(lower, 0.0, most));
+        box.upper[axis] = static_cast<int>(std::clamp(upper, 0.0, most));
+    }
+    return box;
+}
+
+void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLevels& native,
+                  const std::optional<Region>& region) {
+    if (glm::all(glm::greaterThan(plan.box.size(), glm::ivec3(0))) && plan.grid.size.z > 0) return;
+    const DatasetInfo& info = dataset.info();
+    const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
+    const auto text = [](glm::dvec3 from, glm::dvec3 to) {
+        std::string words;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!std::isfinite(from[axis]) || !std::isfinite(to[axis])) continue;  // not asked for
+            words += fmt::format("{}{} {:.6g} to {:.6g} km", words.empty() ? "" : ", ", "xyz"[axis],
+                                 from[axis] * 1e-3, to[axis] * 1e-3);
+        }
+        return words;
+    };
+    throw Error({.where = info.times.front().file.string(),
+                 .what = "the region asked for holds no cell of the domain",
+                 .found = text(region->lowerM, region->upperM),
+                 .expected = "a part of " +
+                             text({0.0, 0.0, native.lowest}, {extent.x, extent.y, native.highest}),
+                 .hint = "from the south-west corner, z above sea level, lower before upper"});
+}
+
+/// Completes a plan that has its box and its levels.
+void coarsen(ReadPlan& plan, int coarsening, const DatasetInfo& info) {
+    plan.coarsening = coarsening;
+    std::uint64_t species = 0;
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        if (info.find(VariableRole::mixingRatio, static_cast<Species>(s)) != nullptr) ++species;
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        plan.grid.size[axis] = (plan.box.size()[axis] + coarsening - 1) / coarsening;
+        plan.grid.spacingM[axis] = info.spacingM[axis] * coarsening;
+        plan.grid.originM[axis] = info.spacingM[axis] * plan.box.lower[axis];
+    }
+    const std::uint64_t medium = species > kClassesPerTexture ? 2 * kMediumBytes : kMediumBytes;
+    plan.machineBytes = plan.grid.cellCount() * species * kVoxelBytes;
+    plan.gpuBytes = plan.machineBytes + plan.grid.cellCount() * medium;
+}
+
+std::string sizeText(std::uint64_t bytes) {
+    const double mebibytes = static_cast<double>(bytes) / (1U << 20U);
+    return mebibytes < 1000.0 ? fmt::format("{:.0f} MiB", mebibytes)
+                              : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
+}
+
+std::string lengthText(double metres) {
+    return metres < 1000.0 ? fmt::format("{:.4g} m", metres)
+                           : fmt::format("{:.4g} km", metres / 1000.0);
+}
+
+}  // namespace
+
+ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region,
+                  const MemoryBudget& budget, const Progress& progress) {
+    const DatasetInfo& info = dataset.info();
+    const NativeLevels native = readLevels(dataset, time, progress);
+    ReadPlan plan;
+    plan.box = boxOf(info, region);
+    placeLevels(native, region, plan.grid);
+    requireCells(dataset, plan, native, region);
+    const int coarsest = std::max(plan.box.size().x, plan.box.size().y);
+    for (int coarsening = 1; coarsening <= coarsest; ++coarsening) {
+        coarsen(plan, coarsening, info);
+        if (plan.machineBytes <= budget.machine && plan.gpuBytes <= budget.gpu) break;
+    }
+    return plan;
+}
+
+std::string describe(const ReadPlan& plan, const DatasetInfo& info) {
+    const Box whole = wholeBox(info);
+    std::string text;
+    if (plan.box != whole) {
+        const auto corner = [&](glm::ivec3 cell, int axis) {
+            return info.spacingM[axis] * cell[axis] / 1000.0;
+        };
+        const glm::ivec3 from = plan.box.lower, to = plan.box.upper;
+        text = fmt::format("Part of the domain: x {:.4g} to {:.4g} km, y {:.4g} to {:.4g} km.",
+                           corner(from, 0), corner(to, 0), corner(from, 1), corner(to, 1));
+    }
+    if (plan.coarsening == 1) return text;
+    ReadPlan full = plan;
+    coarsen(full, 1, info);
+    return fmt::format(
+        "{}{}Every {} x {} columns are averaged to one of {}: at full resolution {} would take {}, "
+        "not {}.",
+        text, text.empty() ? "" : " ", plan.coarsening, plan.coarsening,
+        lengthText(plan.grid.spacingM.x), plan.box == whole ? "the domain" : "it",
+        sizeText(full.gpuBytes), sizeText(plan.gpuBytes));
+}
+
+}  // namespace neph

@@ -1,0 +1,344 @@
+// resample.cpp: bands of native columns, averaged to coarse columns and remapped to regular levels.
+#include "core/volume/resample.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <mutex>
+#include <vector>
+
+#include "core/volume/native_band.h"
+#include "core/volume/repair.h"
+
+namespace neph {
+namespace {
+
+/// Slope of content within layer k, per metre: the smaller of the slopes to its neighbours, and
+/// never so steep that the line leaves the range of the neighbours' means (van Leer's limiter on
+/// uneven layers).
+double limitedSlope(std::span<const double> interfaces, std::span<const double> content,
+                    std::size_t k) {
+    if (k == 0 || k + 1 == content.size()) return 0.0;
+    const double below = content[k] - content[k - 1];
+    const double above = content[k + 1] - content[k];
+    if (below * above <= 0.0) return 0.0;
+    const double depth = interfaces[k + 1] - interfaces[k];
+    const double reach = 0.5 * (interfaces[k + 2] + interfaces[k + 1] - interfaces[k] -
+                                interfaces[k - 1]);  // centre below to centre above
+    const double central = std::abs(below + above) / reach;
+    const double steepest = 2.0 * std::min(std::abs(below), std::abs(above)) / depth;
+    return std::copysign(std::min(central, steepest), below);
+}
+
+/// The blocks of native columns of one band: which block a native column belongs to.
+struct Blocks {
+    glm::ivec2 native;  ///< columns of the band
+    glm::ivec2 coarse;  ///< blocks of the band; those at the north and east may be cut
+    int edge;           ///< native columns along each edge of a whole block
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(coarse.y);
+    }
+    /// Calls `visit(block, column)` for every native column.
+    template <typename Visit>
+    void each(Visit&& visit) const {
+        std::size_t column = 0;
+        for (int y = 0; y < native.y; ++y) {
+            std::size_t block =
+                static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(y / edge);
+            for (int x = 0; x < native.x; ++block) {
+                const int end = std::min(x + edge, native.x);
+                for (; x < end; ++x) visit(block, column++);
+            }
+        }
+    }
+};
+
+Blocks blocksOf(const Box& band, int coarsening) {
+    const glm::ivec2 native(band.size());
+    return {native, (native + coarsening - 1) / coarsening, coarsening};
+}
+
+/// Mean of each level of `field` over each block; block fastest.
+std::vector<double> blockMeans(const ColumnField& field, const Blocks& blocks) {
+    const auto levels = static_cast<std::size_t>(field.values.size.z);
+    std::vector<double> means(blocks.count() * levels);
+    std::vector<double> columns(blocks.count());
+    blocks.each([&](std::size_t block, std::size_t) { columns[block] += 1.0; });
+    for (std::size_t level = 0; level < levels; ++level) {
+        double* mean = means.data() + level * blocks.count();
+        blocks.each([&](std::size_t block, std::size_t column) {
+            mean[block] += static_cast<double>(field.at(column, level));
+        });
+        for (std::size_t block = 0; block < blocks.count(); ++block) mean[block] /= columns[block];
+    }
+    return means;
+}
+
+/// One quantity per m³, such as content, as the mean of each block over the depth that the block's
+/// layer has, so that its integral over the block's whole area is kept. Beyond the border of the
+/// domain there is nothing. Block fastest.
+std::vector<double> averaged(const Array3f& quantity, const ColumnField& heights,
+                             std::span<const double> interfaces, const Blocks& blocks) {
+    const auto layers = static_cast<std::size_t>(quantity.size.z);
+    const std::size_t layer = quantity.index(0, 0, 1);
+    const double share = 1.0 / (static_cast<double>(blocks.edge) * blocks.edge);
+    std::vector<double> means(blocks.count() * layers);
+    for (std::size_t k = 0; k < layers; ++k) {
+        double* mean = means.data() + k * blocks.count();
+        const float* values = quantity.values.data() + k * layer;
+        blocks.each([&](std::size_t block, std::size_t column) {
+            const double depth = static_cast<double>(heights.at(column, k + 1)) -
+                                 static_cast<double>(heights.at(column, k));
+            mean[block] += static_cast<double>(values[column]) * depth;
+        });
+        const double* lower = interfaces.data() + k * blocks.count();
+        for (std::size_t block = 0; block < blocks.count(); ++block) {
+            mean[block] *= share / (lower[block + blocks.count()] - lower[block]);
+        }
+    }
+    return means;
+}
+
+/// Remaps the blocks of one band to the levels of `out`, into its rows from `firstRow` on.
+void remap(std::span<const double> interfaces, std::span<const double> quantity, std::size_t blocks,
+           const RegularGrid& grid, int firstRow, Array3f& out) {
+    const std::size_t layers = quantity.size() / blocks;
+    const std::size_t first = out.index(0, firstRow, 0);
+    const std::size_t layer = out.index(0, 0, 1);
+    std::vector<double> column(layers + 1), content(layers);
+    std::vector<double> target(static_cast<std::size_t>(grid.size.z));
+    for (std::size_t block = 0; block < blocks; ++block) {
+        double most = 0.0;
+        for (std::size_t k = 0; k < layers; ++k) {
+            content[k] = quantity[block + k * blocks];
+            most = std::max(most, content[k]);
+        }
+        if (most == 0.0) continue;
+        for (std::size_t k = 0; k <= layers; ++k) column[k] = interfaces[block + k * blocks];
+        std::ranges::fill(target, 0.0);
+        resampleColumn(column, content, grid.originM.z, grid.spacingM.z, target);
+        for (std::size_t k = 0; k < target.size(); ++k) {
+            out.values[first + block + k * layer] = static_cast<float>(target[k]);
+        }
+    }
+}
+
+/// One species on its way into the volume.
+struct SpeciesWork {
+    const VariableInfo* ratio;
+    Array3f* out;
+    Repairs repairs{};
+    RadiusGaps gaps{};
+
+    Species species() const { return *ratio->species; }
+};
+
+/// What every species of a band needs, read when the first of them holds anything.
+struct BandAir {
+    ColumnField heights, density;
+    std::vector<double> interfaces;  ///< of the blocks, block fastest
+    bool empty() const { return interfaces.empty(); }
+};
+
+class BandResampler {
+  public:
+    BandResampler(const ReadPlan& plan, const RadiusPlan& radii, int time,
+                  std::vector<SpeciesWork>& species)
+        : plan_(plan),
+          radii_(radii),
+          time_(time),
+          species_(species),
+          bands_(bandsOf(plan.box, plan.coarsening)) {}
+
+    void run(Dataset& dataset, const Progress& progress) {
+        overBands(
+            dataset, bands_.size(),
+            [this](Dataset& handle, std::size_t band, const Progress& report) {
+                take(handle, bands_[band], report);
+            },
+            progress);
+    }
+
+  private:
+    void take(Dataset& dataset, const Box& band, const Progress& progress) {
+        const Blocks blocks = blocksOf(band, plan_.coarsening);
+        const int firstRow = (band.lower.y - plan_.box.lower.y) / plan_.coarsening;
+        BandAir air;
+        for (SpeciesWork& species : species_) {
+            Repairs repairs;
+            Array3f quantity = readRatio(dataset, *species.ratio, time_, band, repairs, progress);
+            {
+                const std::lock_guard lock(mutex_);
+                species.repairs += repairs;
+            }
+            if (repairs.allZero) continue;
+            if (air.empty()) air = readAir(dataset, band, blocks, progress);
+            timesDensity(quantity, air.density);
+            if (!radii_.holdsMass(species.species())) {
+                toExtinction(dataset, band, air.density, species, quantity, progress);
+            }
+            remap(air.interfaces, averaged(quantity, air.heights, air.interfaces, blocks),
+                  blocks.count(), plan_.grid, firstRow, *species.out);
+        }
+    }
+
+    BandAir readAir(Dataset& dataset, const Box& band, const Blocks& blocks,
+                    const Progress& progress) const {
+        BandAir air;
+        air.heights = readHeights(dataset, time_, band, progress);
+        air.density = readDensity(dataset, time_, band, progress);
+        air.interfaces = blockMeans(air.heights, blocks);
+        return air;
+    }
+
+    /// In place from what is per kg of dry air to what is per m³.
+    static void timesDensity(Array3f& perKg, const ColumnField& density) {
+        const std::size_t layer = perKg.index(0, 0, 1);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(perKg.size.z); ++k) {
+            float* values = perKg.values.data() + k * layer;
+            for (std::size_t i = 0; i < layer; ++i) values[i] *= density.at(i, k);
+        }
+    }
+
+    /// Values for every cell: a profile is repeated in each column.
+    static Array3f spread(ColumnField field, glm::ivec3 size) {
+        if (!field.profile) return std::move(field.values);
+        Array3f values(size);
+        const std::size_t layer = values.index(0, 0, 1);
+        for (std::size_t i = 0; i < values.values.size(); ++i) {
+            values.values[i] = field.at(0, i / layer);
+        }
+        return values;
+    }
+
+    /// In place from content to extinction, on native cells: it does not follow from mean contents.
+    void toExtinction(Dataset& dataset, const Box& band, const ColumnField& density,
+                      SpeciesWork& work, Array3f& quantity, const Progress& progress) {
+        const RadiusRule& rule = radii_.of(work.species());
+        const auto readExtra = [&](const std::string& name) {
+            const VariableInfo* variable = dataset.info().find(name);
+            if (variable == nullptr) return Array3f();
+            return spread(readColumns(dataset, *variable, time_, band, progress), band.size());
+        };
+        const Array3f radius = readExtra(rule.radiusVariable);
+        Array3f number = readExtra(rule.numberVariable);
+        if (!number.empty()) timesDensity(number, density);
+        const Array3f temperature = readExtra(rule.temperatureVariable);
+        const RadiusGaps gaps = contentToExtinction(
+            radii_, work.species(), {radius.values, number.values, temperature.values},
+            quantity.values);
+        const std::lock_guard lock(mutex_);
+        work.gaps += gaps;
+    }
+
+    const ReadPlan& plan_;
+    const RadiusPlan& radii_;
+    const int time_;
+    std::vector<SpeciesWork>& species_;
+    const std::vector<Box> bands_;
+    std::mutex mutex_;  // of repairs and gaps; rows of the result belong to one band alone
+};
+
+void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
+              SpeciesVolume& volume) {
+    std::vector<std::string> empty;
+    std::ranges::copy(radii.notes, std::back_inserter(volume.notes));
+    for (const SpeciesWork& work : species) {
+        std::string gaps = describe(work.gaps, radii.of(work.species()), work.species());
+        if (!gaps.empty()) volume.notes.push_back(std::move(gaps));
+        std::ranges::move(describe(work.repairs, work.ratio->name),
+                          std::back_inserter(volume.notes));
+        if (work.repairs.allZero) empty.push_back(work.ratio->name);
+    }
+    if (species.empty()) {
+        volume.notes.push_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
+    } else if (empty.size() == species.size()) {
+        volume.notes.push_back(fmt::format(
+            "There is no condensate at {}: every mixing ratio is zero.", volume.timeLabel));
+    } else {
+        for (const std::string& name : empty) {
+            volume.notes.push_back(fmt::format("{}: zero everywhere at this time.", name));
+        }
+    }
+}
+
+}  // namespace
+
+Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progress) {
+    return readHeights(dataset, time, wholeBox(dataset.info()), progress).values;
+}
+
+double medianLayerDepth(const Array3f& heights) {
+    const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
+    const std::size_t count = heights.values.size() - layer;
+    // Of large fields every n-th layer is looked at: about 100,000 tell the median well.
+    std::size_t stride = std::max<std::size_t>(1, count / 100'000);
+    if (stride > 1) stride |= 1U;  // odd, so that it does not fall in step with rows
+    std::vector<float> depths;
+    for (std::size_t i = 0; i < count; i += stride) {
+        depths.push_back(heights.values[i + layer] - heights.values[i]);
+    }
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::ranges::nth_element(depths, middle);
+    return static_cast<double>(*middle);
+}
+
+void resampleColumn(std::span<const double> interfacesM, std::span<const double> content,
+                    double bottomM, double spacingM, std::span<double> target) {
+    const double perSpacing = 1.0 / spacingM;
+    const auto last = static_cast<std::ptrdiff_t>(target.size()) - 1;
+    for (std::size_t k = 0; k < content.size(); ++k) {
+        if (content[k] == 0.0) continue;
+        const double lower = interfacesM[k];
+        const double upper = interfacesM[k + 1];
+        const double centre = 0.5 * (lower + upper);
+        const double slope = limitedSlope(interfacesM, content, k);
+        const double first = std::floor((lower - bottomM) * perSpacing);
+        auto cell = first > 0.0 ? static_cast<std::ptrdiff_t>(first) : 0;
+        for (; cell <= last; ++cell) {
+            const double cellLower = bottomM + spacingM * static_cast<double>(cell);
+            if (cellLower >= upper) break;
+            const double from = std::max(lower, cellLower);
+            const double to = std::min(upper, cellLower + spacingM);
+            if (to <= from) continue;
+            const double mean = content[k] + slope * (0.5 * (from + to) - centre);
+            target[static_cast<std::size_t>(cell)] += mean * (to - from) * perSpacing;
+        }
+    }
+}
+
+SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options,
+                       const Progress& progress) {
+    const DatasetInfo& info = dataset.info();
+    const ReadPlan plan = options.plan ? *options.plan : planRead(dataset, time);
+    SpeciesVolume volume;
+    volume.grid = plan.grid;
+    volume.timeLabel = info.times.at(static_cast<std::size_t>(time)).label;
+    volume.timeSeconds = info.times.at(static_cast<std::size_t>(time)).seconds;
+    std::vector<SpeciesWork> species;
+    for (std::size_t s = 0; s < kSpecies.size(); ++s) {
+        const auto* ratio = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
+        if (ratio == nullptr) continue;
+        requireOnGrid(dataset, *ratio, false);
+        const RadiusRule& rule = options.radii.rules[s];
+        for (const std::string* name :
+             {&rule.radiusVariable, &rule.numberVariable, &rule.temperatureVariable}) {
+            const VariableInfo* variable = info.find(*name);
+            const bool profile = name == &rule.temperatureVariable;
+            if (variable != nullptr) requireOnGrid(dataset, *variable, profile);
+        }
+        const bool mass = rule.source == RadiusSource::constant;
+        Array3f& out = mass ? volume.contentKgPerM3[s] : volume.extinctionPerM[s];
+        out = Array3f(plan.grid.size);
+        species.push_back({ratio, &out});
+    }
+    requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
+    BandResampler(plan, options.radii, time, species).run(dataset, progress);
+    addNotes(species, options.radii, volume);
+    return volume;
+}
+
+}  // namespace neph

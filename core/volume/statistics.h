@@ -1,0 +1,59 @@
+// statistics.h: what a forecaster asks of a model time before looking at it. Native grid, SI.
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/dataset/dataset.h"
+#include "core/grid/species.h"
+
+namespace neph {
+
+/// A cell counts as cloud, or as precipitation, from this mixing ratio: of cloud water and ice
+/// together, or of rain, snow, graupel and hail together. A choice, as common in studies of shallow
+/// cumulus: thin enough for wisps, thick enough to pass over numerical noise.
+inline constexpr float kCloudRatioKgPerKg = 1e-5f;
+
+/// The column that holds most.
+struct ColumnPeak {
+    double massKgPerM2 = 0.0;   ///< 0 where there is none
+    glm::dvec2 positionM{0.0};  ///< its centre
+};
+
+/// Where one hydrometeor is densest at one time.
+struct SpeciesPeak {
+    Species species = Species::cloud;
+    std::string variable;
+    float ratioKgPerKg = 0.0f;  ///< 0 where there is none
+    glm::dvec3 positionM{0.0};  ///< centre of the cell; z above sea level
+    ColumnPeak column;
+};
+
+/// Layers of the native grid at one time, metres.
+struct LayerSummary {
+    double lowestM = 0.0, highestM = 0.0;  ///< interfaces above sea level
+    double thinnestM = 0.0, medianM = 0.0, thickestM = 0.0;
+};
+
+/// From the lower side of the lowest cell to the upper side of the highest, above sea level.
+struct HeightRange {
+    double baseM = 0.0, topM = 0.0;
+};
+
+struct TimeSummary {
+    int time = 0;
+    LayerSummary layers;
+    std::vector<SpeciesPeak> peaks;  ///< one for each species of the dataset, in order of Species
+    bool hasColumns = false;         ///< false where the density of air is not known
+    ColumnPeak condensate;           ///< of all species together
+    std::optional<HeightRange> cloud, precipitation;
+    std::vector<std::string> notes;  ///< what would be clipped
+};
+
+/// Reads heights, density and mixing ratios of one time, a band of rows after the other, so that
+/// little is held at once. Throws Error or Cancelled.
+TimeSummary summarise(Dataset& dataset, int time, const Progress& progress = {});
+
+}  // namespace neph

@@ -1,0 +1,50 @@
+// packed_sample.glsl: reading the medium of the march at a point: extinction from one texture,
+// what it is a mixture of from another at half the resolution.
+#pragma once
+#include "../medium/bricks.glsl"
+#include "../shared/frame.glsl"
+
+layout(binding = 0) uniform sampler3D t_extinction;  // r: 1/m, g: share of sunlight
+layout(binding = 1) uniform sampler3D t_mixture0;    // r: skylight, gba: classes 0 to 2
+#if MIXTURE_TEXTURES > 1
+layout(binding = 5) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
+#endif
+struct Mixture {
+    float skylight;
+    float share[CLASSES];  ///< of the extinction; they add to 1
+};
+
+Mixture mixtureAt(vec3 positionM) {
+    vec3 at = positionM / u_.mixtureExtentM.xyz;
+    vec4 first = textureLod(t_mixture0, at, 0.0);
+    float stored[6] = float[6](first.g, first.b, first.a, 0.0, 0.0, 0.0);
+#if MIXTURE_TEXTURES > 1
+    vec4 second = textureLod(t_mixture1, at, 0.0);
+    stored[3] = second.r;
+    stored[4] = second.g;
+    stored[5] = second.b;
+#endif
+    float sum = 1e-6;
+    for (int i = 0; i < CLASSES; ++i) sum += stored[i];
+    Mixture mixture;
+    mixture.skylight = first.r;
+    for (int i = 0; i < CLASSES; ++i) mixture.share[i] = stored[i] / sum;
+    return mixture;
+}
+
+struct MediumSample {
+    float extinctionPerM[CLASSES];
+};
+
+/// As the light pass reads it.
+MediumSample sampleMedium(vec3 positionM) {
+    float extinctionPerM = textureLod(t_extinction, positionM / u_.gridExtentM.xyz, 0.0).r;
+    MediumSample s;
+#if CLASSES > 1
+    Mixture mixture = mixtureAt(positionM);
+    for (int i = 0; i < CLASSES; ++i) s.extinctionPerM[i] = extinctionPerM * mixture.share[i];
+#else
+    s.extinctionPerM[0] = extinctionPerM;
+#endif
+    return s;
+}

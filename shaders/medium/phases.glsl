@@ -1,0 +1,19 @@
+// phases.glsl: the phase functions of the classes as the picture shows them, looked up.
+#pragma once
+#include "../lib/phase_table.glsl"
+#include "../shared/frame.glsl"
+
+layout(binding = 8) uniform sampler2D t_phases;  // one row a class
+
+vec3 displayPhase(int index, float cosTheta) {
+    float at = phaseTableIndex(cosTheta, PHASE_TABLE_SIZE);
+    int entry = min(int(at), PHASE_TABLE_SIZE - 2);
+    return mix(texelFetch(t_phases, ivec2(entry, index), 0).rgb,
+               texelFetch(t_phases, ivec2(entry + 1, index), 0).rgb, at - float(entry));
+}
+
+/// Radiance that a class scatters along the ray for a unit of light, per unit of optical depth.
+vec3 sunlitBy(int index, vec3 dir) {
+    float cosTheta = dot(u_.towardsSun.xyz, dir);
+    return u_.classes[index].colourAlbedo.rgb * u_.sunRadiance.rgb * displayPhase(index, cosTheta);
+}

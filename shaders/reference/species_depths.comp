@@ -1,0 +1,53 @@
+// species_depths.comp: optical depth of each species along the ray through each pixel's middle, by
+// the midpoints of short steps.
+#version 450 core
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "../lib/noise.glsl"
+#include "../lib/ray_box.glsl"
+#include "../shared/frame.glsl"
+
+const int kSpeciesCount = 6;
+layout(binding = 0) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
+#if NOISE
+layout(binding = 6) uniform sampler3D t_noise;  // r: billow, g: wisp
+#endif
+layout(std430, binding = 6) writeonly buffer Depths {
+    float depths_[];  // species after species
+};
+layout(location = 0) uniform float extinctionPerHeld[kSpeciesCount];  // 0 when absent
+layout(location = 6) uniform int classOf[kSpeciesCount];
+layout(location = 12) uniform float longestStepM;
+
+float detailOf(int index, vec3 positionM) {
+#if NOISE
+    vec4 noise = u_.classes[index].noise;
+    vec2 texel = textureLod(t_noise, positionM * noise.y, 0.0).rg;
+    return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
+#else
+    return 1.0;
+#endif
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
+    Ray ray = rayThrough(pixel);
+    vec2 inside = rayBox(ray.originM, ray.dir, vec3(0.0), u_.gridExtentM.xyz);
+    float lengthM = max(0.0, inside.y - max(inside.x, 0.0));
+    int steps = int(ceil(lengthM / longestStepM));
+    float stepM = lengthM / float(max(steps, 1));
+    float depth[kSpeciesCount] = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for (int i = 0; i < steps; ++i) {
+        vec3 positionM = ray.originM + (max(inside.x, 0.0) + (float(i) + 0.5) * stepM) * ray.dir;
+        for (int s = 0; s < kSpeciesCount; ++s) {
+            if (classOf[s] < 0) continue;
+            float held = textureLod(t_held[s], positionM / u_.gridExtentM.xyz, 0.0).r;
+            if (held <= 0.0) continue;
+            depth[s] += extinctionPerHeld[s] * held * stepM * detailOf(classOf[s], positionM);
+        }
+    }
+    int count = u_.picture.x * u_.picture.y;
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        depths_[s * count + pixel.y * u_.picture.x + pixel.x] = depth[s];
+    }
+}

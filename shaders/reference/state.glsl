@@ -1,0 +1,125 @@
+// state.glsl: a path of light on its way, as it is kept between two dispatches.
+#pragma once
+
+struct Path {
+    vec3 positionM;    ///< in grid space
+    vec3 dir;          ///< unit, away from the eye
+    ivec3 cell;        ///< that the position is in
+    float depth;       ///< optical depth, by the bound, to what may be the next particle
+    bool toSun;        ///< this stretch asks how much sunlight arrives
+    float sunlight;    ///< share of it that is left so far
+    vec3 sunlit;       ///< radiance that it would add if all of it arrived
+    vec3 vertexM;      ///< where the path goes on afterwards
+    vec3 axis;         ///< at a vertex: the way in, or the normal
+    float density;     ///< with which `dir` was drawn, per steradian, where that is into the sun
+    float firstM;      ///< distance to the first particle; -1 before
+    vec3 weight;       ///< of light that arrives along the path
+    vec3 wavelengths;  ///< chances that the path was drawn at each; they add to 1
+    int hero;          ///< wavelength at which it is drawn
+    int scatterings;
+    vec3 radiance;  ///< that has arrived
+    uint ticket;    ///< number of the path
+    uvec2 key;      ///< of its random numbers: where it begins, and its pass
+    uint draws;     ///< of random numbers
+    bool direct;    ///< sunlight that arrives at the next turn at once counts
+    int waiting;    ///< paths that wait until this, a branch of theirs, has ended
+    int kind;       ///< of the vertex
+    int stage;
+};
+
+// Stages. At a vertex a path first asks for sunlight (kMet), then turns (kTurning).
+const int kIdle = 0, kWaiting = 1, kAiming = 2, kFlying = 3, kLeft = 4, kDone = 5, kMet = 6,
+          kTurning = 7;
+// Kinds of vertex. kInside: a detector.
+const int kParticle = 0, kSurface = 1, kInside = 2;
+const int kPathWords =
+    10;  // of four, in the buffer; word after word, so that lanes lie side by side
+
+layout(std430, binding = 3) buffer Lanes {
+    uvec4 lanes_[];
+};
+layout(location = 0) uniform int laneCount;
+
+uvec4 bitsOf(vec3 v, uint w) {
+    return uvec4(floatBitsToUint(v), w);
+}
+
+void savePath(Path p, uint lane) {
+    uint n = uint(laneCount);
+    uint flags = uint(p.stage) | (p.toSun ? 16u : 0u) | (p.direct ? 32u : 0u) |
+                 uint(p.waiting) << 6u | uint(p.hero) << 10u | uint(p.kind) << 12u;
+    lanes_[lane] = bitsOf(p.positionM, floatBitsToUint(p.depth));
+    lanes_[lane + n] = bitsOf(p.dir, floatBitsToUint(p.sunlight));
+    lanes_[lane + 2u * n] = bitsOf(p.vertexM, floatBitsToUint(p.density));
+    lanes_[lane + 3u * n] = bitsOf(p.axis, floatBitsToUint(p.firstM));
+    lanes_[lane + 4u * n] = bitsOf(p.weight, flags);
+    lanes_[lane + 5u * n] = bitsOf(p.wavelengths, uint(p.scatterings));
+    lanes_[lane + 6u * n] = bitsOf(p.radiance, p.ticket);
+    lanes_[lane + 7u * n] = bitsOf(p.sunlit, p.draws);
+    lanes_[lane + 8u * n] = uvec4(p.cell, 0u);
+    lanes_[lane + 9u * n] = uvec4(p.key, 0u, 0u);
+}
+
+Path loadPath(uint lane) {
+    uvec4 words[kPathWords];
+    for (int i = 0; i < kPathWords; ++i) words[i] = lanes_[lane + uint(i * laneCount)];
+    uint flags = words[4].w;
+    Path p;
+    p.positionM = uintBitsToFloat(words[0].xyz);
+    p.depth = uintBitsToFloat(words[0].w);
+    p.dir = uintBitsToFloat(words[1].xyz);
+    p.sunlight = uintBitsToFloat(words[1].w);
+    p.vertexM = uintBitsToFloat(words[2].xyz);
+    p.density = uintBitsToFloat(words[2].w);
+    p.axis = uintBitsToFloat(words[3].xyz);
+    p.firstM = uintBitsToFloat(words[3].w);
+    p.weight = uintBitsToFloat(words[4].xyz);
+    p.stage = int(flags & 15u);
+    p.toSun = (flags & 16u) != 0u;
+    p.direct = (flags & 32u) != 0u;
+    p.waiting = int(flags >> 6u & 15u);
+    p.hero = int(flags >> 10u & 3u);
+    p.kind = int(flags >> 12u);
+    p.wavelengths = uintBitsToFloat(words[5].xyz);
+    p.scatterings = int(words[5].w);
+    p.radiance = uintBitsToFloat(words[6].xyz);
+    p.ticket = words[6].w;
+    p.sunlit = uintBitsToFloat(words[7].xyz);
+    p.draws = words[7].w;
+    p.cell = ivec3(words[8].xyz);
+    p.key = words[9].xy;
+    return p;
+}
+
+const int kMostWaiting = 8, kWaitingWords = 4;
+
+uint waitingWord(int place, uint lane) {
+    return lane + uint((kPathWords + kWaitingWords * place) * laneCount);
+}
+
+/// Lets the path wait, which would go on.
+void putAside(inout Path p, uint lane) {
+    uint n = uint(laneCount);
+    uint at = waitingWord(p.waiting, lane);
+    lanes_[at] = bitsOf(p.positionM, floatBitsToUint(p.density));
+    lanes_[at + n] = bitsOf(p.dir, uint(p.scatterings));
+    lanes_[at + 2u * n] = bitsOf(p.weight, 0u);
+    lanes_[at + 3u * n] = bitsOf(p.wavelengths, 0u);
+    ++p.waiting;
+}
+
+/// Goes on with the path that waits for the end of this.
+void takeUp(inout Path p, uint lane) {
+    uint n = uint(laneCount);
+    --p.waiting;
+    uint at = waitingWord(p.waiting, lane);
+    uvec4 words[kWaitingWords];
+    for (int i = 0; i < kWaitingWords; ++i) words[i] = lanes_[at + uint(i) * n];
+    p.positionM = uintBitsToFloat(words[0].xyz);
+    p.density = uintBitsToFloat(words[0].w);
+    p.dir = uintBitsToFloat(words[1].xyz);
+    p.scatterings = int(words[1].w);
+    p.weight = uintBitsToFloat(words[2].xyz);
+    p.wavelengths = uintBitsToFloat(words[3].xyz);
+    p.stage = kAiming;
+}

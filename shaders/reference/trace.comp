@@ -1,0 +1,343 @@
+// trace.comp: paths of light, traced from the eye or from a detector until they leave the medium
+// for good.
+//
+// Null-collision tracking [Woodcock65] finds the next particle; from each, ratio tracking [Novak14]
+// finds how much of the sun's light arrives, and a direction drawn from the phase function goes on.
+// Both may find the sun: their shares are weighed against one another by the balance heuristic
+// [VG95]. An invocation is a lane that carries one path after the other, a number of rounds at a
+// time; docs/architecture.md has the whole.
+#version 450 core
+layout(local_size_x = 64) in;
+#include "../lib/random.glsl"
+#include "../lib/sky.glsl"
+#include "scattering.glsl"
+#include "state.glsl"
+
+layout(location = 1) uniform int rounds;       // of each lane in this dispatch
+layout(location = 2) uniform int pathsAPass;   // one a pixel, or detector
+layout(location = 3) uniform int firstTicket;  // of the oldest pass that is not whole
+layout(location = 4) uniform int lastPasses;   // passes that may be begun, from that one
+layout(location = 5) uniform int firstPass;    // its number
+layout(location = 6) uniform int seed;
+layout(location = 7) uniform int maxScatterings;   // 0: no limit
+layout(location = 10) uniform float discVersine;   // of the sun's angular radius
+layout(location = 11) uniform float rouletteFrom;  // scatterings
+
+layout(std430, binding = 4) buffer Counters {
+    uint tickets;           // given out
+    uint collisions;        // places where a particle may have been
+    uint scatterings;       // particles that scattered
+    uint faults;            // paths whose radiance is no number
+    uint finished[PASSES];  // paths, of each pass that is on its way
+}
+counters_;
+layout(std430, binding = 5) writeonly buffer Results {
+    vec4 results_[];  // rgb: radiance, w: distance to the first particle or -1; pass after pass
+};
+
+// Where the sun is near, the share of turns that send off a branch; least share of vertices that
+// ask for sunlight, and the optical depth up to which all do.
+const float kBranching = 0.25, kLeastBranching = 0.02, kLeastAsking = 0.25, kDepthOfAsking = 3.0;
+
+layout(binding = 10) uniform sampler3D t_sunDepth;  // to the sun, about
+
+uint collisions_ = 0u, scatterings_ = 0u;
+
+vec4 draw(inout Path p) {
+    return unitsOf(randomWords(uvec4(p.key, p.draws++, seed)));
+}
+
+float sunSolidAngle() {
+    return 2.0 * kPi * discVersine;
+}
+
+vec3 sunIrradiance() {
+    return 4.0 * kPi * u_.sunRadiance.rgb;
+}
+
+/// What light along the path counts for, at each wavelength.
+vec3 worthOf(Path p) {
+    return 3.0 * p.wavelengths * p.weight;
+}
+
+/// Share of what sampling the sun finds, where directions are drawn with a density as well.
+float shareOfSun(float density) {
+    return 1.0 / (1.0 + density * sunSolidAngle());
+}
+
+#if DETECTORS
+#include "from_detector.glsl"
+#else
+#include "from_eye.glsl"
+#endif
+
+/// Stores what the path has brought.
+void finish(inout Path p) {
+    if (any(isnan(p.radiance)) || any(isinf(p.radiance))) {
+        atomicAdd(counters_.faults, 1u);
+        p.radiance = vec3(0.0);
+    }
+    uint path = p.ticket - uint(firstTicket);
+    uint slot = (uint(firstPass) + path / uint(pathsAPass)) % uint(PASSES);
+    results_[slot * uint(pathsAPass) + path % uint(pathsAPass)] = vec4(p.radiance, p.firstM);
+    atomicAdd(counters_.finished[slot], 1u);
+    p.stage = kIdle;
+}
+
+/// Takes the next path, where it is one of those that may be begun.
+void begin(inout Path p) {
+    if (p.stage == kIdle) p.ticket = atomicAdd(counters_.tickets, 1u);
+    p.stage = kWaiting;
+    uint path = p.ticket - uint(firstTicket);
+    if (path >= uint(lastPasses) * uint(pathsAPass)) return;
+    p.key = uvec2(keyOf(path % uint(pathsAPass)), uint(firstPass) + path / uint(pathsAPass));
+    p.draws = 0u;
+    p.scatterings = 0;
+    p.toSun = false;
+    p.direct = true;
+    p.waiting = 0;
+    p.density = 0.0;
+    p.firstM = -1.0;
+    p.weight = vec3(1.0);
+    p.wavelengths = vec3(1.0 / 3.0);
+    p.radiance = vec3(0.0);
+    p.hero = int(3.0 * draw(p).x);
+    p.stage = kAiming;
+    start(p, path % uint(pathsAPass));
+}
+
+/// Chance that a path goes on, by what it can bring, of which sunlight scattered a little is most
+/// where it is bound for the sun (`lobe`, see turn), and by how often it has been scattered. In a
+/// thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of the
+/// work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights that
+/// make up for it, spread the work over all lengths. docs/architecture.md
+float chanceToGoOn(Path p, float lobe) {
+    float chance = min(1.0, 4.0 * largestOf(p.weight) * max(1.0, 4.0 * kPi * lobe));
+    float n = float(p.scatterings);
+    return n < rouletteFrom ? chance : chance * sqrt(n / (n + 1.0));
+}
+
+/// What a direction gets of the light at the path's vertex, and how likely it is to be drawn.
+Sent sentTo(Path p, MediumSample medium, Mixture mixture, vec3 dir) {
+    if (p.kind == kParticle) {
+        return sentInto(medium, mixture, versineBetween(p.axis, dir), p.wavelengths);
+    }
+    float share = p.kind == kSurface ? max(dot(p.axis, dir), 0.0) / kPi : kInverseFourPi;
+    return Sent(vec3(share), share);
+}
+
+float sunDepthAt(vec3 positionM) {
+    return textureLod(t_sunDepth, positionM / u_.gridExtentM.xyz, 0.0).r;
+}
+
+/// Share of the sun's light that arrives from near the sun, about: droplets scatter half of it by a
+/// degree or two, which is as good as not at all.
+float sunReach(vec3 positionM) {
+    return min(1.0, 4.0 * exp(-0.3 * sunDepthAt(positionM)));
+}
+
+/// The path is at a vertex: a particle, a surface or a detector inside the medium. Asks for the
+/// light of a point of the sun's disc.
+void askForSun(inout Path p) {
+    vec3 towards = u_.towardsSun.xyz;
+    MediumSample medium = sampleMedium(p.positionM);
+    Mixture mixture = mixtureOf(medium);
+    vec4 u = draw(p);
+    if (p.kind == kInside) p.weight *= absorptionOf(medium);
+    vec3 sun = directionAround(towards, discVersine * u.x, u.y);
+    // Weighed by the density towards the disc's middle, for both ways of finding it.
+    p.density = p.direct ? sentTo(p, medium, mixture, towards).density : 0.0;
+    p.sunlit = worthOf(p) * sentTo(p, medium, mixture, sun).share * sunIrradiance() *
+               shareOfSun(p.density);
+    p.vertexM = p.positionM;
+    float asking = clamp(exp(kDepthOfAsking - sunDepthAt(p.positionM)), kLeastAsking, 1.0);
+    p.toSun = p.direct && u.z < asking && largestOf(p.sunlit) > 0.0;
+    p.sunlight = 1.0 / asking;
+    p.dir = sun;
+    p.stage = p.toSun ? kAiming : kTurning;
+}
+
+/// Draws which way to go on from the vertex.
+///
+/// Around the sun the sky of a thin cloud is as bright as its particles' forward peak is high.
+/// Paths seldom go there by themselves, and bring very much when they do. So where the sun is
+/// near, some turns send off a branch into the lobe of the peak around the sun, and both are
+/// weighed by the balance heuristic; the path itself waits until the branch has ended.
+void turn(inout Path p, uint lane) {
+    vec3 towards = u_.towardsSun.xyz;
+    MediumSample medium = sampleMedium(p.positionM);
+    Mixture mixture = mixtureOf(medium);
+    vec4 u = draw(p);
+    vec4 v = draw(p);
+    int chosen = classBy(u.x, mixture);
+    vec2 drawn = vec2(p.kind == kSurface ? versineByCosine(u.y) : 2.0 * u.y, 0.0);
+    if (p.kind == kParticle) drawn = drawVersine(chosen, p.hero, u.y);
+    vec2 drawnNear = drawVersine(LOBE_CLASS, p.hero, v.x);
+    vec3 next = directionAround(p.axis, drawn.x, u.z);
+    vec3 near = directionAround(towards, drawnNear.x, v.y);
+    float reach = sunReach(p.positionM);
+    bool shines = largestOf(u_.sunRadiance.rgb) > 0.0;
+    bool branches = shines && p.direct && p.waiting < kMostWaiting;
+    float branching = branches ? max(kBranching * reach, kLeastBranching) : 0.0;
+    Sent toNext = sentTo(p, medium, mixture, next);
+    Sent toNear = sentTo(p, medium, mixture, near);
+    float lobeOfNext = dot(p.wavelengths, phaseOf(LOBE_CLASS, versineBetween(next, towards)));
+    vec3 lobes = phaseOf(LOBE_CLASS, drawnNear.x);
+    float lobeOfNear = branching * dot(p.wavelengths, lobes);
+    vec3 wavelengths = p.wavelengths;
+    vec3 weight = p.weight;
+
+    if (p.kind == kParticle) {
+        vec3 colour = u_.classes[chosen].colourAlbedo.rgb;
+        vec3 phase = phaseOf(chosen, drawn.x);
+        p.weight *= colour / max(largestOf(colour), 1e-30) *
+                    (mixture.scatteringPerM / mixture.extinctionPerM * phase[p.hero] / drawn.y);
+        p.wavelengths *= phase;
+        p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
+        ++p.scatterings;
+        ++scatterings_;
+    }
+    p.weight *= toNext.density / max(toNext.density + branching * lobeOfNext, 1e-30);
+    float chance = chanceToGoOn(p, reach * lobeOfNext);
+    p.weight /= max(chance, 1e-30);
+    bool ends = u.w >= chance || largestOf(p.weight) <= 0.0;
+    float density = p.direct ? p.density : 0.0;
+    p.density = versineBetween(next, towards) < discVersine ? density : 0.0;
+    p.direct = true;
+    p.dir = next;
+    p.stage = ends ? kDone : kAiming;
+    if (v.z >= branching) return;
+    if (!ends) putAside(p, lane);
+    p.weight = weight * toNear.share / (branching * lobes) *
+               (lobeOfNear / (lobeOfNear + toNear.density) * lobes[p.hero] / drawnNear.y);
+    p.wavelengths = wavelengths * lobes;
+    p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
+    p.density = drawnNear.x < discVersine ? density : 0.0;
+    p.dir = near;
+    p.stage = largestOf(p.weight) > 0.0 ? kAiming : kDone;
+}
+
+/// Finds where in the grid the way begins that lies ahead.
+void aim(inout Path p) {
+    p.depth = -log(1.0 - draw(p).x);
+    vec2 inside = rayBox(p.positionM, p.dir, vec3(0.0), u_.gridExtentM.xyz);
+    if (inside.x >= inside.y || inside.y <= 0.0) {
+        p.stage = kLeft;
+        return;
+    }
+    if (inside.x > 0.0) {
+        p.positionM = clamp(p.positionM + inside.x * p.dir, vec3(0.0), u_.gridExtentM.xyz);
+    }
+    p.cell = cellAt(p.positionM);
+    p.stage = kFlying;
+}
+
+/// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
+/// that says so, else 0.
+float cross(inout Path p) {
+    const int kWalls = 2;
+    for (int i = 0; i < kWalls && p.stage == kFlying; ++i) {
+        Stretch s = stretchAhead(p.positionM, p.dir, p.cell);
+        float depth = s.boundPerM * s.lengthM;
+        if (depth > p.depth) {
+            p.positionM += p.depth / s.boundPerM * p.dir;
+            return s.boundPerM;
+        }
+        p.depth -= depth;
+        if (!crossWall(s, p.dir, p.positionM, p.cell)) p.stage = kLeft;
+    }
+    return 0.0;
+}
+
+/// There is a particle with the chance that the extinction has of the bound. On the way to the sun
+/// none stops the light, but each place takes that share of it.
+void meet(inout Path p, float boundPerM) {
+    ++collisions_;
+    float share = totalExtinctionPerM(sampleMedium(p.positionM)) / boundPerM;
+    vec4 u = draw(p);
+    p.depth = -log(1.0 - u.x);
+    if (!p.toSun) {
+        if (u.y < share) {
+            p.stage = kMet;
+            p.kind = kParticle;
+            p.axis = p.dir;
+        }
+        return;
+    }
+    p.sunlight *= 1.0 - share;
+    const float kFaint = 0.1;  // below which it is a matter of chance whether to ask on
+    if (p.sunlight < kFaint) {
+        bool goesOn = u.z * kFaint < p.sunlight;
+        p.sunlight = goesOn ? kFaint : 0.0;
+        if (!goesOn) p.stage = kLeft;
+    }
+}
+
+/// The ground, the sky or the sun is at the end of the way.
+void arrive(inout Path p) {
+    bool seen = p.scatterings == 0;
+    float heightM = u_.eyeM.w + p.positionM.z;
+    bool ground = u_.ground.w > 0.5 && p.dir.z < 0.0 && heightM >= -1.0;
+    p.stage = kDone;
+    if (seen && !showsBackdrop()) return;
+    if (p.density > 0.0) {
+        p.radiance +=
+            worthOf(p) * sunIrradiance() / sunSolidAngle() * (1.0 - shareOfSun(p.density));
+    }
+    if (!ground) {
+        p.radiance += worthOf(p) * skyRadiance(p.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
+        return;
+    }
+    p.positionM += max(heightM, 0.0) / -p.dir.z * p.dir;
+    p.positionM.z = -u_.eyeM.w;
+    if (seen) passHaze(p);
+    ++p.scatterings;
+    p.weight *= u_.ground.rgb;
+    p.axis = vec3(0.0, 0.0, 1.0);
+    p.kind = kSurface;
+    p.stage = kMet;
+}
+
+/// Sunlight has been asked for. It is not hidden by the horizon: the earth is round, and a sun just
+/// below it lights what is high.
+void receive(inout Path p) {
+    p.radiance += p.sunlight * p.sunlit;
+    p.toSun = false;
+    p.positionM = p.vertexM;
+    p.stage = kTurning;
+}
+
+/// What a processor's vector of lanes does together is done in the same place: it goes through all
+/// branches, so that each must be there once.
+void main() {
+    uint lane = gl_GlobalInvocationID.x;
+    if (lane >= uint(laneCount)) return;
+    Path p = loadPath(lane);
+    for (int i = 0; i < rounds; ++i) {
+        if (p.stage == kDone && p.waiting > 0) takeUp(p, lane);
+        if (p.stage == kDone && p.waiting == 0) finish(p);
+        if (p.stage <= kWaiting) begin(p);
+        if (p.stage == kWaiting) break;
+        if (p.stage == kMet) askForSun(p);
+        if (p.stage == kTurning) turn(p, lane);
+        if (p.stage == kAiming) aim(p);
+        for (int k = 0; k < 2 && p.stage == kFlying; ++k) {
+            float boundPerM = cross(p);
+            if (boundPerM > 0.0) meet(p, boundPerM);
+        }
+        if (p.stage == kMet && p.kind == kParticle) {
+            if (p.scatterings == 0) noteFirst(p);
+            if (maxScatterings > 0 && p.scatterings >= maxScatterings) p.stage = kDone;
+        }
+        if (p.stage == kLeft) {
+            if (p.toSun) {
+                receive(p);
+            } else {
+                arrive(p);
+            }
+        }
+    }
+    savePath(p, lane);
+    atomicAdd(counters_.collisions, collisions_);
+    atomicAdd(counters_.scatterings, scatterings_);
+}

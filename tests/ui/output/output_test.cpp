@@ -1,0 +1,147 @@
+// output_test.cpp: the export dialogue: command lines, file names, and a job pretended by a script.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "app/ui/output/output_run.h"
+#include "app/ui/shell/actions.h"
+#include "app/ui/shell/panels.h"
+#include "core/session/session_file.h"
+#include "tests/environment.h"
+#include "tests/temporary_folder.h"
+#include "tests/text.h"
+#include "tests/ui/headless.h"
+
+using namespace neph;
+using namespace neph::ui;
+
+namespace {
+
+/// "a b c" of the arguments.
+std::string lineOf(const ExportSettings& settings, const ExportScene& scene) {
+    std::string line;
+    for (const std::string& argument : exportArguments(settings, scene, "s.json", "o.png")) {
+        line += argument + " ";
+    }
+    return line;
+}
+
+void makeProgram(const std::filesystem::path& file, const std::string& script) {
+    std::ofstream(file) << "#!/bin/sh\n" << script;
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+}
+
+}  // namespace
+
+TEST_CASE("Settings become the command line that a user would type") {
+    ExportSettings settings;
+    ExportScene scene{{800, 450}, 2, false, {}};
+    CHECK(lineOf(settings, scene) ==
+          "render --progress --session s.json --slot 2 --size 800x450 --supersample 1 --samples 16 "
+          "--out o.png ");
+    settings.what = ExportWhat::times;
+    settings.size = ExportSize::uhd;
+    settings.transparent = true;
+    settings.supersample = 2;
+    scene.readers = {"a.so"};
+    CHECK(lineOf(settings, scene) ==
+          "render --progress --session s.json --slot 2 --time all --fps 25 --size 3840x2160 "
+          "--supersample 2 --samples 16 --transparent --reader a.so --out o.png ");
+    settings.what = ExportWhat::path;
+    settings.format = ExportFormat::mp4;
+    scene.split = true;
+    const std::string film = lineOf(settings, scene);
+    CHECK(contains(film, "--compare --along-path --fps 25"));
+    CHECK_FALSE(contains(film, "--transparent"));
+    CHECK_FALSE(contains(film, "--slot"));
+}
+
+TEST_CASE("A file's ending is that of its format, and other dots are part of its name") {
+    CHECK(withEnding("a/b.png", ExportFormat::exr) == "a/b.exr");
+    CHECK(withEnding("a/b", ExportFormat::mp4) == "a/b.mp4");
+    CHECK(withEnding("storm.0001-01-01", ExportFormat::png) == "storm.0001-01-01.png");
+}
+
+TEST_CASE("No export writes over what is there, be it a file or a picture of a series") {
+    const TemporaryFolder folder;
+    CHECK(freeFile(folder / "a.png", true) == folder / "a.png");
+    std::ofstream(folder / "a_0007.png") << "x";
+    CHECK(freeFile(folder / "a.png", false) == folder / "a.png");
+    CHECK(freeFile(folder / "a.png", true) == folder / "a-2.png");
+    std::ofstream(folder / "a.png") << "x";
+    std::ofstream(folder / "a-2.png") << "x";
+    CHECK(freeFile(folder / "a.png", false) == folder / "a-3.png");
+    CHECK(freeFile(folder / "a.exr", true) == folder / "a.exr");
+    CHECK(freeFile(folder / "a_b.png", true) == folder / "a_b.png");
+}
+
+TEST_CASE("The pictures folder is the place for pictures, where there is one") {
+    const TemporaryFolder folder;
+    const Environment home("HOME", folder.path().string());
+    CHECK(defaultExportFile().parent_path() == std::filesystem::current_path());
+    std::filesystem::create_directory(folder / "Pictures");
+    CHECK(defaultExportFile() == folder / "Pictures" / "nephoscope.png");
+}
+
+TEST_CASE("An export reads what the window holds, is told when it is there, and cleans up") {
+    const TemporaryFolder folder;
+    const Environment cache("XDG_CACHE_HOME", folder.path().string());
+    Headless gui;
+    Session session(noReaders());
+    Ui ui(session);
+    ui.services.state = [] {
+        SessionState state;
+        state.slots.resize(1);
+        state.slots.front().presetName = "mine";
+        return state;
+    };
+    ui.output.program = folder / "program";
+    ui.output.settings.file = (folder / "p.exr").string();
+    const auto finish = [&] {
+        for (int i = 0; i < 2 || exports(ui); ++i) gui.frame([&] { drawOutput(ui); });
+    };
+    SUBCASE("well") {
+        makeProgram(ui.output.program,
+                    "cp \"$4\" " + (folder / "copy").string() +
+                        "; echo '{\"done\": 1, \"of\": 1, \"file\": \"p.png\"}'");
+        exportPicture(ui);
+        REQUIRE(exports(ui));
+        CHECK_FALSE(runAction(ui, "output.picture"));
+        finish();
+        CHECK(ui.output.job->state() == ExportJob::State::done);
+        CHECK(session.messages.back().text == "Wrote p.png");
+        CHECK(loadSession(folder / "copy").slots.front().presetName == "mine");
+    }
+    SUBCASE("stopped") {
+        makeProgram(ui.output.program, "trap 'exit 143' TERM; while :; do sleep 0.01; done");
+        startExport(ui, ui.output.settings);
+        gui.frame([&] { drawOutput(ui); });
+        CHECK(ui.againS <= 0.2);
+        CHECK(runAction(ui, "output.cancel"));
+        finish();
+        CHECK(ui.output.job->state() == ExportJob::State::cancelled);
+    }
+    SUBCASE("failing") {
+        makeProgram(ui.output.program, "echo 'error: no room' >&2; exit 1");
+        startExport(ui, ui.output.settings);
+        ui.output.open = true;
+        finish();
+        CHECK(ui.output.job->fault() == "no room");
+    }
+    SUBCASE("without a program") {
+        startExport(ui, ui.output.settings);
+        CHECK_FALSE(exports(ui));
+        CHECK(contains(session.messages.back().text, "program"));
+    }
+    CHECK(std::filesystem::is_empty(folder / "nephoscope" / "exports"));
+}
+
+TEST_CASE("A film without ffmpeg, and a path without keys, say what to do") {
+    const TemporaryFolder folder;
+    Session session(noReaders());
+    ExportSettings settings;
+    settings.file = "a.png";
+    CHECK(contains(exportFault(settings, session), "no data"));
+}
