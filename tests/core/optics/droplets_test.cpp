@@ -121,7 +121,7 @@ TEST_CASE("Droplets of 10 µm have the tabulated cumulative at 550 nm") {
 }
 
 TEST_CASE("Droplets agree with the reference tables over all angles") {
-    const fs::path folder = fs::path(NEPH_TEST_SOURCE_DIR) / "tests" / "core" / "data";
+    const fs::path folder = fs::path(NEPH_TEST_SOURCE_DIR) / "tests/core/optics/data";
     const char* names[] = {"650", "550", "450"};
     for (int colour = 0; colour < 3; ++colour) {
         std::ifstream file(folder / ("mie_water_reff10_" + std::string(names[colour]) + "nm.csv"));
