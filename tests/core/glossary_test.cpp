@@ -19,6 +19,7 @@ const fs::path kRoot = NEPH_TEST_SOURCE_DIR;
 struct Text {
     int line;
     std::string text;
+    bool path = false;  ///< of a literal: joined to a path by /
 };
 
 std::string readFile(const fs::path& file) {
@@ -152,7 +153,9 @@ class Literals {
         if (joins_) {
             found_.back().text += text;
         } else {
-            found_.push_back({line_, text});
+            const std::size_t before = source_.find_last_not_of(" \n", at_ - 1);
+            found_.push_back(
+                {line_, text, at_ > 0 && before != std::string::npos && source_[before] == '/'});
         }
         joins_ = true;
     }
@@ -169,7 +172,7 @@ std::vector<Text> readableLiterals(const std::string& source) {
     std::vector<Text> readable;
     for (Text& literal : Literals(source).take()) {
         const std::string text = trimmed(literal.text.substr(0, literal.text.find("##")));
-        if (text.empty()) continue;
+        if (text.empty() || literal.path) continue;
         const bool isWord = text.find(' ') == std::string::npos;
         const bool isId = isWord && (std::isupper(static_cast<unsigned char>(text.front())) == 0 ||
                                      text.find_first_of("._-") < text.size() - 1);
@@ -211,10 +214,10 @@ std::vector<fs::path> pages() {
 
 std::vector<fs::path> sources() {
     std::vector<fs::path> found;
-    for (const char* room : {"app/ui", "app/cli", "core/look"}) {
+    for (const char* room : {"app", "core", "readers"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
             const std::string kind = entry.path().extension();
-            if (kind == ".h" || kind == ".cpp") found.push_back(entry.path());
+            if (kind == ".h" || kind == ".cpp" || kind == ".inc") found.push_back(entry.path());
         }
     }
     std::sort(found.begin(), found.end());
@@ -245,7 +248,7 @@ TEST_CASE("Prose of a page is what is outside code and link targets") {
 TEST_CASE("Literals that a user may read are found, and comments, includes and ids are not") {
     const std::vector<Text> texts = readableLiterals(
         "#include \"a b.h\"\n// \"c d\"\nf('\"', 1'000, \"one \"\n  \"two\\n\", \"some.id\", "
-        "\"word\",\n \"Label###id\", R\"(raw \"text\")\");");
+        "\"word\",\n \"Label###id\", home / \"Pictures\", R\"(raw \"text\")\");");
     REQUIRE(texts.size() == 3);
     CHECK(texts[0].text == "one two ");
     CHECK(texts[0].line == 3);
