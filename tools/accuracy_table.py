@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the tables of docs/accuracy.md from the JSON files of tools/accuracy.
+"""Prints the table of docs/accuracy.md from the JSON files that tools/accuracy writes.
 
 usage: accuracy_table.py FOLDER
 """
@@ -7,6 +7,7 @@ import json
 import pathlib
 import sys
 
+# Names of the engines in the JSON, as tools/accuracy requests them, and their column headings.
 NAMES = {
     "slicing:light.phase_display=physical:mode.transport=low_albedo": "low albedo",
     "slicing:light.phase_display=physical:mode.transport=translucent:light.form=printed":
@@ -18,10 +19,11 @@ NAMES = {
 }
 
 
-def cell(picture):
-    bias, rmse = 100 * picture["bias"], picture["rel_rmse"]
+def cell(image):
+    """Bias in %, relRMSE in % and mean FLIP; relRMSE is null where it is not finite."""
+    bias, rmse = 100 * image["bias"], image["rel_rmse"]
     text = "–" if rmse is None else f"{100 * rmse:.0f}"
-    return f"{bias:+.0f} · {text} · {picture['flip']['mean']:.2f}"
+    return f"{bias:+.0f} · {text} · {image['flip']['mean']:.2f}"
 
 
 def main():
@@ -31,9 +33,9 @@ def main():
     for file in files:
         data = json.loads(file.read_text())
         case, view, azimuth, elevation = file.stem.split("-")
-        pictures = {p["name"]: p for p in data["pictures"]}
-        cells = [cell(pictures[name]) for name in NAMES]
-        noise = 100 * next(iter(pictures.values()))["noise_taken_off"]
+        images = {p["name"]: p for p in data["pictures"]}
+        cells = [cell(images[name]) for name in NAMES]
+        noise = 100 * next(iter(images.values()))["noise_taken_off"]
         print(f"| {case} {view}, {azimuth}°, {elevation}° | " + " | ".join(cells) + f" | {noise:.0f} |")
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""cut_cumulus_sample.py SOURCE TARGET: cuts the bundled cumulus from CM1's GrADS output of the congestus run.
+"""cut_cumulus_sample.py SOURCE TARGET: extracts the bundled cumulus from CM1's GrADS output of the congestus run.
 
-SOURCE holds cm1out_000001_s.dat to cm1out_000003_s.dat (96 x 90 x 98 cells of 67 m at 540, 720 and 900 s; variables rain,
-cref, th, prs, qv, qc, qr, qi, qs, qg). What is kept: the box around the cloud; cloud water in steps of 0.1 mg/kg (16 bits),
-rain, snow and graupel in 255 steps of their maxima, from the time on at which they can be seen; pressure, temperature and
-density of dry air as profiles. All of it stays below 4 MB. Needs numpy.
+SOURCE contains cm1out_000001_s.dat to cm1out_000003_s.dat (96 x 90 x 98 cells of 67 m at 540, 720 and 900 s; variables
+rain, cref, th, prs, qv, qc, qr, qi, qs, qg). TARGET receives the box around the cloud: cloud water in steps of 0.1 mg/kg
+(16 bits); rain, snow and graupel in 255 steps of their maxima, from the time at which they become visible; pressure,
+temperature and density of dry air as profiles. The result must stay below 4 MB. Needs numpy.
 """
 import json
 import pathlib
@@ -15,33 +15,34 @@ import numpy as np
 NX, NY, NZ, SPACING_M = 96, 90, 98, 67.0
 NAMES = ["th", "prs", "qv", "qc", "qr", "qi", "qs", "qg"]
 SECONDS = [540, 720, 900]
-X, Y, Z = slice(14, 80), slice(2, 74), slice(13, 84)  # all cloud water above 0.1 g/kg lies within
+X, Y, Z = slice(14, 80), slice(2, 74), slice(13, 84)  # contains all cloud water above 0.1 g/kg
 DRY_GAS, VAPOUR, HEAT = 287.04, 461.5, 1005.7  # CM1's constants, J/(kg K)
-# name, species, type, steps in its range, first time at which it is kept
+# name, species, type, number of steps up to the maximum, index of the first time that is kept
 FIELDS = [("qc", "cloud", "uint16", None, 0), ("qr", "rain", "uint8", 255, 1),
           ("qs", "snow", "uint8", 255, 2), ("qg", "graupel", "uint8", 255, 1)]
 
 
 def read(source, i):
+    """All fields of time i as (z, y, x) arrays, without the two surface fields."""
     numbers = np.fromfile(source / f"cm1out_{i + 1:06d}_s.dat", "<f4")
     fields = numbers[2 * NX * NY:].reshape(len(NAMES), NZ, NY, NX).astype("f8")
     return dict(zip(NAMES, fields))
 
 
 def air(times):
-    """Profiles of pressure, temperature and dry density: means over the plane and the times."""
+    """Profiles of pressure, temperature and dry-air density: means over the horizontal plane and the times."""
     sums = {"prs": 0.0, "temperature": 0.0, "rho": 0.0}
     for t in times:
         temperature = t["th"] * (t["prs"] / 1e5) ** (DRY_GAS / HEAT)
         rho = t["prs"] / (DRY_GAS * temperature * (1.0 + t["qv"] * VAPOUR / DRY_GAS))
         for name, field in (("prs", t["prs"]), ("temperature", temperature), ("rho", rho)):
             sums[name] = sums[name] + field.mean((1, 2)) / len(times)
-    # The lowest layer of the brick reaches from the ground to the cloud's base.
+    # The lowest layer of the brick extends from the ground to cloud base.
     return {name: [p[:Z.start].mean()] + list(p[Z]) for name, p in sums.items()}
 
 
 def cut(field, step, dtype):
-    """Steps of the box, x fastest, with one empty level below it."""
+    """The field in the box as multiples of step, x fastest, with one empty level below."""
     numbers = np.rint(field[Z, Y, X] / step)
     return np.concatenate([np.zeros_like(numbers[:1]), numbers]).astype(dtype)
 

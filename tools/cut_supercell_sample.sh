@@ -1,8 +1,9 @@
 #!/bin/sh
-# cut_supercell_sample.sh SOURCE TARGET: cuts the bundled storm from a full WRF run of em_quarter_ss.
+# cut_supercell_sample.sh SOURCE TARGET: extracts the bundled storm from a full WRF run of em_quarter_ss.
 #
-# Four times, the whole grid, the fields that Nephoscope reads; QVAPOR to two significant digits (0.02 % of the air density at
-# most), all else as in SOURCE. Needs nco and netcdf-bin. Each file must stay below 4 MiB.
+# Keeps four times, the whole grid and the fields that Nephoscope reads. QVAPOR keeps two significant
+# digits (at most 0.02 % of the air density), everything else is as in SOURCE. Needs nco and
+# netcdf-bin. Each file must stay below 4 MiB.
 set -eu
 source=$1
 target=$2

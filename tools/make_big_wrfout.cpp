@@ -1,8 +1,8 @@
-// make_big_wrfout.cpp: makes a large wrfout of a small one, to measure with.
+// make_big_wrfout.cpp: makes a large wrfout file from a small one, for measurements.
 //
-// Tiles the fields in x and y and interpolates them to more levels, straight in the index of the
-// level. Written as WRF writes: 64-bit offset, or NetCDF-4 with deflate and default chunks. Built
-// by `cmake --build build/dev --target make_big_wrfout`.
+// Repeats the fields in x and y and interpolates them to more levels, linearly in the level index.
+// Output is as WRF writes it: 64-bit offset, or NetCDF-4 with deflate and default chunks. Build it
+// with `cmake --build build/dev --target make_big_wrfout`.
 #include <fmt/format.h>
 #include <netcdf.h>
 
@@ -47,7 +47,7 @@ std::vector<float> readField(int file, int id, Sizes size) {
     return values;
 }
 
-/// Level `z` of `to.z`, tiled.
+/// Level `z` of `to.z`: interpolated between two levels of `field`, repeated in x and y.
 std::vector<float> tiledPlane(const std::vector<float>& field, Sizes from, Sizes to,
                               std::size_t z) {
     const double level =
@@ -78,7 +78,7 @@ void copyGlobals(int from, int to) {
     }
 }
 
-/// Defines dimensions and variables; ids of the fields in order, then that of Times.
+/// Defines dimensions and variables. Returns the ids of the fields in order, then that of Times.
 std::vector<int> define(int from, int to, Sizes size, bool netcdf4) {
     int time = -1, text = -1, x = -1, y = -1, z = -1, zStag = -1;
     require(nc_def_dim(to, "Time", NC_UNLIMITED, &time));

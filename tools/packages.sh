@@ -1,5 +1,5 @@
-# packages.sh: every Debian package that Nephoscope needs, and how they are installed.
-# Sourced by run and test. docs/dependencies.md says what each library is for.
+# packages.sh: lists every Debian package that Nephoscope needs, and installs them.
+# Sourced by run and test. docs/dependencies.md says what each package is for.
 
 build_packages=(
   g++ cmake ninja-build pkg-config
@@ -9,9 +9,9 @@ build_packages=(
 )
 runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-roboto-unhinted fonts-dejavu-core)
 test_packages=(doctest-dev clang-format xvfb xauth)
-sanitizer_packages=(clang libclang-rt-dev llvm)  # llvm: names and lines in the reports
+sanitizer_packages=(clang libclang-rt-dev llvm)  # llvm: function names and lines in reports
 
-# Installs those of its arguments that are missing; silent and quick when none is.
+# Installs the packages given as arguments that are missing; silent and fast if none is.
 install_packages() {
   local missing=() package
   for package in "$@"; do
@@ -21,7 +21,7 @@ install_packages() {
   local as_root=()
   if [[ $EUID -ne 0 ]]; then
     command -v sudo >/dev/null || {
-      echo "error: these packages are missing and need root to install: ${missing[*]}" >&2
+      echo "error: these packages are missing, and installing them needs root: ${missing[*]}" >&2
       return 1
     }
     as_root=(sudo)

@@ -1,4 +1,4 @@
-// atomic_file.cpp: write aside, fsync, rename (POSIX).
+// atomic_file.cpp: write to a temporary file, fsync, rename (POSIX).
 #include "core/base/atomic_file.h"
 
 #include <fcntl.h>
@@ -15,16 +15,18 @@
 namespace neph {
 namespace {
 
+/// The one error of this file: names the target, never the temporary file.
 [[noreturn]] void refuse(const std::filesystem::path& target, int errorNumber) {
     throw Error({target.string(), "cannot be written", std::strerror(errorNumber), "",
                  "name a file in a folder that exists and that you may write to"});
 }
 
+/// The temporary file must be in the same folder, because rename() does not cross file systems.
 std::filesystem::path folderOf(const std::filesystem::path& target) {
     return target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
 }
 
-/// A new empty file beside `target`; mkstemp makes it private, so it gets the usual mode first.
+/// A new empty file beside `target`. mkstemp creates it private, so it gets the usual mode first.
 std::filesystem::path createAside(const std::filesystem::path& target) {
     std::string name =
         (folderOf(target) / ("." + target.filename().string().substr(0, 200) + ".XXXXXX")).string();
@@ -37,16 +39,18 @@ std::filesystem::path createAside(const std::filesystem::path& target) {
     return name;
 }
 
+/// Without this, a crash soon after the rename could leave an empty file.
 void flushToDisk(const std::filesystem::path& aside, const std::filesystem::path& target) {
     const int file = ::open(aside.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) refuse(target, errno);
     const int failed = ::fsync(file);
     const int errorNumber = errno;
     ::close(file);
-    // Some file systems cannot flush single files; that is no reason to lose the picture.
+    // Some file systems cannot flush single files; that is no reason to lose the result.
     if (failed != 0 && errorNumber != EINVAL && errorNumber != ENOSYS) refuse(target, errorNumber);
 }
 
+/// Writes all of `text`; a signal may split it into several calls.
 void writeText(const std::filesystem::path& aside, const std::filesystem::path& target,
                std::string_view text) {
     const int file = ::open(aside.c_str(), O_WRONLY | O_CLOEXEC);

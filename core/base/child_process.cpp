@@ -1,4 +1,4 @@
-// child_process.cpp: fork and exec, pipes that are never waited for, and the signals.
+// child_process.cpp: fork and exec, non-blocking pipes, and signals.
 #include "core/base/child_process.h"
 
 #include <fcntl.h>
@@ -24,10 +24,10 @@ extern char** environ;
 namespace neph {
 namespace {
 
-constexpr auto kGrace = std::chrono::seconds(4);  // for a cancelled program to tidy up
-constexpr int kWaitMs = 20;                       // between two looks
-constexpr std::size_t kMostWords = 4096;          // of stderr that are kept
-constexpr int kExecFailed = 127;                  // as a shell has it
+constexpr auto kGrace = std::chrono::seconds(4);  // for a cancelled program to clean up
+constexpr int kWaitMs = 20;                       // between two polls
+constexpr std::size_t kMostWords = 4096;          // bytes of stderr that are kept
+constexpr int kExecFailed = 127;                  // as a shell reports it
 
 [[noreturn]] void refuse(const std::filesystem::path& program, int errorNumber) {
     throw Error({.where = program.string(),
@@ -35,7 +35,7 @@ constexpr int kExecFailed = 127;                  // as a shell has it
                  .found = std::generic_category().message(errorNumber)});
 }
 
-/// Both ends of a pipe, or of a socket where `twoWay`, closed when this goes unless taken.
+/// Both ends of a pipe or socket; the destructor closes those that were not taken.
 struct Ends {
     int ours = -1, theirs = -1;
     Ends() = default;
@@ -52,7 +52,7 @@ struct Ends {
         theirs = pair[1];
         return true;
     }
-    /// A socket, since writing to one can be told to raise no SIGPIPE.
+    /// A socket, because writing to one need not raise SIGPIPE.
     bool openInput() {
         std::array<int, 2> pair{};
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return false;
@@ -63,12 +63,14 @@ struct Ends {
     int takeOurs() { return std::exchange(ours, -1); }
 };
 
-/// In the child, where only what is safe in a signal handler may be called. Never returns.
+/// Runs in the child between fork and exec, where only async-signal-safe calls are allowed. Never
+/// returns. A failure of exec is reported through `fault`, as an errno.
 [[noreturn]] void become(const char* program, char* const* arguments, const std::array<int, 3>& io,
                          int fault, int niceness, pid_t owner) {
+    // A group of its own, so that signals also reach what it starts; and it ends with its owner.
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != owner) _exit(kExecFailed);  // it had gone before
+    if (getppid() != owner) _exit(kExecFailed);  // the owner ended before prctl
     if (niceness != 0 && nice(niceness) == -1) errno = 0;
     for (int i = 0; i < 3; ++i) dup2(io[static_cast<std::size_t>(i)], i);
     execve(program, arguments, environ);
@@ -77,7 +79,7 @@ struct Ends {
     _exit(kExecFailed);
 }
 
-/// Reads what is there; false at the end.
+/// Reads everything available; false at the end of the stream.
 bool drain(int descriptor, std::string& to) {
     std::array<char, 4096> some{};
     for (;;) {
@@ -99,6 +101,7 @@ void close(int& descriptor) {
 
 }  // namespace
 
+// An empty entry of PATH means the current folder, as in a shell.
 std::optional<std::filesystem::path> findProgram(std::string_view name) {
     const char* path = std::getenv("PATH");
     std::string_view rest = path == nullptr ? "/usr/bin:/bin" : path;
@@ -137,7 +140,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program,
     }
     ::close(std::exchange(fault.theirs, -1));
     int why = 0;
-    ssize_t told = 0;  // until it has become the program, or could not
+    ssize_t told = 0;  // EOF once exec has succeeded, an errno where it failed
     while ((told = ::read(fault.ours, &why, sizeof why)) < 0 && errno == EINTR) {
     }
     if (told == sizeof why) {
@@ -160,13 +163,15 @@ void ChildProcess::closeAll() {
     for (int* descriptor : {&input_, &output_, &errors_}) close(*descriptor);
 }
 
+/// Pipes are closed at their end, so that poll() does not report them again. Only the tail of
+/// stderr is kept: it has the error message.
 void ChildProcess::takeOutput() {
     if (output_ >= 0 && !drain(output_, unread_)) close(output_);
     if (errors_ >= 0 && !drain(errors_, words_)) close(errors_);
     if (words_.size() > kMostWords) words_.erase(0, words_.size() - kMostWords);
 }
 
-/// What it printed before it ended is taken after: the pipes hold it.
+/// Its exit is taken before its output: what it printed last is still in the pipes.
 void ChildProcess::takeEnd() {
     int status = 0;
     if (status_ || waitpid(pid_, &status, WNOHANG) != pid_) return;
@@ -183,6 +188,7 @@ bool ChildProcess::poll() {
 }
 
 int ChildProcess::wait() {
+    // The timeout matters: a child that closed its pipes may still be running.
     while (poll()) {
         std::array<pollfd, 2> both{pollfd{output_, POLLIN, 0}, pollfd{errors_, POLLIN, 0}};
         ::poll(both.data(), both.size(), kWaitMs);
@@ -216,6 +222,7 @@ void ChildProcess::end() {
 
 bool ChildProcess::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
+        // Polling drains stdout, without which both sides could wait for each other forever.
         if (!poll() || input_ < 0) return false;
         const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent > 0) {

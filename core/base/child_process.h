@@ -1,8 +1,9 @@
-// child_process.h: a program that runs beside this one: its lines, its last words, its end.
+// child_process.h: a program that runs beside this one: its output, its last messages, its exit
+// status.
 //
-// For work that must neither hold up the window nor take it along when it fails. Nothing here waits
-// but `write` and `wait`; `poll`, called now and then, does the rest. The program ends with the
-// thread that started it, and leaves no zombie. POSIX, with PDEATHSIG of Linux.
+// For work that must neither block the window nor take it down when it fails. Only `write` and
+// `wait` block; `poll`, called regularly, does the rest. The program ends with the thread that
+// started it, and leaves no zombie. POSIX, with PDEATHSIG of Linux.
 #pragma once
 #include <sys/types.h>
 
@@ -17,46 +18,47 @@
 
 namespace neph {
 
-/// A program as the shell would find it on $PATH; none where there is none.
+/// A program as the shell would find it on $PATH; empty if there is none.
 std::optional<std::filesystem::path> findProgram(std::string_view name);
 
+/// A running child process. Owns its pipes; not copyable, because the process has one owner.
 class ChildProcess {
   public:
     struct Options {
-        int niceness = 0;         ///< added to this program's own
-        bool takesInput = false;  ///< what is given to write(); else it reads nothing
+        int niceness = 0;         ///< added to this program's niceness
+        bool takesInput = false;  ///< write() feeds its stdin; otherwise that is empty
     };
 
     /// Starts `program`, a path, with `arguments`. Throws Error.
     ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  const Options& options);
-    /// Ends it as cancel() does, and waits for that.
+    /// Ends it as cancel() does, and waits for it to end.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Takes in what it has printed and whether it has ended; true while it runs.
+    /// Collects its output and notices its end; true while it runs.
     bool poll();
-    /// Polls until it has ended; returns its status.
+    /// Polls until it has ended; returns its exit status.
     int wait();
 
-    /// Whole lines of its stdout since the last call, without their ends.
+    /// Complete lines of its stdout since the last call, without line ends.
     std::vector<std::string> takeLines();
-    /// The end of its stderr, at most 4 KiB, without empty lines at its end.
+    /// The end of its stderr, at most 4 KiB, without trailing empty lines.
     std::string lastWords() const;
-    /// None while it runs; 128 + signal where a signal ended it, as a shell has it.
+    /// Empty while it runs; 128 + signal where a signal ended it, as in a shell.
     std::optional<int> status() const { return status_; }
 
-    /// Asks it to end (SIGTERM); polls after four seconds make it (SIGKILL).
+    /// Asks it to end (SIGTERM); polls after four seconds force it (SIGKILL).
     void cancel();
 
     /// Ends it at once (SIGKILL).
     void end();
 
-    /// Gives it all of `bytes` to read, waiting as long as it takes. False when it has ended or
-    /// closed its input.
+    /// Writes all of `bytes` to its stdin, waiting as long as necessary. False when it has ended or
+    /// closed its stdin.
     bool write(std::span<const std::byte> bytes);
-    /// No more to read.
+    /// Closes its stdin: it reads an end of file.
     void closeInput();
 
   private:
@@ -68,7 +70,7 @@ class ChildProcess {
 
     pid_t pid_ = -1;
     int input_ = -1, output_ = -1, errors_ = -1;
-    std::string unread_, words_;  // stdout that was not taken; the end of stderr
+    std::string unread_, words_;  // stdout not yet taken; the end of stderr
     std::optional<int> status_;
     std::optional<Clock::time_point> killAt_;
 };

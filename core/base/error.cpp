@@ -1,4 +1,5 @@
-// error.cpp: the layout of an error message.
+// error.cpp: the layout of an error message: what is wrong, then found, expected and hint,
+// indented.
 #include "core/base/error.h"
 
 #include <fmt/format.h>

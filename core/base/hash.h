@@ -1,4 +1,4 @@
-// hash.h: names for contents. Not for anything that an adversary chooses.
+// hash.h: hashes that identify contents. Not for input that an adversary chooses.
 #pragma once
 #include <cstdint>
 #include <string_view>

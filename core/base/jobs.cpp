@@ -1,4 +1,5 @@
-// jobs.cpp: the worker's loop.
+// jobs.cpp: the loop of the worker, and the three places where a job can be: waiting, running,
+// finished.
 #include "core/base/jobs.h"
 
 #include <atomic>
@@ -7,6 +8,8 @@
 
 namespace neph {
 
+/// Shared by the worker and the main thread; `fraction` and `cancelled` are all that both use while
+/// the work runs.
 struct Jobs::Job {
     std::string label;
     Kind kind;
@@ -19,7 +22,7 @@ struct Jobs::Job {
 
 namespace {
 
-/// Any failure as an Error, so that the main thread has one kind to show.
+/// Any failure as an Error, so that the main thread has one type to show.
 Error toError(const std::exception_ptr& failure) {
     try {
         std::rethrow_exception(failure);
@@ -44,6 +47,7 @@ Jobs::~Jobs() {
     changed_.notify_all();
 }
 
+/// Cancelling first keeps the rule that the newest job wins.
 void Jobs::start(std::string label, Work work, Failed failed, Kind kind) {
     auto job = std::make_shared<Job>();
     job->label = std::move(label);
@@ -107,6 +111,7 @@ std::string Jobs::label() const {
     return job ? job->label : std::string();
 }
 
+/// The job runs without the lock, so that poll() and cancel() never wait for it.
 void Jobs::runWorker(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         std::shared_ptr<Job> job;
@@ -128,6 +133,8 @@ void Jobs::runWorker(const std::stop_token& stop) {
     }
 }
 
+/// Runs the work without letting any exception escape the worker. The work is destroyed here,
+/// because it may own data that should not wait for poll().
 void Jobs::run(Job& job) {
     const Progress progress = [&job](double fraction) {
         job.fraction = fraction;

@@ -1,8 +1,8 @@
 // jobs.h: one background worker for what takes longer than a frame: opening and resampling.
 //
-// The newest job wins: starting one cancels what runs or waits. A job runs on the worker and hands
-// back a closure, which `poll` runs on the calling thread; nothing else crosses between threads.
-// Work that nobody waits for yet, such as reading ahead, is not counted as busy.
+// The newest job wins: starting one cancels the one that runs or waits. A job runs on the worker
+// and returns a closure, which `poll` runs on the calling thread; nothing else crosses between
+// threads. Work that nobody waits for yet, such as reading ahead, does not count as busy.
 #pragma once
 #include <condition_variable>
 #include <functional>
@@ -16,15 +16,17 @@
 
 namespace neph {
 
+/// The worker and its one job.
 class Jobs {
   public:
     using Finish = std::function<void()>;
     using Work = std::function<Finish(const Progress&)>;
     using Failed = std::function<void(const Error&)>;
 
+    /// Whether somebody waits for the result, or it is read ahead.
     enum class Kind { wanted, ahead };
 
-    /// `wake`, where given, is called on the worker when a result waits to be polled.
+    /// `wake`, if given, is called on the worker when a result is ready to be polled.
     explicit Jobs(std::function<void()> wake = {});
     ~Jobs();
     Jobs(const Jobs&) = delete;
@@ -33,16 +35,18 @@ class Jobs {
     /// `work` runs on the worker; the closure it returns, or `failed` with what it threw, runs in a
     /// later poll(). A cancelled job runs neither.
     void start(std::string label, Work work, Failed failed, Kind kind = Kind::wanted);
+    /// Drops a waiting or finished job, and asks a running one to stop.
     void cancel();
-    /// What is under way is wanted from now on.
+    /// Marks the current job as wanted, for example when the user asks for what was read ahead.
     void want();
 
-    /// Runs what has come in; true when anything did.
+    /// Runs the closure of a finished job; true if there was one.
     bool poll();
 
-    bool busy() const;        ///< a wanted job runs, waits or has a result to be polled
-    bool idle() const;        ///< nothing is under way, wanted or not
+    bool busy() const;        ///< a wanted job runs, waits, or has a result to poll
+    bool idle() const;        ///< no job is waiting, running or finished, wanted or not
     double fraction() const;  ///< of the running job, in [0, 1]
+    /// Label of the current job, for the status line; empty if there is none.
     std::string label() const;
 
   private:
@@ -54,7 +58,7 @@ class Jobs {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::shared_ptr<Job> waiting_, running_, finished_;
-    std::jthread worker_;  // last, so that it ends before what it uses
+    std::jthread worker_;  // last, so that it ends before the members it uses
 };
 
 }  // namespace neph

@@ -8,6 +8,7 @@
 namespace neph {
 namespace {
 
+/// Number of insertions, deletions and substitutions between two names.
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,4 +1,4 @@
-// names.h: the nearest known name to one that was mistyped.
+// names.h: the known name nearest to a mistyped one.
 #pragma once
 #include <span>
 #include <string_view>

@@ -1,4 +1,4 @@
-// number_text.cpp: fixed point where that is short, powers of ten elsewhere.
+// number_text.cpp: fixed-point notation where that is short, powers of ten elsewhere.
 #include "core/base/number_text.h"
 
 #include <fmt/format.h>
@@ -28,6 +28,7 @@ std::string numberText(double value, int digits) {
 std::string percentText(double share, double sigma) {
     if (!(sigma > 0.0)) return numberText(100.0 * share, 4) + " %";
     const double percent = 100.0 * sigma;
+    // Two significant digits of the standard error.
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 4);
     return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * share, decimals, percent, decimals);
 }

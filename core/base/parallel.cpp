@@ -13,32 +13,36 @@
 namespace neph {
 namespace {
 
-constexpr auto kLook = std::chrono::milliseconds(50);  // between looks at whether to stop
+constexpr auto kLook = std::chrono::milliseconds(50);  // between checks for cancellation
 
+/// The threads that share one set of pieces. Of several failures the one of the lowest piece is
+/// kept, so that the error does not depend on timing.
 class Crew {
   public:
     Crew(std::size_t pieces, const Piece& work) : pieces_(pieces), work_(work) {}
 
-    /// Takes pieces until none is left.
+    /// Takes pieces until none is left or one has failed.
     void labour(std::size_t worker, const Progress& progress) {
         for (std::size_t piece = next_++; piece < pieces_ && !stopped_; piece = next_++) {
             try {
                 work_(piece, worker, progress);
             } catch (const Cancelled&) {
-                if (!stopped_) fail(piece);  // else it heeds the failure of another
+                if (!stopped_) fail(piece);  // otherwise it stops because another piece failed
             } catch (...) {
                 fail(piece);
             }
             ++done_;
         }
     }
+    /// On another thread: the progress callback belongs to the first, so this one only checks for a
+    /// stop.
     void labourElsewhere(std::size_t worker) {
         labour(worker, [this](double) { return !stopped_; });
         const std::lock_guard lock(mutex_);
         ++finished_;
         ended_.notify_one();
     }
-    /// Reports until `threads` have finished.
+    /// Reports progress until `threads` threads have finished.
     void await(std::size_t threads, const Progress& progress) {
         std::unique_lock lock(mutex_);
         while (!ended_.wait_for(lock, kLook, [&] { return finished_ == threads; })) {
@@ -47,7 +51,7 @@ class Crew {
             lock.lock();
         }
     }
-    /// What `progress` throws counts as a failure that comes before all others.
+    /// An exception from `progress` counts as a failure that precedes all others.
     bool report(const Progress& progress) {
         try {
             if (!stopped_ &&
@@ -66,6 +70,7 @@ class Crew {
     }
 
   private:
+    /// Keeps the exception in flight, unless an earlier piece has failed.
     void fail(std::size_t piece) {
         const std::lock_guard lock(mutex_);
         stopped_ = true;
@@ -102,6 +107,7 @@ void shareOut(std::size_t pieces, std::size_t workers, const Piece& work,
         crew.labour(0, [&](double) { return crew.report(progress); });
         crew.await(threads.size(), progress);
     }
+    // The jthreads have joined by now, so nothing refers to `crew` any more.
     crew.rethrow();
     if (!goOn(progress, 1.0)) throw Cancelled{};
 }

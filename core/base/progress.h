@@ -1,4 +1,4 @@
-// progress.h: how long work says how far it is, and how it is told to stop.
+// progress.h: how long-running work reports progress and is cancelled.
 #pragma once
 #include <functional>
 
@@ -7,12 +7,12 @@ namespace neph {
 /// Called with a fraction in [0, 1]; returns false to cancel. May be empty.
 using Progress = std::function<bool(double)>;
 
-/// Reports and says whether to go on.
+/// Reports progress; false if the work should stop.
 inline bool goOn(const Progress& progress, double fraction) {
     return !progress || progress(fraction);
 }
 
-/// Thrown out of work whose progress callback returned false.
+/// Thrown by work whose progress callback returned false.
 struct Cancelled {};
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// resources.cpp: the search for bundled files.
+// resources.cpp: the search for bundled files and for the user's folders.
 #include "core/base/resources.h"
 
 #include <fmt/format.h>
@@ -11,13 +11,14 @@
 namespace neph {
 namespace {
 
+/// An environment variable; empty counts as unset, as the XDG specification requires.
 std::optional<std::string> environment(const char* name) {
     const char* value = std::getenv(name);
     if (value == nullptr || *value == '\0') return {};
     return value;
 }
 
-/// Ours of a user's folders of the XDG base directory specification.
+/// Nephoscope's folder below one of the user's folders of the XDG base directory specification.
 std::optional<std::filesystem::path> userDir(const char* variable, const char* belowHome) {
     if (const auto given = environment(variable)) {
         return std::filesystem::path(*given) / "nephoscope";
@@ -28,6 +29,7 @@ std::optional<std::filesystem::path> userDir(const char* variable, const char* b
     return {};
 }
 
+/// Folders with presets, samples and shaders, the preferred one first.
 std::vector<std::filesystem::path> dataDirs() {
     std::vector<std::filesystem::path> dirs;
     if (const auto given = environment("NEPHOSCOPE_DATA_DIR")) dirs.emplace_back(*given);

@@ -1,7 +1,7 @@
-// resources.h: where presets, samples and shaders lie, and what this build is called.
+// resources.h: where presets, samples and shaders are, and the version of this build.
 //
-// Looked for under $NEPHOSCOPE_DATA_DIR, then <program>/../share/nephoscope, then the source tree
-// that this build was made from; the first that holds the wanted path wins.
+// Searched under $NEPHOSCOPE_DATA_DIR, then <program>/../share/nephoscope, then the source tree of
+// this build; the first that contains the requested path wins.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,28 +10,28 @@
 
 namespace neph {
 
-/// The first place that holds `relative` ("presets", "samples/supercell"); none when there is none.
+/// The first match for `relative` ("presets", "samples/supercell"); empty if there is none.
 std::optional<std::filesystem::path> findResource(std::string_view relative);
 
-/// As findResource; throws Error that lists the places looked at.
+/// As findResource; throws an Error that lists the places searched.
 std::filesystem::path resourcePath(std::string_view relative);
 
 /// Directory of the running program.
 std::filesystem::path programDir();
 
-/// Where the readers of this installation lie, or those of the build tree.
+/// Folder of the readers of this installation, or of the build tree.
 std::filesystem::path ownReaderDir();
 
-/// $XDG_DATA_HOME/nephoscope or ~/.local/share/nephoscope; none without a home.
+/// $XDG_DATA_HOME/nephoscope or ~/.local/share/nephoscope; empty without a home directory.
 std::optional<std::filesystem::path> userDataDir();
 
-/// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; none without a home.
+/// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; empty without a home directory.
 std::optional<std::filesystem::path> userCacheDir();
 
-/// $XDG_CONFIG_HOME/nephoscope or ~/.config/nephoscope; none without a home.
+/// $XDG_CONFIG_HOME/nephoscope or ~/.config/nephoscope; empty without a home directory.
 std::optional<std::filesystem::path> userConfigDir();
 
-/// $XDG_STATE_HOME/nephoscope or ~/.local/state/nephoscope; none without a home.
+/// $XDG_STATE_HOME/nephoscope or ~/.local/state/nephoscope; empty without a home directory.
 std::optional<std::filesystem::path> userStateDir();
 
 /// For example "0.1.0".

@@ -1,4 +1,4 @@
-// strict_json.cpp: what needs no JSON to be known.
+// strict_json.cpp: the parts that do not depend on a JSON library.
 #include "core/base/strict_json.h"
 
 #include <cerrno>
@@ -18,6 +18,7 @@ std::string readJsonText(const std::filesystem::path& file, std::string_view wha
     }
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw Error({file.string(), "cannot be read", std::strerror(errno), "", ""});
+    // One byte more than allowed shows that a file is too large without reading it all.
     std::string text(maxBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
@@ -36,6 +37,7 @@ std::string unknownJsonKey(std::string_view where, std::string_view key,
     return text;
 }
 
+// 0.1f converted to double would be written as 0.10000000149011612.
 double asWritten(float value) {
     return std::strtod(fmt::format("{}", value).c_str(), nullptr);
 }

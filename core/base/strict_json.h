@@ -1,7 +1,7 @@
-// strict_json.h: JSON from strangers: the size of a file, the depth of nesting and keys that stand
-// twice are checked, and every fault becomes an Error that names the file.
+// strict_json.h: JSON from untrusted sources: file size, nesting depth and duplicate keys are
+// checked, and every fault becomes an Error that names the file.
 //
-// Templates of the kind of JSON that the caller has, so that this header needs none.
+// Templates on the JSON type of the caller, so that this header needs no JSON library.
 #pragma once
 #include <fmt/format.h>
 
@@ -17,21 +17,21 @@
 
 namespace neph {
 
-inline constexpr int kMaxJsonDepth = 16;  ///< what the program writes has 6 at most
+inline constexpr int kMaxJsonDepth = 16;  ///< files that the program writes have at most 6
 
-/// The text of a file of at most `maxBytes`; `what` is what it should hold ("a preset"). Throws
-/// Error.
+/// The text of a file of at most `maxBytes`; `what` says what it should contain ("a preset").
+/// Throws Error.
 std::string readJsonText(const std::filesystem::path& file, std::string_view what,
                          std::size_t maxBytes);
 
-/// The warning for a key that is passed over.
+/// The warning for an unknown key that is ignored.
 std::string unknownJsonKey(std::string_view where, std::string_view key,
                            std::span<const std::string_view> known);
 
-/// The double that JSON writes with the digits of the float.
+/// The double that JSON writes with the same digits as the float.
 double asWritten(float value);
 
-/// Watches the parser's events: the depth of nesting, and the keys seen in each open object.
+/// Follows the events of the parser: the depth of nesting, and the keys seen in each open object.
 template <typename Json>
 class JsonWatch {
   public:
@@ -77,7 +77,7 @@ Json parseStrictJson(std::string_view text, std::string_view where) {
     }
 }
 
-/// The beginning of a value, for messages.
+/// The beginning of a value, for error messages.
 template <typename Json>
 std::string excerpt(const Json& value) {
     constexpr std::size_t kLength = 60;
@@ -86,20 +86,21 @@ std::string excerpt(const Json& value) {
     return text;
 }
 
+/// For a value of the wrong type or out of range. Throws Error.
 [[noreturn]] inline void refuseJson(std::string_view where, std::string_view key,
                                     const std::string& found, std::string_view expected) {
     throw Error({std::string(where), fmt::format("\"{}\" cannot take this value", key), found,
                  std::string(expected), ""});
 }
 
-/// `value` where it is an object. Throws Error.
+/// `value` if it is an object. Throws Error.
 template <typename Json>
 const Json& jsonObject(const Json& value, std::string_view key, std::string_view where) {
     if (value.is_object()) return value;
     refuseJson(where, key, excerpt(value), "an object in braces");
 }
 
-/// Text under `key`, empty where there is no such key. Throws Error.
+/// Text under `key`, empty if the key is absent. Throws Error.
 template <typename Json>
 std::string jsonText(const Json& object, std::string_view key, std::string_view where) {
     const auto found = object.find(std::string(key));
@@ -108,7 +109,7 @@ std::string jsonText(const Json& object, std::string_view key, std::string_view 
     refuseJson(where, key, excerpt(*found), "text in quotes");
 }
 
-/// Throws Error unless `document` is an object of this `type` and `version`; `what` is what it
+/// Throws Error unless `document` is an object of this `type` and `version`; `what` says what it
 /// should be ("a Nephoscope preset").
 template <typename Json>
 void checkJsonHeader(const Json& document, std::string_view where, std::string_view what,

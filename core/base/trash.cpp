@@ -1,5 +1,5 @@
-// trash.cpp: the note in Trash/info is made first, which takes the name; then the file is moved to
-// Trash/files.
+// trash.cpp: the note in Trash/info is created first, which reserves the name; then the file is
+// moved to Trash/files.
 #include "core/base/trash.h"
 
 #include <fcntl.h>
@@ -22,13 +22,15 @@ namespace {
                  "remove the file yourself"});
 }
 
+/// The home trash of the specification; trash folders of other file systems are not used.
 std::filesystem::path trashFolder(const std::filesystem::path& file) {
     const auto data = userDataDir();
     if (!data) refuse(file, "neither XDG_DATA_HOME nor HOME is set");
     return data->parent_path() / "Trash";
 }
 
-/// As in a URL: all but letters, digits and few signs as % and two hexadecimal digits.
+/// As in a URL: everything but letters, digits and a few signs becomes % and two hexadecimal
+/// digits.
 std::string percentEncoded(const std::string& path) {
     constexpr std::string_view kPlain = "/-_.~";
     std::string text;
@@ -40,7 +42,7 @@ std::string percentEncoded(const std::string& path) {
     return text;
 }
 
-/// In local time, as the specification wants it.
+/// In local time, as the specification requires.
 std::string nowText() {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -50,12 +52,13 @@ std::string nowText() {
     return text;
 }
 
+/// The .trashinfo file, from which file managers know where to restore the file.
 std::string noteOf(const std::filesystem::path& file) {
     return fmt::format("[Trash Info]\nPath={}\nDeletionDate={}\n",
                        percentEncoded(std::filesystem::absolute(file).string()), nowText());
 }
 
-/// Writes the note where there is none of that name; false where there is.
+/// Creates the note; false if one of that name exists.
 bool takeName(const std::filesystem::path& note, const std::string& text,
               const std::filesystem::path& file) {
     const int descriptor = ::open(note.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
@@ -68,6 +71,7 @@ bool takeName(const std::filesystem::path& note, const std::string& text,
     refuse(file, note.string() + " cannot be written");
 }
 
+/// Falls back to copying where the trash is on another file system.
 void move(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::error_code fault;
     std::filesystem::rename(from, to, fault);

@@ -1,4 +1,4 @@
-// camera.cpp: turntable geometry.
+// camera.cpp: turntable geometry: azimuth and elevation around a target, no roll.
 #include "core/camera/camera.h"
 
 #include <algorithm>
@@ -7,12 +7,14 @@
 namespace neph {
 namespace {
 
-constexpr float kPoleDeg = 89.9f;  // straight up or down has no horizon to level the picture by
+constexpr float kPoleDeg = 89.9f;  // looking straight up or down leaves no horizon to level by
 
+/// The unit of distances of a pose: the larger horizontal extent.
 double unitM(const RegularGrid& grid) {
     return std::max(grid.extentM().x, grid.extentM().y);
 }
 
+/// Clamped, because an exactly vertical view has no right-hand side.
 glm::dvec3 towardsEye(const CameraPose& pose) {
     return compassDirWorld(pose.azimuthDeg, std::clamp(pose.elevationDeg, -kPoleDeg, kPoleDeg));
 }
@@ -59,6 +61,7 @@ void pan(CameraPose& pose, const RegularGrid& grid, glm::vec2 step) {
     const Camera camera = placeCamera(pose, grid, 1.0);
     const double heightM =
         2.0 * camera.tanHalfFovY * static_cast<double>(pose.distance) * unitM(grid);
+    // The scene follows the cursor, so the target moves the opposite way.
     const glm::dvec3 moveM =
         (camera.right * static_cast<double>(-step.x) + camera.up * static_cast<double>(-step.y)) *
         heightM;

@@ -1,8 +1,8 @@
-// camera.h: where the picture is taken from.
+// camera.h: the viewpoint of the image.
 //
-// A CameraPose is part of the document and knows no data set: lengths are shares of the domain's
-// larger horizontal extent and heights shares of its depth, so that a preset's camera suits any
-// storm. A Camera is a pose put into a world in metres.
+// A CameraPose is part of the document and independent of any data set: lengths are shares of the
+// domain's larger horizontal extent and heights shares of its depth, so that the camera of a preset
+// suits any storm. A Camera is a pose placed in a world in metres.
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
@@ -11,19 +11,21 @@
 
 namespace neph {
 
+/// Where the camera is and what it looks at, relative to the domain.
 struct CameraPose {
     glm::vec3 target{0.5f, 0.5f, 0.35f};  ///< share of the domain in x, y and z
     float distance = 1.1f;                ///< eye to target, in larger horizontal extents
-    float azimuthDeg = 180.0f;            ///< of the eye seen from the target, north to east
-    float elevationDeg = 12.0f;           ///< height of the eye above the target's horizon
-    float fovDeg = 40.0f;                 ///< vertical field of view
+    float azimuthDeg = 180.0f;   ///< direction from the target to the eye, clockwise from north
+    float elevationDeg = 12.0f;  ///< of the eye above the horizon of the target
+    float fovDeg = 40.0f;        ///< vertical field of view
     bool operator==(const CameraPose&) const = default;
 };
 
 inline constexpr float kMinFovDeg = 5.0f, kMaxFovDeg = 75.0f;
 inline constexpr float kMinDistance = 1e-3f, kMaxDistance = 20.0f;
-inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  ///< as far as pan() goes
+inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  ///< limits of pan()
 
+/// A camera in world space, ready for rendering; axes are orthonormal.
 struct Camera {
     glm::dvec3 eyeWorld{0.0};
     glm::dvec3 forward{0.0, 1.0, 0.0};  ///< unit, as are right and up
@@ -32,24 +34,25 @@ struct Camera {
     double tanHalfFovY = 0.4;
     double aspect = 1.0;  ///< width / height
 
-    /// Unit direction of the ray through a point of the picture; ndc in [-1, 1], y up.
+    /// Unit direction of the ray through a point of the image; ndc in [-1, 1], y up.
     glm::dvec3 rayDir(glm::dvec2 ndc) const;
 };
 
 /// The pose in the world of `grid`.
 Camera placeCamera(const CameraPose& pose, const RegularGrid& grid, double aspect);
 
-/// The pose in `to` that gives the view of `pose` in `from`; none where it is beyond the bounds.
+/// The pose in `to` with the same view as `pose` in `from`; empty if that is outside the limits of
+/// a pose.
 std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& from,
                                    const RegularGrid& to);
 
-/// Turns around the target; keeps clear of the poles.
+/// Rotates the eye around the target; avoids the poles.
 void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg);
 
-/// Moves the target in the picture plane by shares of the picture's height.
+/// Moves the target in the image plane, in units of the image height.
 void pan(CameraPose& pose, const RegularGrid& grid, glm::vec2 step);
 
-/// Multiplies the distance, within bounds.
+/// Multiplies the distance, within its limits.
 void dolly(CameraPose& pose, float factor);
 
 }  // namespace neph

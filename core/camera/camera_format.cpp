@@ -1,4 +1,4 @@
-// camera_format.cpp: cameras and paths out of JSON from strangers, and into it.
+// camera_format.cpp: reads cameras and paths from untrusted JSON, and writes them.
 #include "core/camera/camera_format.h"
 
 #include <fmt/format.h>
@@ -15,11 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxPathBytes = std::size_t{1} << 20;  // of 1000 keys: 160 KiB
+constexpr std::size_t kMaxPathBytes = std::size_t{1} << 20;  // 1000 keys take 160 KiB
 constexpr std::array<std::string_view, 4> kPathKeys{"type", "version", "with_time", "keys"};
 constexpr std::array<std::string_view, 2> kKeyKeys{"at_s", "camera"};
 
-/// The float that was written: doubles of JSON are rounded once.
+/// The float that was written: the double of JSON is rounded once.
 float cameraNumber(const Json& value, const CameraKey& row, std::string_view where) {
     if (value.is_number()) {
         const auto number = static_cast<float>(value.get<double>());
@@ -70,6 +70,7 @@ void warnOfOthers(const Json& object, std::span<const std::string_view> known,
     }
 }
 
+/// Times must increase strictly: the spline divides by their differences.
 PathKey readKey(const Json& value, double afterS, const std::string& where,
                 std::vector<std::string>& warnings) {
     if (!value.is_object() || !value.contains("at_s") || !value.contains("camera")) {

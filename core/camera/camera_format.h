@@ -1,9 +1,9 @@
-// camera_format.h: how cameras and camera paths are spelled in files: presets, sessions and files
-// of their own.
+// camera_format.h: the JSON format of cameras and camera paths in presets, sessions and separate
+// files.
 //
 // A camera is {"target": [x, y, z], "distance", "azimuth_deg", "elevation_deg", "fov_deg"}, a path
 // {"type": "nephoscope-camera-path", "version": 1, "with_time": true, "keys": [{"at_s": 0,
-// "camera": {...}}, ...]}. Text goes in and out, so that headers stay free of JSON.
+// "camera": {...}}, ...]}. Functions exchange text, so that headers need no JSON library.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace neph {
 
-/// A number of the camera object: the single spelling of its key and range.
+/// A number of the camera object; the only place where its key and range are written.
 struct CameraKey {
     std::string_view key;
     float CameraPose::*member;
@@ -31,29 +31,29 @@ inline constexpr std::array kCameraKeys{
 
 inline constexpr std::string_view kPathType = "nephoscope-camera-path";
 inline constexpr int kPathVersion = 1;
-inline constexpr std::size_t kMaxPathKeys = 1000;  ///< a minute has fewer
+inline constexpr std::size_t kMaxPathKeys = 1000;  ///< more than a path of one minute needs
 inline constexpr double kMaxPathS = 86400.0;       ///< a day
 
-/// The camera object on one line; reads back bit for bit.
+/// The camera object on one line; reading it back gives the same bits.
 std::string formatCamera(const CameraPose& pose);
 
-/// Reads a camera object; `where` opens the messages. Missing keys take their defaults, unknown
-/// ones are told in `warnings`. Throws Error naming key, value and range.
+/// Reads a camera object; `where` starts the messages. Missing keys get their defaults, unknown
+/// ones are reported in `warnings`. Throws Error naming key, value and range.
 CameraPose parseCamera(std::string_view json, std::string_view where,
                        std::vector<std::string>& warnings);
 
-/// A whole path object, a key of the path a line; reads back bit for bit.
+/// A complete path object, one key per line; reading it back gives the same bits.
 std::string formatCameraPath(const CameraPath& path);
 
-/// Reads a path object: at most kMaxPathKeys keys, their times rising from 0 or later to kMaxPathS
-/// at most. Throws Error.
+/// Reads a path object: at most kMaxPathKeys keys with increasing times from 0 to kMaxPathS. Throws
+/// Error.
 CameraPath parseCameraPath(std::string_view json, std::string_view where,
                            std::vector<std::string>& warnings);
 
-/// A path from a file of its own. Throws Error; what was unknown is added to `warnings`.
+/// Reads a path file. Throws Error; unknown keys are added to `warnings`.
 CameraPath loadCameraPath(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
-/// Writes aside and renames. Throws Error when the place cannot be written.
+/// Replaces the file. Throws Error if it cannot be written.
 void saveCameraPath(const std::filesystem::path& file, const CameraPath& path);
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// camera_moves.cpp: geometry of the eye rather than of the target.
+// camera_moves.cpp: camera moves defined by the eye rather than by the target.
 #include "core/camera/camera_moves.h"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 namespace neph {
 namespace {
 
-constexpr double kMargin = 0.05;         // of half the picture, around what is to fit; tuned by eye
-constexpr double kLeastAhead = 0.02;     // of an observer's target, in larger horizontal extents
-constexpr float kPoleDeg = 89.9f;        // as orbit() has it
-constexpr float kAlongGroundDeg = 0.0f;  // of an eye that looks from a side
+constexpr double kMargin = 0.05;      // of half the image, around what must fit; tuned by eye
+constexpr double kLeastAhead = 0.02;  // least distance of an observer's target, in larger extents
+constexpr float kPoleDeg = 89.9f;     // as in orbit()
+constexpr float kAlongGroundDeg = 0.0f;  // elevation of an eye that looks from a side
 
 double unitM(const RegularGrid& grid) {
     return std::max(grid.extentM().x, grid.extentM().y);
@@ -25,13 +25,14 @@ glm::vec3 shareOf(const glm::dvec3& pointM, const RegularGrid& grid) {
     return glm::vec3((pointM - grid.originM) / grid.extentM());
 }
 
+/// The equivalent angle in [0, 360).
 float turn(double deg) {
     return static_cast<float>(deg - 360.0 * std::floor(deg / 360.0));
 }
 
-/// A box as seen along the axes of a camera: what its corners ask of the eye, sideways and upwards.
-/// The eye at (c, z) sees x inside an opening of slope t where x - t z <= c - t z_eye and
-/// x + t z >= c + t z_eye for every corner: two bounds, which meet where the eye is nearest.
+/// The constraints that the corners of a box put on the eye, along one image axis. The eye at (c,
+/// z_eye) sees x at depth z within a slope t where x - t z <= c - t z_eye and x + t z >= c + t
+/// z_eye for every corner: two limits, which meet where the eye is closest.
 struct Wedge {
     double most = -std::numeric_limits<double>::max();  // of x - t z
     double least = std::numeric_limits<double>::max();  // of x + t z
@@ -43,7 +44,7 @@ struct Wedge {
     double eyeAt(double slope) const { return (least - most) / (2.0 * slope); }
 };
 
-/// Moves the eye along its direction, and sideways, to where the box just fits.
+/// Moves the eye along its view direction, and sideways, until the box just fits.
 void fitBox(CameraPose& pose, const RegularGrid& grid, const Region& box, double aspect) {
     const Camera camera = placeCamera(pose, grid, aspect);
     const double up = camera.tanHalfFovY * (1.0 - kMargin), across = up * aspect;
@@ -71,6 +72,7 @@ void zoomTo(CameraPose& pose, const RegularGrid& grid, glm::dvec2 ndc, double as
             float factor) {
     const Camera camera = placeCamera(pose, grid, aspect);
     const glm::dvec3 target = targetM(pose, grid);
+    // Half the image height at the distance of the target.
     const double half = camera.tanHalfFovY * static_cast<double>(pose.distance) * unitM(grid);
     const glm::dvec3 point =
         target + camera.right * (ndc.x * half * aspect) + camera.up * (ndc.y * half);
@@ -83,7 +85,7 @@ void zoomTo(CameraPose& pose, const RegularGrid& grid, glm::dvec2 ndc, double as
 
 bool standAt(CameraPose& pose, const RegularGrid& grid, const glm::dvec3& eyeM) {
     const glm::dvec3 forward = placeCamera(pose, grid, 1.0).forward;
-    // The distances at which the target is within its bounds: a ray in a box.
+    // Distances at which the target is within its limits: intersection of a ray and a box.
     double near = static_cast<double>(kMinDistance) * unitM(grid);
     double far = static_cast<double>(kMaxDistance) * unitM(grid);
     for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 // camera_path.cpp: between the keys, every number of the pose is a cubic that is smooth at the keys
-// and stays between them; the eye is placed so that what both keys share stays put.
+// and stays between their values; the eye is placed so that what both keys share does not move.
 //
 // [FC80] F. N. Fritsch, R. E. Carlson: Monotone piecewise cubic interpolation, 1980.
 #include "core/camera/camera_path.h"
@@ -13,11 +13,12 @@
 namespace neph {
 namespace {
 
-/// Numbers of a pose that run from key to key. Azimuths go on beyond 360.
+/// The numbers of a pose that are interpolated. Azimuths may exceed 360°.
 enum Channel { azimuth, elevation, distance, fov, targetX, targetY, targetZ, eyeX, eyeY, eyeZ };
 constexpr std::size_t kChannels = 10;
 using Values = std::array<double, kChannels>;
 
+/// The grid that poses are relative to, for conversion to metres.
 struct Frame {
     const RegularGrid& grid;
     glm::dvec3 targetM(const CameraPose& pose) const {
@@ -26,11 +27,12 @@ struct Frame {
     double unitM() const { return std::max(grid.extentM().x, grid.extentM().y); }
 };
 
-/// The angle equal to `deg` that is nearest to `nearDeg`.
+/// The angle equivalent to `deg` that is nearest to `nearDeg`.
 double unwound(double deg, double nearDeg) {
     return deg - 360.0 * std::round((deg - nearDeg) / 360.0);
 }
 
+/// Azimuths are unwound, so that the camera turns the short way round.
 std::vector<Values> valuesOf(const CameraPath& path, const Frame& frame) {
     std::vector<Values> all;
     for (const PathKey& key : path.keys) {
@@ -46,8 +48,8 @@ std::vector<Values> valuesOf(const CameraPath& path, const Frame& frame) {
     return all;
 }
 
-/// Slope at a key between two others, per second: none at a turning point, and never so steep that
-/// the cubic leaves the range between its ends; Brodlie's mean, [FC80] sec. 4.
+/// Slope at a key between two others, per second: zero at an extremum, and never so steep that the
+/// cubic leaves the range between its ends; Brodlie's mean, [FC80] sec. 4.
 double slopeBetween(double before, double here, double after, double stepBeforeS,
                     double stepAfterS) {
     const double in = (here - before) / stepBeforeS, out = (after - here) / stepAfterS;
@@ -61,13 +63,14 @@ glm::dvec3 awayOf(const Values& v) {
     return compassDirWorld(static_cast<float>(v[azimuth]), static_cast<float>(v[elevation]));
 }
 
-/// The cubics of one path in one grid.
+/// The cubics of one path on one grid.
 class Spline {
   public:
     Spline(const CameraPath& path, const Frame& frame)
         : path_(path), frame_(frame), values_(valuesOf(path, frame)) {
         for (std::size_t k = 0; k < values_.size(); ++k) slopes_.push_back(slopesAt(k));
-        // The eye goes on at a key as fast as it came, and rests where it rests on either side.
+        // At a key the velocity of the eye is continuous; it is zero if the eye rests on either
+        // side.
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const bool inside = k > 0 && k + 1 < values_.size() && moves(k - 1) && moves(k);
             velocities_.push_back(inside ? (velocity(k - 1, 1.0) + velocity(k, 0.0)) / 2.0
@@ -75,7 +78,7 @@ class Spline {
         }
     }
 
-    /// At a share of the way from key `k` to the next.
+    /// The pose at a fraction of the step from key `k` to the next.
     CameraPose pose(std::size_t k, double share) const {
         const Values v = between(k, share);
         const glm::dvec3 eye = heldEye(k, share) + correction(k, share);
@@ -93,7 +96,7 @@ class Spline {
   private:
     double stepS(std::size_t k) const { return path_.keys[k + 1].atS - path_.keys[k].atS; }
 
-    /// The path starts and ends at rest.
+    /// Zero at both ends: the path starts and ends at rest.
     Values slopesAt(std::size_t k) const {
         Values slopes{};
         if (k == 0 || k + 1 == values_.size()) return slopes;
@@ -104,7 +107,7 @@ class Spline {
         return slopes;
     }
 
-    /// Hermite's cubics.
+    /// Cubic Hermite interpolation.
     Values between(std::size_t k, double u) const {
         const double rest = 1.0 - u, step = stepS(k);
         Values v{};
@@ -116,8 +119,8 @@ class Spline {
         return v;
     }
 
-    /// Between an eye on its own way and an eye on its way round the target, by which of the two
-    /// moves more.
+    /// Blends an eye that moves on its own with one that moves around the target, according to
+    /// which of the two points moves more.
     glm::dvec3 heldEye(std::size_t k, double u) const {
         const Values v = between(k, u);
         const glm::dvec3 eye{v[eyeX], v[eyeY], v[eyeZ]};
@@ -127,7 +130,8 @@ class Spline {
         return eyeM2 > 0.0 ? glm::mix(eye, round, eyeM2 / (eyeM2 + targetM2)) : eye;
     }
 
-    /// Square of the way of a point whose coordinates begin at channel `x`.
+    /// Squared distance that a point, whose coordinates start at channel `x`, moves from key k to
+    /// the next.
     double wayM2(std::size_t k, std::size_t x) const {
         double sum = 0.0;
         for (std::size_t c = x; c < x + 3; ++c) {
@@ -137,17 +141,17 @@ class Spline {
         return sum;
     }
     bool moves(std::size_t k) const {
-        constexpr double kRest = 1e-6;  // of the domain: what floats of a pose do not tell apart
+        constexpr double kRest = 1e-6;  // of the domain: below the resolution of a pose in floats
         return std::sqrt(wayM2(k, eyeX)) > kRest * frame_.unitM();
     }
 
-    /// Of heldEye, metres per second.
+    /// Velocity of heldEye, metres per second.
     glm::dvec3 velocity(std::size_t k, double u) const {
-        constexpr double kStep = 1e-4;  // of the way: rounding and curvature weigh alike
+        constexpr double kStep = 1e-4;  // of the step: balances rounding and curvature
         return (heldEye(k, u + kStep) - heldEye(k, u - kStep)) / (2.0 * kStep * stepS(k));
     }
 
-    /// Moves heldEye so that it has the velocities wanted at both ends.
+    /// Offset of heldEye that gives it the required velocities at both ends.
     glm::dvec3 correction(std::size_t k, double u) const {
         const double rest = 1.0 - u;
         return stepS(k) * u * rest *

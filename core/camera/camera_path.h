@@ -1,6 +1,6 @@
-// camera_path.h: places that a camera passes on its way, and places worth coming back to.
+// camera_path.h: camera paths, and bookmarks of single poses.
 //
-// Poses are as in the document, shares of the grid that is shown. Files: camera_format.h.
+// Poses are as in the document, relative to the grid that is shown. Files: camera_format.h.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,35 +10,37 @@
 
 namespace neph {
 
+/// A named pose to return to.
 struct Bookmark {
     std::string name;
     CameraPose pose;
     bool operator==(const Bookmark&) const = default;
 };
 
+/// A pose that the camera has at a playback time.
 struct PathKey {
-    double atS = 0.0;  ///< seconds of playing since the start of the path
+    double atS = 0.0;  ///< seconds of playback since the start of the path
     CameraPose pose;
     bool operator==(const PathKey&) const = default;
 };
 
-/// A path through its keys, which are in order of time.
+/// A path through its keys, which are sorted by time.
 struct CameraPath {
     std::vector<PathKey> keys;
-    bool withTime = true;  ///< played from the first to the last time of the data as well
+    bool withTime = true;  ///< also plays the times of the data, from first to last
     bool operator==(const CameraPath&) const = default;
 };
 
-/// Where the path ends, seconds; 0 without keys.
+/// Duration of the path, seconds; 0 without keys.
 double durationS(const CameraPath& path);
 
-/// The camera at a time of playing: smooth between the keys, exactly theirs at their times, that of
-/// the first before it and of the last after it. Where two keys share their target, the way between
-/// is round it; where they share their eye, the eye stays. Default pose without keys.
+/// The camera at a playback time: smooth between the keys, exactly theirs at their times, that of
+/// the first before it and of the last after it. Between two keys with the same target the eye
+/// moves around it; between two with the same eye the eye stays. Default pose without keys.
 CameraPose poseAt(const CameraPath& path, const RegularGrid& grid, double atS);
 
-/// Which of `count` times of the data to show, each for the same share of the path; none where the
-/// path leaves the time alone.
+/// Which of `count` times of the data to show, each for an equal part of the path; empty if the
+/// path does not play the times.
 std::optional<int> timeAt(const CameraPath& path, double atS, int count);
 
 }  // namespace neph

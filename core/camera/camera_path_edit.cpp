@@ -1,4 +1,4 @@
-// camera_path_edit.cpp: keys in, keys about, within the bounds of files.
+// camera_path_edit.cpp: adds and moves keys within the limits of the file format.
 #include "core/camera/camera_path_edit.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void setDuration(CameraPath& path, double durationS) {
         closest = std::min(closest, path.keys[i].atS - path.keys[i - 1].atS);
     }
     const double whole = path.keys.back().atS;
-    // No two keys come closer than they may, or than they were.
+    // Keys do not come closer than the least step, or than they were.
     const double least = whole * std::min(1.0, kLeastStepS / closest);
     const double scale = std::clamp(durationS, least, kMaxPathS) / whole;
     for (PathKey& key : path.keys) key.atS *= scale;

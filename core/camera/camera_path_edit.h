@@ -1,4 +1,4 @@
-// camera_path_edit.h: changes of a camera path that keep its keys in order of time.
+// camera_path_edit.h: edits of a camera path that keep its keys sorted by time.
 #pragma once
 #include <cstddef>
 
@@ -8,17 +8,17 @@ namespace neph {
 
 inline constexpr double kLeastStepS = 0.1;  ///< between two keys
 
-/// Puts a key at a time of playing, in the place of one that is there within kLeastStepS. Returns
-/// its index; none where the path has as many keys as a file may.
+/// Adds a key at a playback time, or replaces one within kLeastStepS of it. Returns its index;
+/// empty if the path has as many keys as a file may have.
 std::optional<std::size_t> insertKey(CameraPath& path, double atS, const CameraPose& pose);
 
-/// Gives a key another time, as far as its neighbours let it go.
+/// Moves a key to another time, as far as its neighbours allow.
 void setKeyTime(CameraPath& path, std::size_t index, double atS);
 
-/// Lets two neighbours change places; their times stay.
+/// Swaps the poses of two neighbouring keys; their times stay.
 void swapWithNext(CameraPath& path, std::size_t index);
 
-/// Stretches all times, so that the path takes so long.
+/// Scales all times so that the path has this duration.
 void setDuration(CameraPath& path, double durationS);
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// dataset.cpp: merges files into one series and reads from whichever file holds a time.
+// dataset.cpp: merges files into one series and reads from the file that contains a time.
 #include "core/dataset/dataset.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The document's words and the ABI's are the same numbers.
+// The enumerations of dataset.h and of the ABI have the same values, so casts convert them.
 static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
 static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
 static_assert(static_cast<int>(VariableRole::numberConcentration) ==
@@ -39,12 +39,14 @@ VariableInfo infoOf(const FileVariable& variable) {
     return info;
 }
 
-/// What a data set keeps of one of its files.
+/// What a data set keeps about one of its files.
 struct KnownFile {
     fs::path path;
-    std::map<std::string, std::size_t, std::less<>> variables;  ///< name to index in the file
+    std::map<std::string, std::size_t, std::less<>> variables;  ///< index in the file, by name
 };
 
+/// A data set that reads through a reader plugin. One file is open at a time, because series are
+/// read time by time.
 class SeriesDataset : public Dataset {
   public:
     explicit SeriesDataset(const Series& series);
@@ -71,7 +73,7 @@ class SeriesDataset : public Dataset {
 
     std::shared_ptr<const ReaderPlugin> reader_;
     std::shared_ptr<const KnownFiles> files_;  ///< shared by all handles
-    std::unique_ptr<ReaderFile> open_;         ///< the file read last
+    std::unique_ptr<ReaderFile> open_;         ///< the file that was read last, still open
     fs::path openPath_;
 };
 
@@ -112,12 +114,14 @@ void SeriesDataset::describe(const FileDescription& first) {
     info_.attributes = first.attributes;
 }
 
+/// A variable that only some files have is listed; reading it at another time is an error.
 void SeriesDataset::mergeVariables(const FileDescription& file) {
     for (const FileVariable& variable : file.variables) {
         if (info_.find(variable.name) == nullptr) info_.variables.push_back(infoOf(variable));
     }
 }
 
+/// Sorts by time, drops duplicates with a note, and makes seconds relative to the first time.
 void SeriesDataset::sortTimes() {
     std::ranges::stable_sort(info_.times, {}, &TimeInfo::seconds);
     std::vector<TimeInfo> kept;
@@ -145,7 +149,7 @@ ReaderFile& SeriesDataset::opened(const KnownFile& file, const Progress& progres
     return *open_;
 }
 
-/// Throws when a file was replaced since the series was opened and no longer holds what it did.
+/// Throws Error if a file was replaced since the series was opened and has other contents.
 void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo& when,
                                      std::string_view variable, std::size_t index) const {
     const auto time = static_cast<std::size_t>(when.indexInFile);
@@ -159,6 +163,7 @@ void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo&
                  .hint = "open it again"});
 }
 
+/// The error for a variable that a file lacks, with the nearest name or the likely cause.
 Error SeriesDataset::missing(const TimeInfo& when, const KnownFile& file,
                              std::string_view variable) const {
     std::vector<std::string_view> names;

@@ -1,4 +1,4 @@
-// file_list.cpp: paths checked, the bundled samples found.
+// file_list.cpp: checks paths and finds the bundled samples.
 #include "core/dataset/file_list.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::vector<fs::path> filesIn(std::span<const fs::path> paths) {
         const std::size_t before = files.size();
         for (const auto& item : fs::directory_iterator(path, error)) {
             const bool hidden = item.path().filename().string().starts_with('.');
-            std::error_code unseen;  // a link that leads nowhere is no file
+            std::error_code unseen;  // dangling links are skipped
             if (!hidden && item.is_regular_file(unseen)) files.push_back(item.path());
         }
         std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());

@@ -1,5 +1,5 @@
-// header_cache.cpp: descriptions as the reader processes send them. What the files of a series say
-// alike is written once.
+// header_cache.cpp: descriptions in the format of the reader processes. What the files of a series
+// have in common is written once.
 #include "core/dataset/header_cache.h"
 
 #include <fmt/format.h>
@@ -21,18 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kVersion = 2;  // raised with every change of what is written
+constexpr std::uint32_t kVersion = 2;  // increase it with every change of the format
 constexpr std::string_view kExtension = ".headers";
-constexpr std::size_t kMostFolders = 64;           // cache files that are kept
-constexpr std::uintmax_t kMostBytes = 32U << 20U;  // of one cache file
+constexpr std::size_t kMostFolders = 64;           // number of cache files that are kept
+constexpr std::uintmax_t kMostBytes = 32U << 20U;  // size of one cache file
 
-/// What a cache file opens with.
+/// The first line of a cache file: it detects damage, not tampering.
 std::string checksumOf(std::string_view body) {
     return fmt::format("{:016x}\n", hashOf(body));
 }
 constexpr std::size_t kChecksumLength = 17;
 
-/// Everything but the times.
+/// A description without its times, which differ from file to file.
 std::string packCommon(FileDescription description) {
     description.times.clear();
     wire::Packer to;
@@ -40,7 +40,7 @@ std::string packCommon(FileDescription description) {
     return to.take();
 }
 
-/// Makes room for one more cache file.
+/// Removes the oldest cache files to make room for one more.
 void prune(const fs::path& cacheFolder) {
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     for (const auto& entry : fs::directory_iterator(cacheFolder)) {
@@ -83,10 +83,11 @@ HeaderCache::HeaderCache(fs::path cacheFolder, const fs::path& dataFolder,
     try {
         load();
     } catch (const std::exception&) {
-        entries_.clear();  // of another make: it is written anew
+        entries_.clear();  // of another version or damaged: it will be overwritten
     }
 }
 
+/// Everything is compared before it is used: checksum, version, folder and reader.
 void HeaderCache::load() {
     const auto stamp = headerStampOf(cacheFile_);
     if (!stamp || stamp->bytes > kMostBytes) return;

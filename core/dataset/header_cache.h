@@ -1,9 +1,9 @@
-// header_cache.h: what readers said of files before, so that a long series need not be opened file
-// by file again.
+// header_cache.h: remembers file descriptions, so that a long series need not be opened file by
+// file again.
 //
-// An entry counts only while path, size, time of change (to the nanosecond), the reader and its
-// library are what they were. One cache file holds the entries of one folder of data; whatever is
-// odd about it, it counts as empty.
+// An entry is valid only while path, size, modification time (to the nanosecond), the reader and
+// its library are unchanged. One cache file holds the entries of one data folder; a damaged one
+// counts as empty.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -16,23 +16,25 @@
 
 namespace neph {
 
-/// By which a file is known to be unchanged.
+/// Size and modification time, which show whether a file has changed.
 struct HeaderStamp {
     std::uintmax_t bytes = 0;
     std::int64_t changedNs = 0;
     bool operator==(const HeaderStamp&) const = default;
 };
 
-/// None for what is no regular file.
+/// Empty for anything but a regular file.
 std::optional<HeaderStamp> headerStampOf(const std::filesystem::path& file);
 
+/// The cached descriptions of the files in one folder, for one reader.
 class HeaderCache {
   public:
-    /// Entries of the files in `dataFolder`, kept in a file of `cacheFolder`; empty: nowhere.
+    /// The entries of the files in `dataFolder`, stored in a file of `cacheFolder`; nothing is
+    /// stored if that is empty.
     HeaderCache(std::filesystem::path cacheFolder, const std::filesystem::path& dataFolder,
                 const ReaderName& reader);
 
-    /// The user's own cache.
+    /// Folder of the header cache below the user's cache folder.
     static std::filesystem::path standardFolder();
 
     std::optional<FileDescription> find(const std::filesystem::path& file,
@@ -41,7 +43,8 @@ class HeaderCache {
              FileDescription description);
 
     /// Writes what `put` has added, without entries whose files have changed or gone, and removes
-    /// the cache files used longest ago where there are too many. Faults are no loss and silent.
+    /// the oldest cache files if there are too many. Errors are ignored: the cache is only a
+    /// shortcut.
     void save() const;
 
   private:
@@ -52,9 +55,9 @@ class HeaderCache {
     void load();
 
     std::filesystem::path cacheFile_;
-    std::string folder_;                    ///< of the data, absolute
+    std::string folder_;                    ///< data folder, absolute
     std::string reader_;                    ///< id, version and stamp of its library
-    std::map<std::string, Entry> entries_;  ///< by the name of the file
+    std::map<std::string, Entry> entries_;  ///< by file name
     bool changed_ = false;
 };
 

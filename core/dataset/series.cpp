@@ -1,4 +1,4 @@
-// series.cpp: which files belong together, and headers read in parallel.
+// series.cpp: decides which files belong together; reads headers in parallel.
 #include "core/dataset/series.h"
 
 #include <fmt/format.h>
@@ -24,14 +24,15 @@ constexpr std::size_t kNamedLeftOut = 3;
 /// A file that may be part of the series.
 struct Candidate {
     fs::path path;
-    fs::path folder{};  ///< that stands for it; empty where the user named the file itself
-    std::optional<HeaderStamp> stamp{};  ///< taken before it is read
+    fs::path folder{};  ///< the folder that the user named; empty if the file itself was named
+    std::optional<HeaderStamp> stamp{};  ///< taken first, so that a later change invalidates it
     std::optional<FileDescription> description{};
     std::optional<Error> fault{};
 
     bool mayFail() const { return !folder.empty(); }
 };
 
+/// Whether a reader accepts the folder itself, as for a MicroHH case.
 bool takenWhole(const fs::path& folder, const PluginHost& host, const Progress& progress) {
     try {
         host.pick(folder, progress);
@@ -41,6 +42,7 @@ bool takenWhole(const fs::path& folder, const PluginHost& host, const Progress& 
     }
 }
 
+/// Replaces folders by their files, unless a reader accepts the folder as a whole.
 std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host,
                                     const Progress& progress) {
     std::vector<Candidate> candidates;
@@ -69,10 +71,12 @@ std::string gridText(const FileDescription& file) {
                        file.spacingM.x, file.spacingM.y);
 }
 
+/// Files of one series need the same native grid; their variables may differ.
 bool sameGrid(const FileDescription& a, const FileDescription& b) {
     return a.size == b.size && a.spacingM == b.spacingM;
 }
 
+/// The steps that turn candidates into a series.
 class SeriesMaker {
   public:
     SeriesMaker(std::vector<Candidate> candidates, const PluginHost& host, fs::path cacheFolder)
@@ -94,7 +98,7 @@ class SeriesMaker {
         std::string grid;  ///< of the first
     };
 
-    /// The first candidate that can be read gives the reader.
+    /// The first readable candidate determines the reader.
     void findFirst(const Progress& progress) {
         for (; first_ < candidates_.size(); ++first_) {
             Candidate& candidate = candidates_[first_];
@@ -155,7 +159,7 @@ class SeriesMaker {
         }
     }
 
-    /// What is wrong with a file that the user named: it may be another reader's.
+    /// The error for a file that the user named: it may belong to another reader.
     Error foreign(const Candidate& candidate, const Error& error) const {
         const auto reader = host_.pick(candidate.path);
         if (reader == series_.reader) return error;
@@ -167,7 +171,8 @@ class SeriesMaker {
                       .hint = "open files of one model run together"});
     }
 
-    /// Into the series, or out of it.
+    /// Adds a candidate to the series, or leaves it out with a note; throws Error if the user named
+    /// it.
     void sort(Candidate& candidate) {
         const std::string name = candidate.path.filename().string();
         LeftOut* left = candidate.mayFail() ? &leftOut_[candidate.folder] : nullptr;

@@ -1,8 +1,8 @@
-// series.h: from files and folders to what a reader says of each file of one series.
+// series.h: from files and folders to the description of each file of one series.
 //
 // The first file chooses the reader by its content; the others are opened with that reader, several
 // at once, or taken from the header cache. Named files must all be readable. A folder stands for
-// the series in it: what does not belong to it is left out and noted.
+// the series in it: files that do not belong to it are left out and noted.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -16,19 +16,21 @@
 
 namespace neph {
 
+/// One file of a series with its description.
 struct SeriesFile {
-    std::filesystem::path path;  ///< a file, or a folder that a reader takes as a whole
+    std::filesystem::path path;  ///< a file, or a folder that a reader accepts as a whole
     FileDescription description;
 };
 
+/// The files of a series, and the reader that they have in common.
 struct Series {
     std::shared_ptr<const ReaderPlugin> reader;
     std::vector<SeriesFile> files;   ///< at least one; all on one grid
     std::vector<std::string> notes;  ///< what was left out
 };
 
-/// Describes the series that `named` files and folders hold; reads headers alone. Entries of the
-/// header cache are kept under `cacheFolder`; empty: none. Throws Error or Cancelled.
+/// Describes the series that `named` files and folders contain; reads headers only. The header
+/// cache is kept under `cacheFolder`; there is none if that is empty. Throws Error or Cancelled.
 Series describeSeries(std::span<const std::filesystem::path> named, const PluginHost& host,
                       const std::filesystem::path& cacheFolder, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// series_watch.cpp: the watching thread.
+// series_watch.cpp: the thread that watches files, and when a change counts as settled.
 #include "core/dataset/series_watch.h"
 
 #include <utility>
@@ -8,7 +8,7 @@
 namespace neph {
 namespace {
 
-constexpr int kMostRestlessLooks = 15;  // half a minute at two seconds a look
+constexpr int kMostRestlessLooks = 15;  // half a minute at two seconds per check
 
 }  // namespace
 
@@ -74,7 +74,8 @@ void SeriesWatch::run(const std::stop_token& stop) {
     }
 }
 
-/// Makes a change of what is seen now, where it differs from what was told and has come to rest.
+/// Reports a change if the files differ from the last report and have stopped changing, or have not
+/// stopped for kMostRestlessLooks checks.
 void SeriesWatch::compare(std::vector<FileStamp> now) {
     const bool restless = now != lastLook_;
     lastLook_ = now;

@@ -1,9 +1,9 @@
-// series_watch.h: notices that the files of a series grow, or that there are new ones.
+// series_watch.h: notices when the files of a series grow, or new ones appear.
 //
-// A thread of its own looks at names, sizes and times of change every few seconds, never into the
-// files. What is still changing between two looks is left alone, so that a file is read when its
-// writer pauses rather than in the middle of a write; a writer that never pauses is read all the
-// same after a while.
+// A separate thread checks names, sizes and modification times every few seconds, never the
+// contents. A file that still changes between two checks is left alone, so that it is read when its
+// writer pauses rather than in the middle of a write; if a writer never pauses, it is read anyway
+// after a while.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -18,7 +18,7 @@
 
 namespace neph {
 
-/// A file as it was seen from outside.
+/// Path, size and modification time of a file at one check.
 struct FileStamp {
     std::filesystem::path path;
     std::uintmax_t bytes = 0;
@@ -26,27 +26,28 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// Stamps of files, and of the files in folders; those that are not there are left out.
+/// Stamps of files, and of the files in folders; missing ones are left out.
 std::vector<FileStamp> stampsOf(std::span<const std::filesystem::path> paths);
 
+/// Watches the files of one series at a time.
 class SeriesWatch {
   public:
-    /// `wake` is called on the watching thread when a change waits to be taken.
+    /// `wake` is called on the watching thread when a change is ready to be taken.
     explicit SeriesWatch(std::function<void()> wake = {},
                          std::chrono::milliseconds interval = std::chrono::seconds(2));
     ~SeriesWatch();
     SeriesWatch(const SeriesWatch&) = delete;
     SeriesWatch& operator=(const SeriesWatch&) = delete;
 
-    /// Watches files and folders from now on, instead of what was watched before. `seen`: the files
+    /// Watches these files and folders from now on, instead of the previous ones. `seen`: the files
     /// as they were when they were read.
     void watch(std::vector<std::filesystem::path> paths, std::vector<FileStamp> seen);
     void stop() { watch({}, {}); }
 
-    /// Looks at once rather than when the interval is over.
+    /// Checks at once instead of waiting for the interval to end.
     void lookNow();
 
-    /// The files as they are now, once for every change.
+    /// The files as they are now; returned once per change.
     std::optional<std::vector<FileStamp>> takeChange();
 
   private:
@@ -58,12 +59,12 @@ class SeriesWatch {
     std::mutex mutex_;
     std::condition_variable_any asked_;
     std::vector<std::filesystem::path> paths_;  // empty: nothing is watched
-    std::vector<FileStamp> told_, lastLook_;    // as last told, and as last seen
+    std::vector<FileStamp> told_, lastLook_;    // as last reported, and as last checked
     std::optional<std::vector<FileStamp>> change_;
-    std::uint64_t generation_ = 0;  // of `paths_`
+    std::uint64_t generation_ = 0;  // increases with every change of `paths_`
     int restlessLooks_ = 0;
     bool lookNow_ = false;
-    std::jthread watcher_;  // last, so that it ends before what it uses
+    std::jthread watcher_;  // last, so that it ends before the members it uses
 };
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// grid.h: regular grids in metres and the arrays that lie on them.
+// grid.h: regular grids in metres and the arrays on them.
 //
 // World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain,
 // z is height above sea level. Arrays are cell-centred, x fastest, then y, then z.
@@ -10,8 +10,7 @@
 
 namespace neph {
 
-/// Unit vector of a direction given as on a compass: azimuth from north clockwise, elevation above
-/// the horizon.
+/// Unit vector of a compass direction: azimuth clockwise from north, elevation above the horizon.
 inline glm::dvec3 compassDirWorld(float azimuthDeg, float elevationDeg) {
     const double azimuth = glm::radians(static_cast<double>(azimuthDeg));
     const double elevation = glm::radians(static_cast<double>(elevationDeg));
@@ -51,6 +50,7 @@ struct Array3 {
                  fill) {}
 
     bool empty() const { return values.empty(); }
+    /// Index into `values`.
     std::size_t index(int x, int y, int z) const {
         return static_cast<std::size_t>(x) +
                static_cast<std::size_t>(size.x) *

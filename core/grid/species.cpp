@@ -1,4 +1,4 @@
-// species.cpp: what a volume holds.
+// species.cpp: how a volume holds its species, and how much memory that takes.
 #include "core/grid/species.h"
 
 namespace neph {

@@ -1,8 +1,8 @@
-// species.h: the hydrometeors, and what holds their mass on a regular grid.
+// species.h: the hydrometeors, and the volume that holds them on a regular grid.
 //
 // Radii are those of [Riley03] table 3, colours those of its table 2; particle densities are from
-// docs/physics.md. Hail is not in the paper: its radius is the smallest that counts as hail (5 mm
-// diameter stones, [AMS]) and its density Morrison's.
+// docs/physics.md. Hail is not in the paper: its radius is the smallest that counts as hail (stones
+// of 5 mm diameter, [AMS]), its density that of Morrison's scheme.
 #pragma once
 #include <array>
 #include <optional>
@@ -14,9 +14,11 @@
 
 namespace neph {
 
+/// The hydrometeors that a volume can hold; values are indices into arrays.
 enum class Species : int { cloud, ice, rain, snow, graupel, hail };
 inline constexpr int kSpeciesCount = 6;
 
+/// Properties of a species that do not depend on the data.
 struct SpeciesInfo {
     std::string_view id;          ///< spelling in parameter ids and JSON
     std::string_view label;       ///< spelling on screen
@@ -42,16 +44,16 @@ constexpr const SpeciesInfo& info(Species s) {
 /// How a volume holds a species.
 enum class Holding : int { absent, content, extinction };
 
-/// Every hydrometeor on one regular grid at one time: what the renderer is given. Owns its data.
+/// Every hydrometeor on one regular grid at one time: the input of the renderer. Owns its data.
 ///
-/// A species is held in one of two ways: as mass content where its particles have one size for the
-/// whole picture, or as extinction where their size comes from the model and so changes from cell
-/// to cell. Either is additive, so that remapping and averaging keep its column integral.
+/// A species is held in one of two ways: as mass content where its particles have one size in the
+/// whole volume, or as extinction where their size comes from the model and so varies from cell to
+/// cell. Both are additive, so remapping and averaging conserve their column integrals.
 struct SpeciesVolume {
     RegularGrid grid;
     /// kg of hydrometeor per m³ of air, size `grid.size`, or empty.
     std::array<Array3f, kSpeciesCount> contentKgPerM3{};
-    /// Extinction coefficient, 1/m, size `grid.size`, or empty. At a mixing scale of 1.
+    /// Extinction coefficient, 1/m, size `grid.size`, or empty. For a mixing scale of 1.
     std::array<Array3f, kSpeciesCount> extinctionPerM{};
     std::string timeLabel;
     double timeSeconds = 0.0;        ///< since the first time of the series
@@ -69,6 +71,7 @@ struct SpeciesVolume {
     const Array3f& extinction(Species s) const {
         return extinctionPerM[static_cast<std::size_t>(s)];
     }
+    /// Memory of the fields, for the volume cache.
     std::size_t bytes() const;
 };
 

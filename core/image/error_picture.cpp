@@ -1,4 +1,4 @@
-// error_picture.cpp: two colour maps, letters of 5 by 7 pixels, and a bar.
+// error_picture.cpp: two colour maps, a font of 5 by 7 pixels, and a colour bar.
 #include "core/image/error_picture.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace neph {
 namespace {
 
-using Map = std::array<glm::ivec3, 9>;  // sRGB of 8 bits, evenly spaced
+using Map = std::array<glm::ivec3, 9>;  // 8-bit sRGB, evenly spaced
 
 /// [SmithVdWalt15]
 constexpr Map kMagma{{{0, 0, 4},
@@ -38,15 +38,16 @@ constexpr Map kCoolWarm{{{59, 76, 192},
                          {180, 4, 38}}};
 
 constexpr double kLeastEnd = 1e-3;
-constexpr double kShareWithin = 0.99;  // of the errors within the bar
+constexpr double kShareWithin = 0.99;  // of the errors that the bar covers
 
-// The legend in units of a letter's pixel, which grows with the picture.
+// The legend, in units of one pixel of the font, which grows with the image.
 constexpr int kWidthPerUnit = 480, kLeastWidth = 240;
 constexpr int kHeight = 26, kMargin = 4, kBarHeight = 8, kTickHeight = 2, kLabelTop = 15;
 constexpr int kAdvance = 6, kGlyphWidth = 5, kGlyphHeight = 7;
 constexpr int kTicks = 5;
 constexpr glm::ivec3 kPaper{24, 24, 24}, kInk{230, 230, 230};
 
+/// One letter of the font, which is built in so that legends need no font file.
 struct Glyph {
     char letter;
     std::array<std::uint8_t, kGlyphHeight> rows;  // from the top, the left pixel is bit 4
@@ -68,6 +69,7 @@ constexpr std::array<Glyph, 26> kGlyphs{{
     {'L', {16, 16, 16, 16, 16, 16, 31}}, {'P', {30, 17, 17, 30, 16, 16, 16}},
 }};
 
+/// Linear between the points of the map; `share` in [0, 1].
 glm::vec3 along(const Map& map, double share) {
     const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(map.size() - 1);
     const auto from = std::min(static_cast<std::size_t>(at), map.size() - 2);
@@ -75,6 +77,7 @@ glm::vec3 along(const Map& map, double share) {
     return glm::mix(glm::vec3(map[from]), glm::vec3(map[from + 1]), mixed) / 255.0f;
 }
 
+/// Pixels outside the image are ignored, so that text may be clipped.
 void put(Image8& image, int x, int y, const glm::ivec3& colour) {
     if (x < 0 || y < 0 || x >= image.size.x || y >= image.size.y) return;
     const std::size_t at =
@@ -117,13 +120,14 @@ glm::ivec3 toBytes(const glm::vec3& colour) {
     return glm::ivec3(glm::round(colour * 255.0f));
 }
 
-/// What stands at a tick; beyond the ends there may be more.
+/// The label of a tick; "<" and ">" at the ends, beyond which errors may lie.
 std::string labelAt(double error, bool end, const ErrorScale& scale) {
     if (!scale.percent) return numberText(error, 3);
     const char* beyond = !end ? "" : error < 0.0 ? "<" : ">";
     return beyond + numberText(100.0 * error, 3) + "%";
 }
 
+/// Title, colour bar and tick labels below the image.
 void drawLegend(Image8& image, int top, int unit, const ErrorScale& scale) {
     fill(image, {0, top}, {image.size.x, kHeight * unit}, kPaper);
     const int barTop = top + kMargin * unit;
@@ -155,6 +159,7 @@ glm::vec3 errorColour(double error, const ErrorScale& scale) {
     return along(kCoolWarm, 0.5 + 0.5 * error / scale.most);
 }
 
+// The last per cent of the errors may be single bright pixels: they should not set the scale.
 double roundEnd(std::span<const float> errors) {
     std::vector<float> magnitudes;
     for (const float error : errors) magnitudes.push_back(std::abs(error));

@@ -1,7 +1,7 @@
-// error_picture.h: errors of a picture's pixels as colours, with a legend that says what they mean.
+// error_picture.h: shows the error of each pixel as a colour, with a legend.
 //
-// sRGB, 8 bits. Magnitudes go along magma, from black, no error, to pale yellow; signed errors
-// along cool-warm, from blue, too dark, over grey to red, too bright. docs/references.md
+// 8-bit sRGB. Magnitudes use the colour map magma, from black (no error) to pale yellow; signed
+// errors use cool-warm, from blue (too dark) through grey to red (too bright). docs/references.md
 #pragma once
 #include <span>
 #include <string>
@@ -11,20 +11,20 @@
 namespace neph {
 
 struct ErrorScale {
-    double most = 1.0;       ///< error at the end of the bar; larger ones have its colour
-    bool bothSigns = false;  ///< the bar goes from -most; else from 0, and signs are left out
-    bool percent = true;     ///< the numbers at the bar, of an error of which 1 is 100 %
-    std::string title{};     ///< before the bar: "|A-B|/B", of the characters that there are
+    double most = 1.0;       ///< error at the end of the bar; larger ones get its colour
+    bool bothSigns = false;  ///< the bar starts at -most; otherwise at 0, and signs are ignored
+    bool percent = true;     ///< the labels are in percent, an error of 1 being 100 %
+    std::string title{};     ///< left of the bar: "|A-B|/B"; only characters of the font
 };
 
-/// sRGB in [0, 1] of an error.
+/// Colour of an error, sRGB in [0, 1].
 glm::vec3 errorColour(double error, const ErrorScale& scale);
 
-/// 1, 2 or 5 times a power of ten which the magnitudes of 99 % of `errors` do not exceed; at least
+/// The smallest 1, 2 or 5 times a power of ten that 99 % of the magnitudes do not exceed; at least
 /// 0.1 %.
 double roundEnd(std::span<const float> errors);
 
-/// The errors of a picture of `size`, row 0 on top, and a bar with numbers below it.
+/// The errors of an image of `size`, row 0 on top, with a labelled colour bar below it.
 Image8 errorPicture(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale);
 
 }  // namespace neph

@@ -1,9 +1,10 @@
-// flip.cpp: opponent colours, filtered as the eye does; then differences of colour and of features.
+// flip.cpp: opponent colours, filtered like the eye does; then differences of colour and of
+// features.
 //
-// Colours are X, Y and Z as shares of the white's. From them come the opponent channels of
-// [Andersson20] but for their scales, which linear filters whose weights sum to 1 leave as they
-// are. All filters are products of one along rows and one along columns. Beyond the border pictures
-// go on as their last pixel. The work is done in bands of rows.
+// Colours are X, Y and Z relative to white. From them come the opponent channels of [Andersson20]
+// without their scale factors, which have no effect here: the filters are linear and their weights
+// sum to 1. All filters are separable into one along rows and one along columns. Beyond the border
+// an image continues as its last pixel. The work is done in bands of rows.
 #include "core/image/flip.h"
 
 #include <algorithm>
@@ -22,10 +23,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kBandRows = 32;
-constexpr float kBrightest = 1e6f;  // white after the tone mapper, and no overflow within it
-// [Andersson21] takes out the pre-exposure of the fit of ACES.
+constexpr float kBrightest = 1e6f;  // white after tone mapping, without overflow inside it
+// [Andersson21] removes the pre-exposure of the ACES fit.
 constexpr float kAcesGain = 0.6f;
-constexpr double kWhiteShare = 0.85;  // [Andersson21]: what the extreme luminances come to
+constexpr double kWhiteShare = 0.85;  // [Andersson21]: where the extreme luminances are mapped to
 
 // Contrast sensitivity as sums of Gaussians, amplitude and scale in degrees². [Andersson20]
 struct Gaussian {
@@ -33,12 +34,12 @@ struct Gaussian {
 };
 constexpr Gaussian kAchromatic{1.0, 0.0047}, kRedGreen{1.0, 0.0053};
 constexpr std::array<Gaussian, 2> kBlueYellow{{{34.1, 0.04}, {13.5, 0.025}}};
-constexpr double kSupport = 3.0;         // standard deviations of the widest that filters reach
+constexpr double kSupport = 3.0;         // filter radius, in standard deviations of the widest
 constexpr double kFeatureWidth = 0.082;  // degrees from peak to trough. [Andersson20]
 // Exponents and the knee of the redistributed colour error. [Andersson20]
 constexpr float kColourExponent = 0.7f, kKneeAt = 0.4f, kKneeError = 0.95f;
 
-/// One filter along a line, of 2 radius + 1 weights.
+/// A filter along a line, of 2 radius + 1 weights.
 using Kernel = std::vector<float>;
 
 Kernel toKernel(const std::vector<double>& weights, double scale) {
@@ -60,7 +61,7 @@ double sumOf(const std::vector<double>& weights) {
     return std::accumulate(weights.begin(), weights.end(), 0.0);
 }
 
-/// Positive weights sum to 1 and negative ones to -1.
+/// Scales positive weights to sum to 1 and negative ones to sum to -1.
 Kernel balanced(std::vector<double> weights) {
     double up = 0.0, down = 0.0;
     for (const double weight : weights) (weight > 0.0 ? up : down) += std::abs(weight);
@@ -68,19 +69,19 @@ Kernel balanced(std::vector<double> weights) {
     return toKernel(weights, 1.0);
 }
 
-/// All that depends on the pixels of a degree alone.
+/// Everything that depends only on the pixels per degree.
 struct Filters {
     explicit Filters(double pixelsPerDegree);
 
     int radius = 0;
     Kernel achromatic, redGreen;
     std::array<Kernel, 2> blueYellow;
-    std::array<float, 2> share{};  // of each in the whole
+    std::array<float, 2> share{};  // weight of each Gaussian in the sum
     Kernel smooth, edge, point;
 };
 
 Filters::Filters(double pixelsPerDegree) {
-    // exp(-π²d²/scale) of d in degrees, whose standard deviation is √(scale/2)/π.
+    // exp(-π²d²/scale) with d in degrees has the standard deviation √(scale/2)/π.
     const auto width = [&](const Gaussian& of) {
         return std::sqrt(of.scale) / kPi * pixelsPerDegree;
     };
@@ -117,7 +118,7 @@ Filters::Filters(double pixelsPerDegree) {
     point = balanced(second);
 }
 
-/// X, Y and Z as shares of the white's, from linear RGB; from the chromaticities of [BT709].
+/// Matrix from linear RGB to X, Y and Z relative to white, from the chromaticities of [BT709].
 glm::mat3 whiteShareFromRgb() {
     const auto colour = [](double x, double y) {
         return glm::dvec3(x / y, 1.0, (1.0 - x - y) / y);
@@ -133,21 +134,22 @@ glm::mat3 whiteShareFromRgb() {
 const glm::mat3 kSharesFromRgb = whiteShareFromRgb();
 const glm::mat3 kRgbFromShares = glm::inverse(kSharesFromRgb);
 
-/// How a picture is looked at.
+/// How an image is displayed: clipped, or tone mapped after `gain`.
 struct Showing {
     bool toned = false;
     float gain = 1.0f;
 };
 
+/// The colour on screen of a pixel: linear, in [0, 1].
 glm::vec3 shown(const glm::vec4& pixel, const Showing& showing) {
     const glm::vec3 colour(pixel);
     if (!showing.toned) return glm::clamp(colour, 0.0f, 1.0f);
     return glsl::filmic(kAcesGain * glm::clamp(colour * showing.gain, 0.0f, kBrightest));
 }
 
-/// Rows of one opponent channel with `radius` more pixels on each side.
+/// Rows of one opponent channel, padded by `radius` pixels on each side.
 struct Padded {
-    int width = 0, rows = 0;  // without what is more
+    int width = 0, rows = 0;  // without the padding
     int radius = 0;
     std::vector<float> values;
     std::size_t stride() const { return static_cast<std::size_t>(width + 2 * radius); }
@@ -157,7 +159,7 @@ struct Padded {
     }
 };
 
-/// Achromatic, red-green and blue-yellow of `rows` rows from `first`.
+/// Achromatic, red-green and blue-yellow channels of `rows` rows, starting at `first`.
 std::array<Padded, 3> opponents(const ImageF& image, const Showing& showing, int first, int rows,
                                 int radius) {
     std::array<Padded, 3> channels;
@@ -184,11 +186,12 @@ std::array<Padded, 3> opponents(const ImageF& image, const Showing& showing, int
     return channels;
 }
 
+/// A loop that compilers vectorise; filtering takes most of the time.
 void addScaled(const float* from, float weight, int count, float* to) {
     for (int i = 0; i < count; ++i) to[i] += weight * from[i];
 }
 
-/// Filtered along rows and along columns.
+/// Filters along rows, then along columns.
 std::vector<float> filtered(const Padded& channel, const Kernel& across, const Kernel& down) {
     const int radius = channel.radius, width = channel.width;
     const auto stride = static_cast<std::size_t>(width);
@@ -208,7 +211,7 @@ std::vector<float> filtered(const Padded& channel, const Kernel& across, const K
     return result;
 }
 
-/// CIE L*a*b* of linear RGB within [0, 1]; a* and b* less where it is dark, after Hunt.
+/// CIE L*a*b* of linear RGB within [0, 1]; a* and b* are reduced in the dark, after Hunt.
 /// [Andersson20]
 glm::vec3 perceived(const glm::vec3& rgb) {
     constexpr float kDelta = 6.0f / 29.0f;
@@ -224,24 +227,27 @@ glm::vec3 perceived(const glm::vec3& rgb) {
             0.01f * lightness * 200.0f * (f.y - f.z)};
 }
 
-/// Distance of [Abasi20] to the power of [Andersson20].
+/// HyAB distance [Abasi20], to the power of [Andersson20].
 float colourDistance(const glm::vec3& a, const glm::vec3& b) {
     const float hyab = std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
     return std::pow(hyab, kColourExponent);
 }
 
-/// What the eye makes of a band of one picture.
+/// A band of one image as the eye perceives it: filtered colours, edges and points.
 struct Seen {
     std::vector<glm::vec3> colour;
     std::vector<float> edge, point;
 };
 
+/// Magnitude of a gradient from its two components.
 std::vector<float> lengths(const std::vector<float>& x, const std::vector<float>& y) {
     std::vector<float> length(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) length[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
     return length;
 }
 
+/// Applies all filters to one band of rows. Bands limit memory and are the pieces of work for
+/// threads.
 Seen see(const ImageF& image, const Showing& showing, int first, int rows, const Filters& by) {
     const std::array<Padded, 3> channels = opponents(image, showing, first, rows, by.radius);
     const Padded &light = channels[0], &blueYellow = channels[2];
@@ -262,6 +268,7 @@ Seen see(const ImageF& image, const Showing& showing, int first, int rows, const
     return seen;
 }
 
+/// Error of pixel i: the colour error, amplified by the feature error. [Andersson20]
 float flipError(const Seen& a, const Seen& b, std::size_t i) {
     static const float largest =
         colourDistance(perceived({0.0f, 1.0f, 0.0f}), perceived({0.0f, 0.0f, 1.0f}));
@@ -276,7 +283,7 @@ float flipError(const Seen& a, const Seen& b, std::size_t i) {
     return std::clamp(std::pow(colour, std::max(exponent, 0.0f)), 0.0f, 1.0f);
 }
 
-/// The largest error of each pixel over the ways of looking.
+/// The largest error of each pixel over all displays of the images.
 FlipMap flip(const ImageF& picture, const ImageF& reference, const std::vector<Showing>& showings,
              double pixelsPerDegree, const Progress& progress) {
     checkComparable(picture, reference);
@@ -326,11 +333,11 @@ FlipExposures flipExposures(const ImageF& reference) {
                      .expected = "a reference with some light"});
     }
     double median = quantile(lights, 0.5);
-    if (!(median > 0.0)) {  // mostly black: half of what is not
+    if (!(median > 0.0)) {  // mostly black: median of the rest
         std::erase_if(lights, [](float light) { return !(light > 0.0f); });
         median = quantile(lights, 0.5);
     }
-    // What comes to the share t of white: filmic(u) = t is a quadratic in u.
+    // The light that is mapped to the share t of white: filmic(u) = t is a quadratic in u.
     const double a = 2.51 - kWhiteShare * 2.43, b = 0.03 - kWhiteShare * 0.59,
                  c = -kWhiteShare * 0.14;
     const double light =

@@ -1,8 +1,8 @@
-// flip.h: the difference that an observer sees between two pictures who flips from one to the
-// other: LDR-FLIP [Andersson20] and HDR-FLIP [Andersson21].
+// flip.h: the difference that an observer sees when alternating between two images: LDR-FLIP
+// [Andersson20] and HDR-FLIP [Andersson21].
 //
-// Per pixel from 0, no difference, to 1, the largest there is. Not quite symmetric for HDR, whose
-// exposures are the reference's. docs/compare.md
+// Per pixel, from 0 (no difference) to 1 (the largest possible). HDR-FLIP is not quite symmetric,
+// because its exposures are those of the reference. docs/compare.md
 #pragma once
 #include <vector>
 
@@ -11,11 +11,12 @@
 
 namespace neph {
 
-/// Pixels that an observer has to a degree: 0.7 m before a screen 0.7 m wide that has 3840 of them.
+/// Pixels per degree of an observer 0.7 m from a screen that is 0.7 m and 3840 pixels wide.
 /// [Andersson20]
 inline constexpr double kFlipPixelsPerDegree =
     0.7 * (3840.0 / 0.7) * 3.14159265358979323846 / 180.0;
 
+/// FLIP of every pixel, and its summary over the image.
 struct FlipMap {
     glm::ivec2 size{0};
     std::vector<float> errors;  ///< in [0, 1], row 0 on top
@@ -23,24 +24,24 @@ struct FlipMap {
     double p95() const;
 };
 
-/// Exposures at which two pictures are looked at, in EV: from `start` to `stop`, both included.
+/// Exposures at which two images are compared, in EV: from `start` to `stop`, both included.
 struct FlipExposures {
     double start = 0.0, stop = 0.0;
     int count = 1;
 };
 
-/// From linear RGB, of which what is outside [0, 1] is clipped. Throws Error where sizes differ,
-/// there are no pixels or a value is no finite number.
+/// Of linear RGB images; values outside [0, 1] are clipped. Throws Error if sizes differ, there are
+/// no pixels, or a value is not finite.
 FlipMap ldrFlip(const ImageF& picture, const ImageF& reference,
                 double pixelsPerDegree = kFlipPixelsPerDegree, const Progress& progress = {});
 
-/// From where the reference's largest luminance comes to 0.85 of white to where its median does (of
-/// what is not black, where most is), in steps of about 1 EV, two at least. Throws Error where the
-/// reference is black.
+/// From the exposure that maps the reference's largest luminance to 0.85 of white to the one that
+/// maps its median there (median of the non-black pixels where most are black), in steps of about 1
+/// EV, at least two. Throws Error if the reference is black.
 FlipExposures flipExposures(const ImageF& reference);
 
-/// The largest LDR-FLIP of each pixel over the exposures, each tone mapped with the fit of ACES.
-/// Negative radiance counts as none. Throws the same as ldrFlip.
+/// The largest LDR-FLIP of each pixel over the exposures, each tone mapped with the ACES fit.
+/// Negative radiance counts as zero. Throws as ldrFlip does.
 FlipMap hdrFlip(const ImageF& picture, const ImageF& reference, const FlipExposures& exposures,
                 double pixelsPerDegree = kFlipPixelsPerDegree, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// image.h: pictures in memory; row 0 is the top row.
+// image.h: images in memory; row 0 is the top row.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -1,9 +1,9 @@
-// picture_error.cpp: sums over the pixels, in double.
+// picture_error.cpp: sums over the pixels, in double precision.
 //
 // With halves, (I_A - R_A)(I_B - R_B) and (I_A - R_B)(I_B - R_A) have the squared true difference
-// as their expectation, because the four errors are independent. The mean of the two is what is
-// summed: the squared difference of the means, less a quarter of the squared differences between
-// halves, which is the noise. A picture without halves stands for both of its own.
+// as their expectation, because the four errors are independent. The code sums the mean of the two:
+// the squared difference of the means minus a quarter of the squared differences between halves,
+// which is the noise. An image without halves is used as both of its halves.
 #include "core/image/picture_error.h"
 
 #include <fmt/format.h>
@@ -16,10 +16,11 @@
 namespace neph {
 namespace {
 
-constexpr double kFloorShare = 0.01;  // of the mean or the maximum of R, below which it is dark
+constexpr double kFloorShare = 0.01;  // of the mean or the maximum of R; below it R counts as dark
 constexpr double kQuantile = 0.95;
 constexpr int kColours = 3;
 
+/// A single NaN would make every sum NaN, so the pixel is named instead.
 void checkFinite(const ImageF& image, const char* name) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const glm::vec4& pixel = image.pixels[i];
@@ -45,17 +46,18 @@ void checkHalves(const SampledPicture& sampled, const char* name) {
     }
 }
 
-/// What is summed over pixels.
+/// Sums over all pixels.
 struct Sums {
     double difference = 0.0;     // I-R
     double reference = 0.0;      // R
-    double squared = 0.0;        // (I-R)², noise taken off
-    double noise = 0.0;          // that was taken off
+    double squared = 0.0;        // (I-R)², noise subtracted
+    double noise = 0.0;          // noise that was subtracted
     double squaredVariance = 0;  // of `squared`
     double biasVariance = 0.0;   // of `difference`
 };
 
-/// Channels of one pixel share their paths, so that their errors add before they are squared.
+/// The channels of a pixel come from the same paths, so their errors are added before they are
+/// squared.
 void add(Sums& sums, const SampledPicture& picture, const SampledPicture& reference,
          std::size_t i) {
     const auto half = [i](const SampledPicture& of, const ImageF* which) {
@@ -79,7 +81,8 @@ void add(Sums& sums, const SampledPicture& picture, const SampledPicture& refere
     sums.biasVariance += total * total + refTotal * refTotal;
 }
 
-/// Mean of the squared difference over the squared reference, both per channel.
+/// Mean of squared difference over squared reference, per channel; the floor keeps dark pixels from
+/// dominating.
 double relativeMse(const ImageF& picture, const ImageF& reference, double meanReference) {
     const double floor = kFloorShare * meanReference;
     double sum = 0.0;
@@ -93,6 +96,7 @@ double relativeMse(const ImageF& picture, const ImageF& reference, double meanRe
     return sum / (kColours * static_cast<double>(picture.pixels.size()));
 }
 
+/// Largest luminance; 0 for an image that is black everywhere.
 float brightest(const ImageF& image) {
     float most = 0.0f;
     for (const glm::vec4& pixel : image.pixels) most = std::max(most, luminance(pixel));
@@ -104,6 +108,7 @@ float brightest(const ImageF& image) {
                  .expected = "a reference with some light"});
 }
 
+/// Relative errors of dark pixels are noise, so only brighter ones count.
 double relativeP95(const ImageF& picture, const ImageF& reference) {
     const float floor = static_cast<float>(kFloorShare) * brightest(reference);
     std::vector<float> errors;

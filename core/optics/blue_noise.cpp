@@ -1,6 +1,7 @@
-// blue_noise.cpp: void and cluster [Ulichney93]: of a pattern of points, the one in the tightest
-// cluster goes first and the next one comes into the largest void. Energies are integers, so that
-// adding and taking away leaves no trace and every compiler ranks alike.
+// blue_noise.cpp: the void-and-cluster method [Ulichney93]: of a pattern of points, the one in the
+// tightest cluster is removed first, and the next one is placed in the largest void. Energies are
+// integers, so that adding and subtracting leaves no residue and every compiler computes the same
+// ranks.
 #include "core/optics/blue_noise.h"
 
 #include <array>
@@ -14,16 +15,16 @@ namespace {
 
 constexpr int kSide = kBlueNoiseSize;
 constexpr int kCount = kSide * kSide;
-constexpr double kSigma = 1.5;       // places; [Ulichney93]
+constexpr double kSigma = 1.5;       // in places; [Ulichney93]
 constexpr double kUnit = 1LL << 48;  // energy at a point
-constexpr int kReach = 12;           // e^-32 of a point: a unit of 2^48 tells it from nothing
-constexpr int kFirst = kCount / 10;  // points of the initial pattern; any minority does
+constexpr int kReach = 12;  // beyond, a point adds less than e^-32, which 2^48 still resolves
+constexpr int kFirst = kCount / 10;  // points of the initial pattern; any minority will do
 
 using Energy = std::int64_t;
-// Sets points apart from empty places, beyond any sum of energies.
+// Marks the places of points: larger than any sum of energies.
 constexpr Energy kPoint = 1LL << 60;
 
-/// Points on a torus and what they add up to at each place.
+/// Points on a torus, and the sum of their energies at each place.
 class Points {
   public:
     Points() {
@@ -59,7 +60,7 @@ class Points {
         return static_cast<std::size_t>(row * width + column);
     }
 
-    /// Where the energy, times a sign, is least; the first such place.
+    /// The first place where the energy times a sign is smallest.
     std::size_t placeOfLeast(Energy sign) const {
         std::size_t found = 0;
         Energy least = sign * energy_[0];
@@ -75,10 +76,10 @@ class Points {
     std::array<Energy, kCount> energy_{};
 };
 
-/// Random points, moved from clusters to voids until none gains by it.
+/// Random points, moved from clusters to voids until no move improves the pattern.
 Points initialPoints() {
     Points points;
-    std::mt19937 random(1);  // the standard pins its numbers, not those of distributions
+    std::mt19937 random(1);  // the standard fixes its output, but not that of distributions
     for (int placed = 0; placed < kFirst;) {
         const std::size_t place = random() % kCount;
         if (points.has(place)) continue;
@@ -104,8 +105,8 @@ std::vector<float> makeBlueNoise() {
         values[place] = valueOf(rank);
         points.flip(place);
     }
-    // Beyond half, the paper takes the tightest cluster of empty places; as the energies of points
-    // and of empty places add up to a constant, that is the largest void still.
+    // Beyond half, the paper removes the tightest cluster of empty places. The energies of points
+    // and of empty places add up to a constant, so that is still the largest void.
     points = initial;
     for (int rank = kFirst; rank < kCount; ++rank) {
         const std::size_t place = points.largestVoid();

@@ -1,7 +1,7 @@
-// blue_noise.h: a tile of numbers whose neighbours differ as much as they can.
+// blue_noise.h: a tile of numbers in which neighbours differ as much as possible.
 //
-// Offsets taken from it spread the error of sparse sampling over frequencies that the eye hardly
-// sees. 64 x 64, row by row; repeats without a seam.
+// Offsets taken from it move the error of sparse sampling to high frequencies, which the eye hardly
+// sees. 64 x 64, row by row; repeats seamlessly.
 #pragma once
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace neph {
 
 inline constexpr int kBlueNoiseSize = 64;
 
-/// (rank + 0.5) / 4096, each rank once: below any threshold t lie a share t of the places, spread
-/// evenly. The same on every machine. [Ulichney93]
+/// (rank + 0.5) / 4096, each rank once: below any threshold t lies a fraction t of the places,
+/// evenly distributed. The same on every machine. [Ulichney93]
 const std::vector<float>& blueNoise();
 
 }  // namespace neph

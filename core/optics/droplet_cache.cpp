@@ -1,4 +1,4 @@
-// droplet_cache.cpp: droplets already computed, in memory and on disk.
+// droplet_cache.cpp: droplet optics already computed, in memory and on disk.
 #include "core/optics/droplet_cache.h"
 
 #include <algorithm>
@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::size_t kNumberCount = std::size_t{kPhaseTableSize} * 4 + 6;
 
+/// A file is valid only if its header equals the expected one in every field.
 struct Header {
     std::array<char, 8> magic{'N', 'E', 'P', 'H', 'D', 'R', 'O', 'P'};
     std::uint32_t version = kDropletCacheVersion;
@@ -83,7 +84,7 @@ DropletOptics unpack(const CacheFile& file) {
 std::optional<DropletOptics> readDropletCache(const std::filesystem::path& path,
                                               float effectiveRadiusM) {
     std::ifstream stream(path, std::ios::binary);
-    std::string bytes(sizeof(CacheFile) + 1, '\0');  // one more shows a file that is too long
+    std::string bytes(sizeof(CacheFile) + 1, '\0');  // the extra byte reveals files too long
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (stream.gcount() != static_cast<std::streamsize>(sizeof(CacheFile))) return std::nullopt;
     CacheFile file;
@@ -121,7 +122,7 @@ std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM) {
     static std::mutex mutex;
     static std::map<float, std::shared_ptr<const DropletOptics>> known;
     const float radiusM = roundRadius(effectiveRadiusM);
-    const std::lock_guard lock(mutex);  // a second thread that wants the same radius waits for it
+    const std::lock_guard lock(mutex);  // so that two threads never compute the same radius
     auto& entry = known[radiusM];
     if (!entry) {
         const std::filesystem::path path = dropletCacheFile(radiusM);

@@ -1,7 +1,7 @@
-// droplet_cache.h: droplets that were computed before, as files.
+// droplet_cache.h: files of droplet optics that were computed before.
 //
-// A file is a header and the numbers in this machine's byte order, with a checksum. Whatever is odd
-// about a file (length, version, radius, a flipped bit), it counts as absent.
+// A file is a header and numbers in the byte order of this machine, with a checksum. A file with
+// any fault (length, version, radius, a flipped bit) counts as absent.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,17 +10,18 @@
 
 namespace neph {
 
-/// Raised with every change of droplets.cpp or mie.cpp that changes numbers; part of the file name.
+/// Increase it with every change of droplets.cpp or mie.cpp that changes numbers; part of the file
+/// name.
 inline constexpr unsigned kDropletCacheVersion = 1;
 
-/// A file of userCacheDir() for the radius; empty when there is no home.
+/// File in userCacheDir() for the radius; empty without a home directory.
 std::filesystem::path dropletCacheFile(float effectiveRadiusM);
 
-/// None when the file is absent or not what was written for exactly this radius.
+/// Empty if the file is absent or was not written for exactly this radius.
 std::optional<DropletOptics> readDropletCache(const std::filesystem::path& path,
                                               float effectiveRadiusM);
 
-/// Makes the folder, writes aside and renames. Returns false where that cannot be done.
+/// Creates the folder and replaces the file. Returns false if that fails.
 bool writeDropletCache(const std::filesystem::path& path, const DropletOptics& optics);
 
 }  // namespace neph

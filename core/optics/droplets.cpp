@@ -1,8 +1,8 @@
 // droplets.cpp: Mie scattering averaged over a size distribution.
 //
 // The angular sums dominate: for every size, order and angle four multiply-adds in single
-// precision, eight angles at a time. Angles lie densely at both ends, for the corona and the glory,
-// and the result is interpolated onto the table's.
+// precision, eight angles at a time. The angles are dense near 0° and 180°, for the corona and the
+// glory, and the result is interpolated to the angles of the table.
 #include "core/optics/droplets.h"
 
 #include <algorithm>
@@ -25,23 +25,23 @@ struct Colour {
 };
 constexpr std::array<Colour, 3> kColours{{{650e-9, 1.331}, {550e-9, 1.333}, {450e-9, 1.337}}};
 
-/// Sizes in effective radii; what lies outside adds less than 1e-4 to the forward peak. They are
-/// spaced evenly in the logarithm, so that no angle's interference fringes keep in step with them,
-/// by kSizeStep in x at the effective radius. Against ten times as many the table is within 1 % rms
-/// and, at single angles behind 100°, 10 % (docs/physics.md §6).
+/// Range of sizes in effective radii; those outside add less than 1e-4 to the forward peak. They
+/// are spaced evenly in the logarithm, so that the interference fringes of no angle stay in phase
+/// with them, by kSizeStep in x at the effective radius. Compared with ten times as many sizes, the
+/// table is within 1 % rms and, at single angles beyond 100°, within 10 % (docs/physics.md §6).
 constexpr double kSmallestSize = 0.15, kLargestSize = 3.0;
 constexpr double kSizeStep = 0.4;
 constexpr int kMinSizes = 600, kMaxSizes = 1000;
 
-constexpr int kHalfAngles = 192;  ///< within 90° of straight on; as many again behind
+constexpr int kHalfAngles = 192;  ///< in the forward hemisphere; as many in the backward one
 constexpr int kAngles = 2 * kHalfAngles;
-constexpr int kLanes = 8;  ///< angles summed together
+constexpr int kLanes = 8;  ///< angles computed together
 constexpr int kTiles = kAngles / kLanes;
-/// Parts that the sizes of one colour are summed in; fixed, so that sums do not depend on the
-/// cores.
+/// Number of parts that the sizes of one colour are divided into for summation; fixed, so that
+/// results do not depend on the number of cores.
 constexpr int kSlices = 4;
 
-/// Angle of the coarse grid: quadratic from both ends; 90° is there twice.
+/// Angle of the coarse grid: quadratic from both ends; 90° occurs twice.
 double gridTheta(int i) {
     const bool front = i < kHalfAngles;
     const double s = (front ? i : kAngles - 1 - i) / (kHalfAngles - 1.0);
@@ -80,13 +80,13 @@ AngularFunctions::AngularFunctions(int terms_) : terms(terms_) {
     }
 }
 
-/// Sums over a part of the sizes of one colour.
+/// Sums over one part of the sizes of one colour.
 struct Sums {
     std::array<double, kAngles> intensity{};  ///< (|S1|² + |S2|²) / 2
     double extinction = 0.0, scattering = 0.0, asymmetry = 0.0, area = 0.0;
 };
 
-/// The coefficients as the angular sums want them: a + b and a - b, single precision.
+/// The coefficients in the form that the angular sums need: a + b and a - b, single precision.
 struct SumCoefficients {
     std::vector<std::array<float, 4>> rows;
     explicit SumCoefficients(const MieCoefficients& c) : rows(c.a.size()) {
@@ -142,7 +142,7 @@ TileIntensity fastestTileIntensity() {
     return tileIntensity;
 }
 
-/// One size with its share of the population.
+/// Adds one size with its weight in the population.
 void addSize(Sums& sums, double x, double index, double weight, const AngularFunctions& angular) {
     const MieCoefficients coefficients = mieCoefficients(x, index);
     const MieEfficiencies q = mieEfficiencies(x, coefficients);
@@ -162,7 +162,7 @@ void addSize(Sums& sums, double x, double index, double weight, const AngularFun
     }
 }
 
-/// Every kSlices-th size of a colour.
+/// Sums every kSlices-th size of a colour.
 Sums sumSlice(double radiusM, const Colour& colour, int slice, const AngularFunctions& angular) {
     const double xEffective = 2.0 * kPi * radiusM / colour.wavelengthM;
     const double span = std::log(kLargestSize / kSmallestSize);
@@ -179,7 +179,7 @@ Sums sumSlice(double radiusM, const Colour& colour, int slice, const AngularFunc
     return sums;
 }
 
-/// All slices of all colours, on all cores; entry colour * kSlices + slice.
+/// Computes all slices of all colours, on all cores; entry colour * kSlices + slice.
 std::vector<Sums> sumAll(double radiusM) {
     const double xLargest = 2.0 * kPi * radiusM * kLargestSize / kColours[2].wavelengthM;
     const AngularFunctions angular(static_cast<int>(xLargest + 4.0 * std::cbrt(xLargest) + 3.0));
@@ -206,7 +206,7 @@ double interpolateLog(const std::array<double, kAngles>& logs, double theta) {
     const double s = std::sqrt((front ? theta : kPi - theta) / (0.5 * kPi)) * (kHalfAngles - 1);
     const int i = std::min(static_cast<int>(s), kHalfAngles - 2);
     const double f = s - i;
-    auto at = [&](int k) {  // past 90° the other half goes on, its own 90° skipped
+    auto at = [&](int k) {  // beyond 90° the other half continues; its own 90° is skipped
         k = std::abs(k);
         if (k >= kHalfAngles) ++k;
         return logs[static_cast<std::size_t>(front ? k : kAngles - 1 - k)];
@@ -216,8 +216,8 @@ double interpolateLog(const std::array<double, kAngles>& logs, double theta) {
            0.5 * f * (c - a + f * (2.0 * a - 5.0 * b + 4.0 * c - d + f * (3.0 * (b - c) + d - a)));
 }
 
-/// Cumulative of the middle colour of a table, by the trapezium rule in the cosine; also rescales
-/// each colour of the table so that it integrates to exactly 1 as it will be looked up.
+/// Cumulative of the middle colour of a table, by the trapezoidal rule in the cosine; also rescales
+/// each colour so that the table integrates to exactly 1 when interpolated linearly in the cosine.
 std::vector<float> normalise(PhaseTable& table) {
     std::vector<double> cumulative(table.size(), 0.0);
     glm::dvec3 total(0.0);

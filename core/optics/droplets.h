@@ -2,7 +2,7 @@
 //
 // Droplets follow the gamma distribution of [HT74], n(r) ∝ r^((1-3v)/v) e^(-r/(r_eff v)), with
 // effective variance v = 0.1, and are spheres of pure water. Colours are the wavelengths 650, 550
-// and 450 nm. Absorption is nil at these (1 - ω < 3e-6).
+// and 450 nm. Absorption is negligible there (1 - ω < 3e-6).
 #pragma once
 #include <array>
 #include <memory>
@@ -12,11 +12,11 @@
 
 namespace neph {
 
-/// Radii outside are taken as the nearer bound. Beyond the upper one only the diffraction peak
-/// still sharpens.
+/// Radii outside this range are clamped. Above it only the diffraction peak becomes narrower.
 inline constexpr float kSmallestDropletM = 1e-6f;
 inline constexpr float kLargestDropletM = 50e-6f;
 
+/// Optical properties of one population, at 650, 550 and 450 nm.
 struct DropletOptics {
     float effectiveRadiusM = 0.0f;
     PhaseTable phase;               ///< on the angles of shaders/lib/phase_table.glsl
@@ -25,13 +25,13 @@ struct DropletOptics {
     glm::vec3 extinctionEfficiency{0.0f};  ///< over π r², averaged over the population
 };
 
-/// Computes; a fraction of a second at 10 µm, more for larger drops (docs/measurements.md).
+/// Takes a fraction of a second at 10 µm, more for larger drops (docs/measurements.md).
 DropletOptics computeDroplets(float effectiveRadiusM);
 
-/// The same from memory, else from the disk cache, else computed and kept in both. The radius is
+/// The same from memory, else from the disk cache, else computed and stored in both. The radius is
 /// clamped and rounded to 0.1 µm. May be called from any thread. The cache is
 /// $XDG_CACHE_HOME/nephoscope or ~/.cache/nephoscope; a file that cannot be read or written there
-/// costs time, never an error.
+/// costs time but is not an error.
 std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM);
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// mie.cpp: the series of [BH83] §4.4 and appendix A, with a higher start of the logarithmic
+// mie.cpp: the series of [BH83] §4.4 and appendix A, with a higher start for the logarithmic
 // derivative.
 #include "core/optics/mie.h"
 
@@ -14,9 +14,9 @@ int termCount(double x) {
     return static_cast<int>(x + 4.0 * std::cbrt(x) + 2.0);
 }
 
-/// Logarithmic derivatives D_1 … D_terms of ψ_n(z), by downward recurrence. The start that is
-/// usually given, 15 orders above |z|, costs the fifth digit at x = 100 and the third at x = 10⁴;
-/// this one holds every digit that is tabulated.
+/// Logarithmic derivatives D_1 … D_terms of ψ_n(z), by downward recurrence. The usual start, 15
+/// orders above |z|, costs the fifth digit at x = 100 and the third at x = 10⁴; this one reproduces
+/// every tabulated digit.
 std::vector<Complex> logarithmicDerivatives(Complex z, int terms) {
     const double size = std::abs(z);
     const int start = std::max(terms, static_cast<int>(size + 4.0 * std::cbrt(size) + 60.0));
@@ -32,7 +32,7 @@ std::vector<Complex> logarithmicDerivatives(Complex z, int terms) {
     return derivatives;
 }
 
-/// (q ψ_n - ψ_{n-1}) / (q ξ_n - ξ_{n-1}), the shape of both coefficients. [BH83] eq. 4.88
+/// (q ψ_n - ψ_{n-1}) / (q ξ_n - ξ_{n-1}), the form of both coefficients. [BH83] eq. 4.88
 Complex coefficient(Complex q, double psi, double psiBefore, double chi, double chiBefore) {
     const Complex top = q * psi - psiBefore;
     const Complex bottom = top - Complex(0.0, 1.0) * (q * chi - chiBefore);
@@ -81,7 +81,7 @@ MieEfficiencies mieEfficiencies(double x, const MieCoefficients& coefficients) {
         }
         q.asymmetry += moment;
     }
-    q.asymmetry *= 2.0 / q.scattering;  // of [BH83] §4.5, with both sums in the same units
+    q.asymmetry *= 2.0 / q.scattering;  // [BH83] §4.5; here both are plain sums
     q.extinction *= 2.0 / (x * x);
     q.scattering *= 2.0 / (x * x);
     q.back = std::norm(back) / (x * x);

@@ -8,13 +8,13 @@
 
 namespace neph {
 
-/// Coefficients of the scattered field; entry i belongs to order n = i + 1.
+/// Coefficients of the scattered field; entry i is order n = i + 1.
 struct MieCoefficients {
     std::vector<std::complex<double>> a, b;
 };
 
-/// Efficiencies are cross-sections over π r²; `back` is the radar one, 4π times the differential
-/// efficiency straight back.
+/// Efficiencies are cross-sections over π r²; `back` is the radar backscattering efficiency, 4π
+/// times the differential efficiency at 180°.
 struct MieEfficiencies {
     double extinction = 0.0;
     double scattering = 0.0;
@@ -22,7 +22,7 @@ struct MieEfficiencies {
     double asymmetry = 0.0;  ///< mean cosine of the scattering angle
 };
 
-/// Any x > 0; checked to x = 10⁴ (docs/physics.md §6).
+/// Valid for any x > 0; checked up to x = 10⁴ (docs/physics.md §6).
 MieCoefficients mieCoefficients(double sizeParameter, std::complex<double> index);
 MieEfficiencies mieEfficiencies(double sizeParameter, const MieCoefficients& coefficients);
 

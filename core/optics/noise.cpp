@@ -10,6 +10,7 @@
 namespace neph {
 namespace {
 
+/// Every step-th slab from `first` on, so that threads share the work without locks.
 void bakeSlabs(NoiseCharacter character, Array3f& tile, int first, int step) {
     const auto size = static_cast<float>(tile.size.x);
     for (int z = first; z < tile.size.z; z += step) {

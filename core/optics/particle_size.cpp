@@ -1,4 +1,4 @@
-// particle_size.cpp: moments of gamma distributions, and the fit between those of snow.
+// particle_size.cpp: moments of gamma distributions, and the moment relation of snow.
 #include "core/optics/particle_size.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ double snowThirdMoment(double secondMoment, double temperatureK) {
                             0.312550, 0.000204,  0.003199,  0.0,      -0.015952};
     constexpr std::array kB{0.476221, -0.015896, 0.165977, 0.007468, -0.000141,
                             0.060366, 0.000079,  0.000594, 0.0,      -0.003577};
-    // The fit is for snow below freezing.
+    // The fit is valid for snow below freezing.
     const double celsius = std::min(temperatureK - 273.15, -0.1);
     return std::pow(10.0, fieldPolynomial(kA, celsius, 3.0)) *
            std::pow(secondMoment, fieldPolynomial(kB, celsius, 3.0));

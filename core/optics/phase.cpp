@@ -1,5 +1,5 @@
-// phase.cpp: one phase function by name, from the closed forms of the shader library or from the
-// droplets' table.
+// phase.cpp: selects a phase function by kind, from the closed forms of the shader library or from
+// the table of the droplets.
 #include "core/optics/phase.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace neph {
 namespace {
 
-/// Value of the functions that are the same at every wavelength.
+/// Value of the functions that do not depend on wavelength.
 float greyValue(const PhaseSpec& spec, float cosTheta) {
     switch (spec.kind) {
         case PhaseKind::isotropic:
@@ -35,7 +35,7 @@ float greyValue(const PhaseSpec& spec, float cosTheta) {
     return glsl::isotropicValue();
 }
 
-/// The droplets' cumulative, between entries in proportion to the solid angle, as for a constant
+/// Cumulative of the droplets; between entries proportional to the solid angle, as for a constant
 /// value.
 float dropletCumulative(const DropletOptics& droplets, float theta) {
     const float index = glsl::phaseTableIndex(std::cos(theta), kPhaseTableSize);
@@ -48,7 +48,7 @@ float dropletCumulative(const DropletOptics& droplets, float theta) {
                      std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Inverse of dropletCumulative, as a cosine; u = 1 is straight on.
+/// Inverse of dropletCumulative, as a cosine; u = 1 is the forward direction.
 float dropletSample(const DropletOptics& droplets, float u) {
     const auto& cumulative = droplets.cumulative;
     const float share = 1.0f - u;

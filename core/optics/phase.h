@@ -1,10 +1,9 @@
-// phase.h: the phase function of a species, as the document names it and as the renderer tabulates
-// it.
+// phase.h: the phase function of a species, as the document specifies it and as the renderer
+// tabulates it.
 //
-// cosTheta is the cosine between the propagation directions before and after scattering: 1 is
-// straight on. Values are per steradian and integrate to 1 over the sphere. The mathematics of each
-// function is in shaders/lib/phase_*.glsl, compiled here as C++; water droplets come from
-// core/optics/droplets.
+// cosTheta is the cosine of the scattering angle; 1 is forward. Values are per steradian and
+// integrate to 1 over the sphere. The mathematics of each function is in shaders/lib/phase_*.glsl,
+// compiled here as C++; water droplets come from core/optics/droplets.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -14,6 +13,7 @@
 
 namespace neph {
 
+/// The phase functions of docs/physics.md §2.
 enum class PhaseKind : int {
     isotropic,
     rayleigh,
@@ -26,7 +26,7 @@ enum class PhaseKind : int {
     solidColumn
 };
 inline constexpr int kPhaseKindCount = 9;
-/// Spelling in JSON and `--set`, in the order of PhaseKind; labels for the screen likewise.
+/// Spelling in JSON and `--set`, in the order of PhaseKind; the labels on screen likewise.
 inline constexpr std::array<std::string_view, kPhaseKindCount> kPhaseIds{
     "isotropic",   "rayleigh",        "henyey_greenstein", "double_henyey_greenstein",
     "draine",      "cornette_shanks", "water_droplets",    "rough_aggregate",
@@ -41,7 +41,7 @@ inline constexpr std::array<std::string_view, kPhaseKindCount> kPhaseLabels{"Iso
                                                                             "Rough aggregate (ice)",
                                                                             "Solid column (ice)"};
 
-/// A phase function with its parameters; each kind reads those it has, the others are ignored.
+/// A phase function with its parameters; each kind reads its own and ignores the others.
 struct PhaseSpec {
     PhaseKind kind = PhaseKind::isotropic;
     float g = 0.85f;         ///< g of HG, Draine and Cornette-Shanks; first lobe of double HG
@@ -52,11 +52,11 @@ struct PhaseSpec {
     bool operator==(const PhaseSpec&) const = default;
 };
 
-/// Whether functions of a kind read a parameter of PhaseSpec.
+/// Whether functions of this kind use a parameter of PhaseSpec.
 bool phaseReads(PhaseKind kind, float PhaseSpec::*parameter);
 
-/// Entries of a table; entry i belongs to Theta = pi (i / (size - 1))², so that the forward peak is
-/// resolved.
+/// Number of entries of a table; entry i belongs to Theta = pi (i / (size - 1))², so that the
+/// forward peak is resolved.
 inline constexpr int kPhaseTableSize = 1024;
 using PhaseTable =
     std::vector<glm::vec3>;  ///< P at 650, 550 and 450 nm, 1/sr, kPhaseTableSize entries
@@ -64,22 +64,21 @@ using PhaseTable =
 /// P(Theta) at the three wavelengths, 1/sr.
 glm::vec3 phaseValue(const PhaseSpec& spec, float cosTheta);
 
-/// Share of light scattered within `theta` radians of straight on, at 550 nm, in [0, 1].
+/// Share of the light that is scattered by less than `theta` radians, at 550 nm, in [0, 1].
 float phaseCumulative(const PhaseSpec& spec, float theta);
 
-/// Cosine of a direction drawn from the phase function at 550 nm; u uniform in [0, 1), 1 being
-/// straight on.
+/// Cosine of a scattering angle sampled from the phase function at 550 nm; u is uniform in [0, 1),
+/// and u = 1 would be forward.
 float phaseSample(const PhaseSpec& spec, float u);
 
-/// Mean of cosTheta at 550 nm.
+/// Asymmetry parameter, the mean of cosTheta, at 550 nm.
 float phaseAsymmetry(const PhaseSpec& spec);
 
-/// The function tabulated for the renderer. Water droplets are computed once per radius and kept on
-/// disk.
+/// The function as a table for the renderer. Water droplets are computed once per radius and kept
+/// on disk.
 PhaseTable makePhaseTable(const PhaseSpec& spec);
 
-/// The table at an angle, by linear interpolation: what shaders/lib/phase_table.glsl does on the
-/// GPU.
+/// The table at an angle, by linear interpolation, as shaders/lib/phase_table.glsl does on the GPU.
 glm::vec3 lookUp(std::span<const glm::vec3> table, float cosTheta);
 
 }  // namespace neph

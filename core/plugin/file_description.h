@@ -1,4 +1,4 @@
-// file_description.h: what a reader says of one file, as plain data.
+// file_description.h: what a reader states about one file, as plain data.
 #pragma once
 #include <glm/glm.hpp>
 #include <map>
@@ -9,11 +9,13 @@
 
 namespace neph {
 
+/// One time in a file.
 struct FileTime {
     std::string label;
     double seconds = 0.0;  ///< on the clock that the files of a series share
 };
 
+/// One variable of a file; sizes are in cells, 1 where the variable lacks the axis.
 struct FileVariable {
     std::string name, standardName, units, description;
     NephRole role = NEPH_ROLE_OTHER;
@@ -21,7 +23,7 @@ struct FileVariable {
     glm::ivec3 size{0};
 };
 
-/// What a reader says of one file, as plain data.
+/// Everything a reader states about one file before any field is read. Validated where it enters.
 struct FileDescription {
     std::string model, scheme;
     NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;

@@ -1,4 +1,4 @@
-// plugin_file.cpp: calls through the ABI and the checks on what comes back.
+// plugin_file.cpp: calls through the ABI, and the checks on their results.
 #include "core/plugin/plugin_file.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace neph {
 namespace {
 
-// Bounds on what a description may claim: far above any model's output, far below what would
+// Limits on what a description may claim: far above any model's output, far below what would
 // exhaust memory.
 constexpr std::uint32_t kMaxEntries = 1'000'000;
 constexpr std::size_t kMaxTextLength = 65536;
@@ -25,11 +25,12 @@ constexpr std::int32_t kMaxAxis = 1 << 20;
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 36;
 constexpr double kMaxSpacingM = 1e7;  // a quarter of the way around the Earth
 
-/// One faulty claim of a plugin; becomes an Error that names plugin and file.
+/// One faulty claim of a plugin; it becomes an Error that names plugin and file.
 struct Fault {
     std::string text;
 };
 
+/// A string of the plugin, at most kMaxTextLength long; empty for a null pointer.
 std::string checkedText(const char* text, std::string_view of) {
     if (text == nullptr) return {};
     const std::size_t length = strnlen(text, kMaxTextLength);
@@ -56,6 +57,7 @@ std::span<const T> checkedList(const T* list, std::uint32_t count, std::string_v
     return {list, count};
 }
 
+/// The product is checked step by step, so that it cannot overflow.
 glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
     std::int64_t cells = 1;
     for (std::int32_t length : size) {
@@ -68,6 +70,7 @@ glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
     return {size[0], size[1], size[2]};
 }
 
+/// Unknown roles and species become OTHER and NONE, so that newer readers still work.
 FileVariable checkedVariable(const NephVariable* pointer) {
     const NephVariable& raw = checkedStruct(pointer, "a variable");
     FileVariable variable;
@@ -96,7 +99,8 @@ bool fitsGrid(const FileVariable& variable, glm::ivec3 cells) {
     return variable.size == cells || (profile && !ofSpecies);
 }
 
-/// Takes its role from what does not lie on the grid, with a note: it can still be read by name.
+/// Removes the role of variables that do not lie on the grid, with a note; they can still be read
+/// by name.
 void dropMisfits(FileDescription& description) {
     for (FileVariable& variable : description.variables) {
         if (fitsGrid(variable, description.size)) continue;
@@ -132,6 +136,7 @@ std::vector<FileVariable> checkedVariables(const NephDescription& raw) {
     return variables;
 }
 
+/// Copies the description while checking it: nothing refers to the memory of the plugin afterwards.
 FileDescription checkedDescription(const NephDescription* pointer) {
     const NephDescription& raw = checkedStruct(pointer, "the description");
     FileDescription description;
@@ -178,6 +183,7 @@ std::string partOf(const char (&text)[N]) {
     return {text, strnlen(text, N)};
 }
 
+/// The error of a reader, completed with the path and a reason if they are missing.
 Error errorFrom(const NephError& raw, const std::filesystem::path& path,
                 const std::string& reader) {
     ErrorParts parts{partOf(raw.where), partOf(raw.what), partOf(raw.found), partOf(raw.expected),
@@ -187,10 +193,11 @@ Error errorFrom(const NephError& raw, const std::filesystem::path& path,
     return Error(std::move(parts));
 }
 
+/// Carries progress through the C callback.
 struct ProgressBridge {
     const Progress& progress;
     bool stopped = false;
-    std::exception_ptr thrown{};  ///< kept here, because nothing may be thrown through the plugin
+    std::exception_ptr thrown{};  ///< rethrown later: nothing may be thrown through the plugin
 };
 
 std::int32_t reportProgress(void* context, double fraction) {
@@ -205,14 +212,14 @@ std::int32_t reportProgress(void* context, double fraction) {
     return bridge.stopped ? 0 : 1;
 }
 
-constexpr float kUntouched = -6.02e23f;  // what no field holds
+constexpr float kUntouched = -6.02e23f;  // a value that no field contains
 
 }  // namespace
 
 void PluginFile::Closer::operator()(NephFile* file) const {
     try {
         calls->close(file);
-    } catch (...) {  // against the rules, and nothing is left to be told
+    } catch (...) {  // breaks the ABI, but there is nobody left to report it to
     }
 }
 
@@ -258,6 +265,7 @@ void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, 
                       std::span<float> room, const Progress& progress) {
     const std::span<float> values = room.first(room.size() - kGuardValues);
     const std::span<float> guard = room.last(kGuardValues);
+    // What the reader does not write stays missing, and what it writes too much shows in the guard.
     std::ranges::fill(values, std::numeric_limits<float>::quiet_NaN());
     std::ranges::fill(guard, kUntouched);
     NephReadRequest request{};

@@ -1,8 +1,8 @@
-// plugin_file.h: one file, opened through the calls of a reader in this process, with everything
-// that the reader says checked.
+// plugin_file.h: one file, opened through the calls of a reader in this process, with all results
+// of the reader checked.
 //
 // Nothing that comes through the ABI is trusted: sizes, counts, numbers and strings are checked
-// before they are used, so that a faulty reader gives an Error and no wrong picture.
+// before they are used, so that a faulty reader causes an Error and never a wrong image.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -20,17 +20,18 @@ namespace neph {
 
 class PluginFile {
   public:
-    /// Opens and describes. `reader` is the name of the reader in messages. Throws Error.
+    /// Opens the file and gets its description. `reader` names the reader in messages. Throws
+    /// Error.
     PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path);
 
     const FileDescription& description() const { return description_; }
 
-    /// Values that `read` needs beyond those asked for: a reader that writes too much is found out
-    /// there.
+    /// Extra values that `read` needs behind those requested, to detect a reader that writes too
+    /// much.
     static constexpr std::size_t kGuardValues = 1024;
 
-    /// Fills `room` with the cells of [lower, upper), x fastest, NaN where the reader left them
-    /// unwritten; behind them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
+    /// Fills `room` with the cells of [lower, upper), x fastest, NaN where the reader wrote
+    /// nothing; behind them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
     void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
               std::span<float> room, const Progress& progress);
 
@@ -39,7 +40,7 @@ class PluginFile {
         const NephReader* calls;
         void operator()(NephFile* file) const;
     };
-    /// Runs one call of the reader; what it throws against the rules becomes an Error.
+    /// Runs one call of the reader; an exception, which the ABI forbids, becomes an Error.
     void guarded(const std::function<void()>& call) const;
     Error faulty(const std::string& text) const;
 

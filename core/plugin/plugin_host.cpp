@@ -1,4 +1,4 @@
-// plugin_host.cpp: loading, checking and scoring of reader plugins.
+// plugin_host.cpp: loads, checks and scores reader plugins.
 #include "core/plugin/plugin_host.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostIdle = 4;  // processes kept for later, a reader
+constexpr std::size_t kMostIdle = 4;  // idle processes kept per reader
 
+/// Sorted, so that the same reader wins on every machine.
 std::vector<fs::path> librariesIn(const fs::path& place) {
     std::error_code none;
     if (fs::is_regular_file(place, none)) return {place};
@@ -36,7 +37,7 @@ std::vector<fs::path> librariesIn(const fs::path& place) {
     return found;
 }
 
-/// The first bytes of a file as a person can read them.
+/// The first bytes of a file in readable form.
 std::string firstBytes(const fs::path& file) {
     std::array<char, 24> bytes{};
     std::ifstream in(file, std::ios::binary);
@@ -50,7 +51,7 @@ std::string firstBytes(const fs::path& file) {
     return fmt::format("a file that begins with \"{}\"", text);
 }
 
-/// Throws when a path cannot be opened for reading at all.
+/// Throws Error if a path cannot be opened for reading at all.
 void requireReadable(const fs::path& file) {
     std::error_code code;
     const fs::file_status status = fs::status(file, code);
@@ -143,6 +144,7 @@ std::vector<fs::path> PluginHost::standardPlaces() {
     return places;
 }
 
+/// Adds a reader, or the reason why it cannot be used.
 void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
     std::shared_ptr<const ReaderPlugin> reader;
     try {
@@ -178,7 +180,7 @@ std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
             best = reader;
             bestScore = score;
         } catch (const Error& error) {
-            failure = error;  // its process did not survive; another reader may take the file
+            failure = error;  // its process has ended; another reader may accept the file
         }
     }
     if (best) return best;

@@ -1,8 +1,8 @@
-// plugin_host.h: finds reader plugins, checks them at the door and picks the one for a file.
+// plugin_host.h: finds reader plugins, checks them and picks the one for a file.
 //
 // Registration is explicit: a host knows the places it was given and no others. A library is
-// accepted when a process of its own can load it, it exports the entry of core/plugin/reader_abi.h
-// and its table is complete; otherwise it is kept in a list with the reason.
+// accepted if a separate process can load it, it exports the entry of core/plugin/reader_abi.h, and
+// its table is complete; otherwise it is listed with the reason.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -15,18 +15,20 @@
 
 namespace neph {
 
-/// What a reader says of itself, and where it lies.
+/// What a reader states about itself, and where its library is.
 struct ReaderName : wire::Identity {
     std::filesystem::path library;
 };
 
 /// One accepted reader, and the processes that run it.
 struct ReaderPlugin : ReaderName {
-    /// Starts a first process. Throws Error, with the reason in `what`, when it is no reader.
+    /// Starts a first process. Throws Error, with the reason in `what`, if the library is not a
+    /// reader.
     explicit ReaderPlugin(const std::filesystem::path& file, const ReaderLimits& limits = {});
 
-    /// An idle process of this reader, or a new one. Any thread. Throws Error.
+    /// An idle process of this reader, or a new one. May be called from any thread. Throws Error.
     std::unique_ptr<ReaderProcess> borrow() const;
+    /// Returns a borrowed process for reuse; one that has ended is dropped.
     void giveBack(std::unique_ptr<ReaderProcess> process) const;
 
   private:
@@ -35,31 +37,33 @@ struct ReaderPlugin : ReaderName {
     mutable std::vector<std::unique_ptr<ReaderProcess>> idle_;
 };
 
+/// A library that was found but not accepted; `nephoscope readers` lists it.
 struct RejectedPlugin {
     std::filesystem::path library;
     std::string reason;
 };
 
+/// The readers that are available. Immutable after construction, so any thread may use it.
 class PluginHost {
   public:
     /// Loads every plugin of `places`, in order; a place is a folder of libraries or one library. A
-    /// place that does not exist is passed over. Of two readers with the same id the first is kept.
+    /// place that does not exist is skipped. Of two readers with the same id the first is kept.
     explicit PluginHost(std::span<const std::filesystem::path> places,
                         const ReaderLimits& limits = {});
 
-    /// The readers a user has: the libraries or folders in `named`, then those of
-    /// standardPlaces(). Throws Error where one of `named` is not there or is no reader.
+    /// The readers available to a user: the libraries or folders in `named`, then those of
+    /// standardPlaces(). Throws Error if one of `named` does not exist or is not a reader.
     static PluginHost standard(std::span<const std::string> named = {});
 
-    /// NEPHOSCOPE_READER_PATH (separated by colons), the user's data folder (XDG), and beside the
-    /// executable.
+    /// NEPHOSCOPE_READER_PATH (separated by colons), the user's data folder (XDG), and the folder
+    /// of this installation.
     static std::vector<std::filesystem::path> standardPlaces();
 
     const std::vector<std::shared_ptr<const ReaderPlugin>>& readers() const { return readers_; }
     const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
 
-    /// The reader with the best score for the content of `file`. Throws Error when the file cannot
-    /// be opened or no reader knows its format, or Cancelled.
+    /// The reader with the best score for the content of `file`. Throws Error if the file cannot be
+    /// opened or no reader knows its format, or Cancelled.
     std::shared_ptr<const ReaderPlugin> pick(const std::filesystem::path& file,
                                              const Progress& progress = {}) const;
 

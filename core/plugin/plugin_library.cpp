@@ -12,9 +12,9 @@
 namespace neph {
 namespace {
 
-constexpr std::size_t kMaxTextLength = 4096;  // longer names than any real reader has
+constexpr std::size_t kMaxTextLength = 4096;  // longer than the names of any real reader
 
-/// A plugin's string, or nothing where it is null, has no end within reason or is empty.
+/// A string of the plugin; empty optional if it is null, empty or too long.
 std::optional<std::string> checkedText(const char* text) {
     if (text == nullptr) return {};
     const std::size_t length = strnlen(text, kMaxTextLength);
@@ -22,7 +22,7 @@ std::optional<std::string> checkedText(const char* text) {
     return std::string(text, length);
 }
 
-/// Why a plugin's table cannot be used; empty when it can.
+/// Why a plugin's table cannot be used; empty if it can.
 std::string faultOf(const NephReader* reader) {
     if (reader == nullptr) return fmt::format("does not serve ABI {}", NEPH_READER_ABI_VERSION);
     if (reader->header.abi_version != NEPH_READER_ABI_VERSION) {
@@ -41,6 +41,7 @@ std::string faultOf(const NephReader* reader) {
     return {};
 }
 
+/// Calls the entry function, which may be foreign C++ and may throw all the same.
 const NephReader* entered(void* symbol) {
     const auto entry = reinterpret_cast<NephReaderEntry>(symbol);
     try {

@@ -1,11 +1,11 @@
-/* reader_abi.h: the door that readers come in by. Plain C, self-contained; docs/readers.md tells
- * what is read.
+/* reader_abi.h: the interface between the program and its readers. Plain C, self-contained;
+ * docs/readers.md lists what is read.
  *
  * A reader is a shared library that exports one function, nephReader. The host asks every reader
- * for a score, opens the file with the best one, asks for a description (metadata alone) and later
- * reads boxes of values into its own buffers. All values are SI: conversion happens here. Nothing
- * may be thrown across these calls. Every struct starts with NephHeader: whoever creates a struct
- * fills it in, and whoever receives it touches only what struct_size covers. */
+ * for a score, opens the file with the best one, asks for a description (metadata only) and later
+ * reads boxes of values into its own buffers. All values are in SI units: the reader converts.
+ * Nothing may be thrown across these calls. Every struct starts with NephHeader: whoever creates a
+ * struct fills it in, and whoever receives it touches only what struct_size covers. */
 #ifndef NEPHOSCOPE_READER_ABI_H
 #define NEPHOSCOPE_READER_ABI_H
 
@@ -28,14 +28,14 @@ extern "C" {
 #endif
 
 typedef struct NephHeader {
-    uint32_t abi_version; /* NEPH_READER_ABI_VERSION of the side that made the struct */
-    uint32_t struct_size; /* sizeof the struct as that side knows it */
+    uint32_t abi_version; /* NEPH_READER_ABI_VERSION of the side that created the struct */
+    uint32_t struct_size; /* sizeof the struct on that side */
 } NephHeader;
 
-/* What calls return. */
+/* Result of a call. */
 typedef int32_t NephStatus;
 #define NEPH_OK 0
-#define NEPH_FAILED 1    /* the NephError says why */
+#define NEPH_FAILED 1    /* the NephError has the reason */
 #define NEPH_CANCELLED 2 /* the progress callback returned 0 */
 
 /* What a variable means to the host. */
@@ -58,8 +58,8 @@ typedef int32_t NephSpecies;
 #define NEPH_SPECIES_GRAUPEL 4
 #define NEPH_SPECIES_HAIL 5
 
-/* Whose particle size distributions the hydrometeors follow. docs/physics.md tells what the host
- * makes of each. */
+/* The scheme whose particle size distributions the hydrometeors follow. docs/physics.md §7 states
+ * how the host uses each. */
 typedef int32_t NephMicrophysics;
 #define NEPH_MICROPHYSICS_UNKNOWN 0
 #define NEPH_MICROPHYSICS_LIN 1
@@ -67,12 +67,12 @@ typedef int32_t NephMicrophysics;
 #define NEPH_MICROPHYSICS_THOMPSON 3
 #define NEPH_MICROPHYSICS_MORRISON 4
 
-/* Why something failed, in parts that the host lays out. The host owns it and clears it before each
- * call; the reader writes UTF-8, ends each part with a zero byte and leaves empty what it does not
- * know. */
+/* Why something failed, in parts that the host formats. The host owns it and clears it before each
+ * call; the reader writes UTF-8, terminates each part with a zero byte and leaves unknown parts
+ * empty. */
 typedef struct NephError {
     NephHeader header;
-    char where[1024];    /* file; the host puts in the path when left empty */
+    char where[1024];    /* file; the host fills in the path if left empty */
     char what[1024];     /* what is wrong, naming the variable or key */
     char found[1024];    /* what was found */
     char expected[1024]; /* what was expected */
@@ -81,7 +81,7 @@ typedef struct NephError {
 
 typedef struct NephTime {
     NephHeader header;
-    const char* label; /* the model's own words */
+    const char* label; /* as the model writes it */
     double seconds;    /* on one clock that all files of a series share; any origin */
 } NephTime;
 
@@ -89,12 +89,12 @@ typedef struct NephVariable {
     NephHeader header;
     const char* name;          /* unique within the file */
     const char* standard_name; /* CF standard name, or empty */
-    const char* units;         /* of the values that read() gives */
+    const char* units;         /* of the values that read() returns */
     const char* description;
     NephRole role;
     NephSpecies species; /* NEPH_SPECIES_NONE where the role has no species */
-    /* x, y, z; 1 where the variable lacks the axis. Heights and density of models whose levels are
-     * flat may be profiles, 1 x 1 x n. */
+    /* x, y, z; 1 where the variable lacks the axis. Heights and density of models with flat levels
+     * may be profiles, 1 x 1 x n. */
     int32_t size[3];
 } NephVariable;
 
@@ -104,14 +104,14 @@ typedef struct NephAttribute {
     const char* value;
 } NephAttribute;
 
-/* Everything that is known without reading a field. Lives, with all its strings, as long as the
- * file handle. */
+/* Everything that is known without reading a field. It and all its strings must stay valid as long
+ * as the file handle. */
 typedef struct NephDescription {
     NephHeader header;
     const char* model;  /* for example "WRF V4.2.2" */
-    const char* scheme; /* microphysics as a person names it, or empty */
+    const char* scheme; /* name of the microphysics scheme, for display, or empty */
     NephMicrophysics microphysics;
-    double cloud_droplets_per_m3; /* where the run prescribes their number; 0 when unknown */
+    double cloud_droplets_per_m3; /* where the run prescribes it; 0 if unknown */
     int32_t size[3];     /* cells in x, y, z on the native grid; x runs east, y north, z up */
     double spacing_m[2]; /* of the cells in x and y */
     uint32_t time_count; /* at least 1 */
@@ -134,29 +134,29 @@ typedef struct NephReadRequest {
     uint32_t time;     /* index into the description */
     int32_t lower[3];  /* half-open box of cells x, y, z: 0 <= lower < upper <= size */
     int32_t upper[3];
-    float* values;        /* the host's buffer, x fastest, then y, then z; missing values are NaN */
-    uint64_t value_count; /* values that fit, exactly those of the box; never write beyond */
+    float* values;           /* the host's buffer, x fastest, then y, then z; NaN where missing */
+    uint64_t value_count;    /* size of the buffer, exactly that of the box; never exceed it */
     uint64_t values_written; /* set by the reader; fewer than value_count is a failed read */
     NephProgress progress;   /* may be null; call it between pieces of at most a few megabytes */
     void* progress_context;
 } NephReadRequest;
 
-typedef struct NephFile NephFile; /* the reader's own */
+typedef struct NephFile NephFile; /* defined by the reader */
 
-/* A reader. The struct and its strings live as long as the library is loaded. Calls may come from
- * any thread; one handle is used by one thread at a time, different handles by different threads at
- * once. */
+/* A reader. The struct and its strings stay valid as long as the library is loaded. Calls may come
+ * from any thread; one handle is used by one thread at a time, but different handles may be used by
+ * different threads concurrently. */
 typedef struct NephReader {
     NephHeader header;
     const char* id;         /* for example "wrf_netcdf" */
     const char* version;    /* of the reader */
-    const char* title;      /* what it reads, for a person */
-    const char* extensions; /* usual ones, separated by spaces, for file dialogs; or empty */
+    const char* title;      /* what it reads, for display */
+    const char* extensions; /* usual extensions, separated by spaces, for file dialogs; or empty */
 
-    /* How sure the reader is that the content of `path` (a file or a folder) is its own; the name
-     * of the file does not count. 0: not a format that it knows. 1 to 9: the container is known but
-     * the content will be refused by open, which says why. 10 to 100: can be read. Reads a few
-     * kilobytes at most. */
+    /* How sure the reader is that the content of `path` (a file or a folder) is in its format; the
+     * name of the file does not count. 0: unknown format. 1 to 9: the container is known, but open
+     * will refuse the content and give the reason. 10 to 100: can be read. Reads a few kilobytes at
+     * most. */
     int32_t (*score)(const char* path);
 
     /* Opens without reading a field and sets *file. */

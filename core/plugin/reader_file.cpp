@@ -16,7 +16,7 @@ ReaderFile::~ReaderFile() {
     try {
         process_->close(handle_);
         reader_->giveBack(std::move(process_));
-    } catch (const Error&) {  // it did not survive the closing, and nothing is left to be told
+    } catch (const Error&) {  // its process failed while closing; nobody is left to report it to
     }
 }
 

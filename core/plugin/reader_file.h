@@ -1,7 +1,7 @@
-// reader_file.h: one file, opened by a reader in a process of its own.
+// reader_file.h: one file, opened by a reader in a separate process.
 //
-// Whatever the file or the reader does, the answer is an Error and nothing worse. One ReaderFile is
-// used by one thread at a time; several may be used side by side.
+// Whatever the file or the reader does, the result is at worst an Error. One ReaderFile is used by
+// one thread at a time; several may be used concurrently.
 #pragma once
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -18,7 +18,7 @@ namespace neph {
 
 class ReaderFile {
   public:
-    /// Opens and describes. Throws Error or Cancelled.
+    /// Opens the file and gets its description. Throws Error or Cancelled.
     ReaderFile(std::shared_ptr<const ReaderPlugin> reader, std::filesystem::path path,
                const Progress& progress = {});
     ~ReaderFile();
@@ -27,8 +27,8 @@ class ReaderFile {
 
     const FileDescription& description() const { return description_; }
 
-    /// The cells of [lower, upper), x fastest; NaN where the reader left them unwritten. Throws
-    /// Error or Cancelled. After a crash of the reader the next read opens the file anew.
+    /// The cells of [lower, upper), x fastest; NaN where the reader wrote nothing. Throws Error or
+    /// Cancelled. After a crash of the reader the next read opens the file again.
     std::vector<float> read(std::size_t variable, std::size_t time, glm::ivec3 lower,
                             glm::ivec3 upper, const Progress& progress);
 

@@ -1,8 +1,8 @@
-// reader_plugin.h: a reader in C++: derive from File, throw Error, name it all in one macro.
+// reader_plugin.h: a reader in C++: derive from File, throw Error, and export it with one macro.
 //
-// A thin layer over reader_abi.h for authors of readers; C++17, the standard library alone. What is
-// thrown becomes the texts of NephError; descriptions are plain values that this header lays out
-// for the host. docs/write-a-reader.md is the way from nothing to a working reader.
+// A thin layer over reader_abi.h for authors of readers; needs only C++17 and its standard library.
+// Exceptions become the texts of NephError; descriptions are plain values that this header converts
+// to the structs of the ABI. docs/write-a-reader.md builds a working reader from scratch.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,25 +19,25 @@
 
 namespace neph::plugin {
 
-/// Bad input, in the parts that the host lays out: what is wrong (naming the variable or key), what
-/// was found, what was expected, the next step. `where` is the file; the host puts in the path that
-/// it opened when it is left empty.
+/// Bad input, in the parts that the host formats: what is wrong (naming the variable or key), what
+/// was found, what was expected, the next step. `where` is the file; if it is empty, the host fills
+/// in the path that it opened.
 struct Error {
     std::string what, found, expected, hint, where{};
 };
 
-/// Thrown by Request::tick when the host has asked to stop; let it pass.
+/// Thrown by Request::tick when the host has asked to stop; do not catch it.
 struct Cancelled {};
 
 struct Time {
-    std::string label;     ///< the model's own words
+    std::string label;     ///< as the model writes it
     double seconds = 0.0;  ///< on one clock that all files of a series share
 };
 
 struct Variable {
     std::string name;          ///< unique within the file
     std::string standardName;  ///< CF standard name, or empty
-    std::string units;         ///< of the values that `read` gives: SI
+    std::string units;         ///< SI, of the values that `read` returns
     std::string description;
     NephRole role = NEPH_ROLE_OTHER;
     NephSpecies species = NEPH_SPECIES_NONE;
@@ -48,7 +48,7 @@ struct Variable {
 struct Description {
     std::string model, scheme;
     NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
-    double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 when unknown
+    double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 if unknown
     std::array<int, 3> size{};        ///< cells in x, y, z; x runs east, y north, z up
     std::array<double, 2> spacingM{};
     std::vector<Time> times;
@@ -62,13 +62,13 @@ struct Request {
     std::size_t variable = 0, time = 0;           ///< indices into the description
     std::array<std::size_t, 3> lower{}, upper{};  ///< half-open, cells x, y, z
     float* values = nullptr;                      ///< x fastest, then y, then z; NaN where missing
-    std::function<void(double)> tick;             ///< call with a fraction between pieces
+    std::function<void(double)> tick;             ///< call with a fraction in [0, 1] between pieces
 
     std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
     std::size_t count() const { return length(0) * length(1) * length(2); }
 };
 
-/// One open file. The constructor of a derived class reads metadata alone and throws Error.
+/// One open file. The constructor of a derived class reads only metadata and throws Error.
 class File {
   public:
     virtual ~File() = default;
@@ -77,19 +77,19 @@ class File {
     virtual void read(const Request& request) = 0;
 };
 
-/// What NEPHOSCOPE_READER is given.
+/// The argument of NEPHOSCOPE_READER.
 struct Reader {
     const char* id;
     const char* version;
-    const char* title;       ///< what it reads, for a person
-    const char* extensions;  ///< usual ones, separated by spaces; or ""
-    /// 0: not this format; 1 to 9: known, but `open` will refuse it and say why; 10 to 100: can be
-    /// read. What it throws counts as 0.
+    const char* title;       ///< what it reads, for display
+    const char* extensions;  ///< usual extensions, separated by spaces; or ""
+    /// 0: not this format; 1 to 9: known, but `open` will refuse it and give the reason; 10 to 100:
+    /// can be read. An exception counts as 0.
     int (*score)(const char* path);
     std::unique_ptr<File> (*open)(const char* path);
 };
 
-/// What Reader::open is where the constructor of a File takes the path.
+/// Use as Reader::open if the constructor of T takes the path.
 template <typename T>
 std::unique_ptr<File> openAs(const char* path) {
     return std::make_unique<T>(path);
@@ -102,7 +102,7 @@ NephHeader header() {
     return {NEPH_READER_ABI_VERSION, static_cast<std::uint32_t>(sizeof(T))};
 }
 
-/// The description in the ABI's structs, which point into `from`.
+/// The description as structs of the ABI, which point into `from`.
 class Layout {
   public:
     explicit Layout(const Description& from) {
@@ -172,7 +172,7 @@ void put(char (&target)[N], const std::string& text) {
     target[length] = '\0';
 }
 
-/// Runs `work` and turns what it throws into a status and an error text.
+/// Runs `work` and converts an exception to a status and the texts of an error.
 template <typename Work>
 NephStatus guarded(NephError* to, Work&& work) {
     Error error;
@@ -200,7 +200,7 @@ NephStatus guarded(NephError* to, Work&& work) {
     return NEPH_FAILED;
 }
 
-/// The ABI's request as a Request. Throws Error where it does not fit the description.
+/// Converts a request of the ABI. Throws Error if it does not fit the description.
 inline Request checked(const NephReadRequest& raw, const Description& description) {
     if (raw.header.struct_size < sizeof(NephReadRequest) ||
         raw.variable >= description.variables.size() || raw.time >= description.times.size()) {
@@ -231,7 +231,7 @@ inline Request checked(const NephReadRequest& raw, const Description& descriptio
 }  // namespace detail
 }  // namespace neph::plugin
 
-/// The handle behind the ABI: an open File and its description as the host sees it.
+/// The handle of the ABI: an open File and its description as the host sees it.
 struct NephFile {
     explicit NephFile(std::unique_ptr<neph::plugin::File> opened)
         : file(std::move(opened)), layout(file->description()) {}
@@ -241,7 +241,7 @@ struct NephFile {
 
 namespace neph::plugin::detail {
 
-/// The calls of the ABI for one Reader; a type of its own for each, because C calls carry no state.
+/// The calls of the ABI for one Reader; a separate type for each, because C calls carry no state.
 template <const Reader& kReader>
 struct Calls {
     static std::int32_t score(const char* path) {
@@ -282,7 +282,8 @@ struct Calls {
 
 }  // namespace neph::plugin::detail
 
-/// Exports `reader`, a constant of type neph::plugin::Reader with static storage. Once a library.
+/// Exports `reader`, a constant of type neph::plugin::Reader with static storage. Use it once per
+/// library.
 #define NEPHOSCOPE_READER(reader)                                                           \
     extern "C" NEPH_READER_EXPORT const NephReader* nephReader(uint32_t host_abi_version) { \
         return neph::plugin::detail::Calls<reader>::table(host_abi_version);                \

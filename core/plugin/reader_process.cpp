@@ -1,4 +1,4 @@
-// reader_process.cpp: starting, asking and ending a process that runs a reader.
+// reader_process.cpp: starts, asks and ends a process that runs a reader.
 #include "core/plugin/reader_process.h"
 
 #include <fcntl.h>
@@ -32,19 +32,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kWaitMs = 20;                       // between two looks at progress
-constexpr auto kGrace = std::chrono::seconds(2);  // for a cancelled reader to come back
-constexpr int kLastWordsMs = 1000;                // for one that has hung up to end by itself
-constexpr timeval kMostPause{10, 0};              // within one answer
+constexpr int kWaitMs = 20;                       // between two checks of progress
+constexpr auto kGrace = std::chrono::seconds(2);  // for a cancelled reader to return
+constexpr int kLastWordsMs = 1000;                // for one that has closed its socket to exit
+constexpr timeval kMostPause{10, 0};              // between two parts of one answer
 constexpr int kLowestOwnDescriptor = 16;          // above those that the process inherits
 
+/// For system calls that fail only when the machine is out of resources.
 [[noreturn]] void throwSystem(const char* doing) {
     throw Error({.what = fmt::format("cannot run a reader: {} failed: {}", doing,
                                      std::generic_category().message(errno)),
                  .hint = "too many files or processes are open, or memory is short"});
 }
 
-/// Moved out of the way of the numbers that the process inherits.
+/// Moves a descriptor away from the numbers that the process inherits.
 int movedUp(int descriptor) {
     const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, kLowestOwnDescriptor);
     if (moved < 0) throwSystem("fcntl");
@@ -60,7 +61,7 @@ std::filesystem::path readerProgram() {
                  .hint = "it is installed beside nephoscope: install again"});
 }
 
-/// Processor time that a process has used, seconds; 0 when it cannot be told.
+/// Processor time that a process has used, seconds; 0 if unknown.
 double cpuSeconds(pid_t pid) {
     clockid_t clock{};
     timespec time{};
@@ -68,6 +69,7 @@ double cpuSeconds(pid_t pid) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// How a process ended, in words for the user.
 std::string reasonOf(int status) {
     if (WIFSIGNALED(status)) {
         const char* name = sigdescr_np(WTERMSIG(status));
@@ -105,7 +107,7 @@ void ReaderProcess::start() {
     memory_ = memfd_create("nephoscope-values", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (memory_ < 0) throwSystem("memfd_create");
     memory_ = movedUp(memory_);
-    // Memory that the library could take away under the host's hands would crash the host.
+    // If the library could shrink this memory, the host would crash on its next access.
     if (fcntl(memory_, F_ADD_SEALS, F_SEAL_SHRINK) != 0) throwSystem("fcntl");
     map(kReaderValuesAt);
     std::array<int, 2> pair{};
@@ -125,8 +127,8 @@ void ReaderProcess::start() {
     }
 }
 
-/// Starts the program in a process group of its own, so that what it starts can be ended with it.
-/// It reads nothing, and what it prints is no output of ours.
+/// Starts the program in a process group of its own, so that whatever it starts can be ended with
+/// it. Its stdin is empty and its stdout goes to stderr, to keep it out of our output.
 int ReaderProcess::spawn(const std::string& program, int theirs) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -148,7 +150,7 @@ int ReaderProcess::spawn(const std::string& program, int theirs) {
     return fault;
 }
 
-/// Makes the shared memory `bytes` long and maps it.
+/// Resizes the shared memory to `bytes` and maps it.
 void ReaderProcess::map(std::size_t bytes) {
     if (ftruncate(memory_, static_cast<off_t>(bytes)) != 0) throwSystem("ftruncate");
     void* at = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
@@ -158,18 +160,19 @@ void ReaderProcess::map(std::size_t bytes) {
     mappedBytes_ = bytes;
 }
 
+/// Memory only grows: the file is sealed against shrinking.
 void ReaderProcess::growMemory(std::size_t bytes) {
     if (bytes > mappedBytes_) map(bytes);
 }
 
-/// Whether the process has ended by itself. It is not forgotten before end().
+/// Whether the process has ended by itself. It stays a zombie until end() reaps it.
 bool ReaderProcess::hasEnded() const {
     siginfo_t info{};
     const int told = waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
     return told != 0 || info.si_pid != 0;
 }
 
-/// Ends the process, with all that it started, and says how it had ended before that.
+/// Ends the process and everything it started; returns how it had ended before that.
 std::string ReaderProcess::end() {
     std::string reason = "it broke off its answer";
     if (pid_ > 0) {
@@ -201,6 +204,7 @@ void ReaderProcess::endAndThrow(const Task& task, std::string reason) {
                              : "the file is probably damaged; other files are not affected"});
 }
 
+/// Processor time catches an endless loop, but not a wait for a slow disk.
 void ReaderProcess::endIfStuck(const Task& task, double silentCpuSeconds,
                                std::chrono::duration<double> waited) {
     if (silentCpuSeconds > limits_.silentCpuSeconds) {
@@ -212,7 +216,7 @@ void ReaderProcess::endIfStuck(const Task& task, double silentCpuSeconds,
     }
 }
 
-/// Waits until there is something to receive; false when the process has ended without an answer.
+/// Waits until there is something to receive; false if the process has ended without an answer.
 bool ReaderProcess::await(const Task& task, const Progress& progress) {
     auto& control = *reinterpret_cast<ReaderControl*>(mapped_);
     std::uint32_t beatsSeen = std::atomic_ref(control.beats).load();
@@ -222,7 +226,7 @@ bool ReaderProcess::await(const Task& task, const Progress& progress) {
     for (;;) {
         pollfd waiting{socket_, POLLIN, 0};
         if (poll(&waiting, 1, kWaitMs) > 0) return true;
-        // What it started may still hold the socket open.
+        // A child of the process may still hold the socket open.
         if (hasEnded()) return poll(&waiting, 1, 0) > 0;
         const std::uint32_t beats = std::atomic_ref(control.beats).load();
         if (beats != beatsSeen) {
@@ -255,7 +259,7 @@ std::string ReaderProcess::ask(std::string_view message, const Task& task,
         try {
             there = await(task, progress);
         } catch (...) {
-            end();  // an answer that nobody waits for must not meet the next question
+            end();  // otherwise its answer would be taken for that to the next question
             throw;
         }
         there = there && wire::receive(socket_, answer);
@@ -275,7 +279,7 @@ std::string ReaderProcess::ask(std::string_view message, const Task& task,
     endAndThrow(task, wire::Malformed().what());
 }
 
-/// What `unpack` makes of the whole answer.
+/// Unpacks the whole answer; bytes left over are a fault of the process.
 template <typename Unpack>
 std::invoke_result_t<Unpack, wire::Unpacker&> ReaderProcess::unpacked(std::string_view answer,
                                                                       const Task& task,
@@ -312,6 +316,7 @@ ReaderProcess::Opened ReaderProcess::open(const std::filesystem::path& file,
     });
 }
 
+/// Not cancellable: a closed file is what the next user of the process relies on.
 void ReaderProcess::close(std::uint32_t handle) {
     const Task task{library_, "closing a file", limits_.answerSeconds};
     ask(question(wire::Ask::close).number(handle).take(), task, {});

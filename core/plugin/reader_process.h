@@ -1,7 +1,7 @@
-// reader_process.h: a process that runs one reader library, and the questions put to it.
+// reader_process.h: a process that runs one reader library, and the requests to it.
 //
-// Whatever a library does to its process (crash, abort, hang, eat memory), the host gets an Error
-// that names the reader and the file, and nothing that the library started stays behind. One
+// Whatever a library does to its process (crash, abort, hang, exhaust memory), the host gets an
+// Error that names the reader and the file, and nothing that the library started stays behind. One
 // ReaderProcess is used by one thread at a time.
 #pragma once
 #include <sys/types.h>
@@ -26,20 +26,20 @@ namespace neph {
 inline constexpr int kReaderSocket = 3;
 inline constexpr int kReaderMemory = 4;
 
-/// What lies at the start of the shared memory. Values begin at kReaderValuesAt.
+/// Start of the shared memory. Values begin at kReaderValuesAt.
 struct ReaderControl {
     std::uint32_t cancel = 0;  ///< set by the host; both sides use atomic_ref
-    std::uint32_t beats = 0;   ///< counts the reader's signs of progress
-    double fraction = 0.0;     ///< the last of them
+    std::uint32_t beats = 0;   ///< counts the reader's progress reports
+    double fraction = 0.0;     ///< fraction of the last report
 };
 inline constexpr std::size_t kReaderValuesAt = 4096;
 
-/// What a reader process may take before it is ended.
+/// Limits after which a reader process is ended.
 struct ReaderLimits {
-    /// Computing while it opens or reads, without a sign of progress: readers report every few
-    /// megabytes. One that waits for a slow disk does not compute.
+    /// Processor time while it opens or reads without reporting progress: readers report every few
+    /// megabytes. Waiting for a slow disk does not count.
     double silentCpuSeconds = 5.0;
-    /// By the clock, for what takes no reading of data: being loaded, scoring, closing.
+    /// Wall time for everything that reads no data: loading, scoring, closing.
     double answerSeconds = 30.0;
     /// Address space. Far above what reading a band or a chunk of any model output needs; a damaged
     /// header that asks for more gets "not enough memory".
@@ -48,8 +48,8 @@ struct ReaderLimits {
 
 class ReaderProcess {
   public:
-    /// Starts the process and has it load `library`. Throws Error, with the reason in `what`, when
-    /// that is no reader.
+    /// Starts the process and makes it load `library`. Throws Error, with the reason in `what`, if
+    /// that is not a reader.
     explicit ReaderProcess(const std::filesystem::path& library, const ReaderLimits& limits = {});
     ~ReaderProcess();
     ReaderProcess(const ReaderProcess&) = delete;
@@ -58,8 +58,7 @@ class ReaderProcess {
     const wire::Identity& identity() const { return identity_; }
     bool alive() const { return pid_ > 0 && !hasEnded(); }
 
-    /// What the reader makes of a file, 0 to 100. Throws Error when the reader does not survive it,
-    /// or Cancelled.
+    /// Score of a file, 0 to 100. Throws Error if the reader fails, or Cancelled.
     int score(const std::filesystem::path& file, const Progress& progress = {});
 
     struct Opened {
@@ -70,7 +69,7 @@ class ReaderProcess {
     Opened open(const std::filesystem::path& file, const Progress& progress);
     void close(std::uint32_t handle);
 
-    /// The values of a box, x fastest; `what` names file and variable in messages. Throws Error or
+    /// The values of a box, x fastest; `file` and `variable` are named in messages. Throws Error or
     /// Cancelled.
     std::vector<float> read(const wire::ReadRequest& request, const std::filesystem::path& file,
                             std::string_view variable, const Progress& progress);
@@ -85,7 +84,7 @@ class ReaderProcess {
     int spawn(const std::string& program, int theirs);
     void growMemory(std::size_t bytes);
     void map(std::size_t bytes);
-    /// Puts a question and waits for the answer, which comes without its first byte when it is ok.
+    /// Sends a request and waits for the answer, returned without its first byte if it is ok.
     std::string ask(std::string_view message, const Task& task, const Progress& progress);
     void endIfStuck(const Task& task, double silentCpuSeconds,
                     std::chrono::duration<double> waited);

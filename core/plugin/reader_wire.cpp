@@ -1,4 +1,4 @@
-// reader_wire.cpp: packing, and messages with their length before them.
+// reader_wire.cpp: packing and unpacking, and messages prefixed with their length.
 #include "core/plugin/reader_wire.h"
 
 #include <sys/socket.h>

@@ -1,7 +1,7 @@
-// reader_wire.h: what host and reader process say to each other, as bytes.
+// reader_wire.h: the messages between host and reader process, as bytes.
 //
-// Both are of one build on one machine: numbers go as they lie in memory. Unpacking trusts nothing:
-// bytes that end early or are left over throw Malformed.
+// Both sides are of the same build on one machine, so numbers are sent as they are in memory.
+// Unpacking trusts nothing: bytes that end early or are left over throw Malformed.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -16,11 +16,13 @@
 
 namespace neph::wire {
 
+/// Thrown while unpacking bytes that are not a valid message.
 class Malformed : public std::runtime_error {
   public:
     Malformed() : std::runtime_error("a message of the reader process is malformed") {}
 };
 
+/// Appends numbers and texts to a message.
 class Packer {
   public:
     template <typename T>
@@ -36,6 +38,7 @@ class Packer {
     std::string bytes_;
 };
 
+/// Takes numbers and texts from a message, in the order in which they were packed.
 class Unpacker {
   public:
     explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
@@ -47,8 +50,9 @@ class Unpacker {
         return value;
     }
     std::string text();
-    /// A count of entries of at least `bytesEach`, which must still be there.
+    /// A count of entries of at least `bytesEach` bytes; throws Malformed if fewer bytes remain.
     std::size_t count(std::size_t bytesEach);
+    /// Throws Malformed if bytes are left.
     void end() const;
 
   private:
@@ -56,15 +60,17 @@ class Unpacker {
     std::string_view rest_;
 };
 
+/// The requests of the host, and the first byte of every answer.
 enum class Ask : std::uint8_t { score, open, read, close };
 enum class Answer : std::uint8_t { ok, failed, cancelled };
 
-/// What a reader says of itself.
+/// What a reader states about itself.
 struct Identity {
     std::string id, version, title, extensions;
     std::uint32_t abiVersion = 0;
 };
 
+/// A box of one variable at one time; indices refer to the description.
 struct ReadRequest {
     std::uint32_t handle = 0;
     std::uint64_t variable = 0, time = 0;
@@ -78,9 +84,10 @@ Identity unpackIdentity(Unpacker& from);
 ErrorParts unpackError(Unpacker& from);
 FileDescription unpackDescription(Unpacker& from);
 
-/// Sends one message; false when the other side has gone.
+/// Sends one message; false if the other side has closed the connection.
 bool send(int socket, std::string_view message);
-/// Waits for one message; false when the other side has gone or the message is larger than any.
+/// Waits for one message; false if the other side has closed the connection or the message is too
+/// long.
 bool receive(int socket, std::string& message);
 
 }  // namespace neph::wire

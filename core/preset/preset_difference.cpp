@@ -1,4 +1,4 @@
-// preset_difference.cpp: which part a parameter belongs to, and differences row by row.
+// preset_difference.cpp: assigns parameters to parts, and compares looks row by row.
 #include "core/preset/preset_difference.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,9 @@
 namespace neph {
 namespace {
 
-/// Ids, or how they begin, that go with another part than the rest of their group: light through
-/// the cloud is a mode, and two things that all fields share stand in the group of the light.
+/// Ids, or beginnings of ids, that belong to another part than the rest of their group: the
+/// transport of light is a mode, and two properties shared by all fields are in the group of the
+/// light.
 struct Exception {
     std::string_view opening;
     PresetParts part;
@@ -30,7 +31,7 @@ constexpr std::array<GroupPart, 4> kGroupParts{{{"Modes", kPresetFields},
                                                 {"Sun and sky", kPresetLight},
                                                 {"View", kPresetView}}};
 
-/// The numbers of a camera on screen; the target stands apart.
+/// The numbers of a camera on screen, except the target.
 struct CameraNumber {
     std::string_view label, unit;
     float CameraPose::*member;
@@ -40,7 +41,7 @@ constexpr std::array<CameraNumber, 4> kCameraNumbers{{{"Distance", "", &CameraPo
                                                       {"Elevation", "°", &CameraPose::elevationDeg},
                                                       {"Field of view", "°", &CameraPose::fovDeg}}};
 
-/// As on screen, or in full where the screen's digits would not tell the two apart.
+/// As on screen, or with all digits where the two would look the same on screen.
 PresetDifference differenceOf(const Parameter& row, const ParameterValue& before,
                               const ParameterValue& after) {
     PresetDifference difference{partOf(row), row.group, row.label, screenText(row, before),

@@ -1,7 +1,6 @@
-// preset_difference.h: in what two looks and cameras differ, in words, and taking over parts of a
-// preset.
+// preset_difference.h: describes how two looks and cameras differ, and applies parts of a preset.
 //
-// Every parameter of the look table belongs to one part; the camera is a part of its own.
+// Every parameter of the look table belongs to one part; the camera is a separate part.
 #pragma once
 #include <array>
 #include <optional>
@@ -13,12 +12,13 @@
 
 namespace neph {
 
-/// A set of parts, a bit each.
+/// A set of parts, one bit each.
 using PresetParts = unsigned;
 
+/// A part of a preset that can be applied on its own.
 struct PresetPart {
     PresetParts bit;
-    std::string_view id;     ///< as `--parts` spells it
+    std::string_view id;     ///< as written in `--parts`
     std::string_view label;  ///< on buttons
     std::string_view help;
 };
@@ -34,20 +34,21 @@ inline constexpr PresetParts kPresetFields = 1, kPresetLight = 2, kPresetView = 
 /// The part that a parameter belongs to: one bit.
 PresetParts partOf(const Parameter& row);
 
-/// Parts named by "all" or "fields,light". Throws Error naming those there are.
+/// Parses "all" or a list such as "fields,light". Throws Error naming the valid parts.
 PresetParts parsePresetParts(std::string_view list);
 
 /// "fields, light"; "all" for all of them.
 std::string presetPartsText(PresetParts parts);
 
+/// One parameter that differs, in the words of the screen.
 struct PresetDifference {
     PresetParts part = kPresetFields;  ///< one bit
     std::string group, label;          ///< "Cloud", "Mixing scale"
     std::string before, after;         ///< as on screen, with units
 };
 
-/// What `after` has otherwise than `before`, in the order of the look table, the camera last; where
-/// one of the two has no camera, cameras do not differ.
+/// The differences of `after` from `before`, in the order of the look table, the camera last;
+/// cameras are compared only if both have one.
 std::vector<PresetDifference> differences(const Look& before, const Look& after);
 std::vector<PresetDifference> differences(const Preset& before, const Preset& after);
 
@@ -57,7 +58,7 @@ std::string lineOf(const PresetDifference& difference);
 /// One line each for the first `most`, then how many more; no newline at the end.
 std::string linesOf(const std::vector<PresetDifference>& rows, std::size_t most);
 
-/// Puts `parts` of a preset into look and camera.
+/// Applies `parts` of a preset to look and camera.
 void takeOver(const Preset& preset, PresetParts parts, Look& look, CameraPose& camera);
 
 }  // namespace neph

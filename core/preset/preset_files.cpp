@@ -1,4 +1,4 @@
-// preset_files.cpp: rules first, then the file.
+// preset_files.cpp: checks the rules first, then changes the file.
 #include "core/preset/preset_files.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::optional<PresetEntry> entryOf(std::string_view name) {
     return {};
 }
 
-/// An entry that is the user's own.
+/// The entry of a preset that belongs to the user; throws Error for a bundled one.
 PresetEntry ownEntry(std::string_view name, std::string_view cannot) {
     PresetEntry entry = presetEntry(name);
     if (entry.bundled) {
@@ -31,6 +31,7 @@ PresetEntry ownEntry(std::string_view name, std::string_view cannot) {
     return entry;
 }
 
+/// Bundled names are taken too: a copy should not hide a bundled preset by accident.
 void refuseTaken(std::string_view name) {
     if (!entryOf(name)) return;
     throw Error({"", fmt::format("there is a preset {} already", name), "", "a name that is free",
@@ -41,7 +42,7 @@ void refuseTaken(std::string_view name) {
 
 PresetEntry presetEntry(std::string_view name) {
     if (auto entry = entryOf(name)) return *std::move(entry);
-    const std::filesystem::path file = findPreset(name);  // throws, or there is a file
+    const std::filesystem::path file = findPreset(name);  // throws if there is no such file
     throw Error({"", fmt::format("{} is no preset of the list, but a file", name), "",
                  "a name that nephoscope presets lists", ""});
 }
@@ -91,7 +92,7 @@ std::filesystem::path saveOwnPreset(const std::string& name, const Preset& prese
 
 std::string duplicatePreset(std::string_view nameOrFile, std::string_view newName) {
     const std::filesystem::path source = findPreset(nameOrFile);
-    loadPreset(source);  // no copy of what is wrong
+    loadPreset(source);  // refuses to copy an invalid preset
     const std::string name =
         newName.empty() ? freePresetName(source.stem().string()) : std::string(newName);
     refuseTaken(name);

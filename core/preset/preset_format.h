@@ -1,4 +1,4 @@
-// preset_format.h: how a preset is spelled in its file; shared by its reader and its writer.
+// preset_format.h: constants of the preset file format, shared by its reader and its writer.
 #pragma once
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// preset_library.cpp: the presets that are there, bundled and the user's, and finding one by name.
+// preset_library.cpp: lists the bundled and the user's presets, and finds one by name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +29,7 @@ std::vector<PresetEntry> presetsIn(const std::filesystem::path& dir, bool bundle
     return entries;
 }
 
+/// Suggests the nearest name.
 [[noreturn]] void refuseUnknown(std::string_view name) {
     const std::vector<PresetEntry> entries = listPresets();
     std::vector<std::string_view> names;

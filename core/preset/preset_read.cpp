@@ -1,4 +1,4 @@
-// preset_read.cpp: presets out of JSON from strangers; every fault becomes an Error.
+// preset_read.cpp: reads presets from untrusted JSON; every fault becomes an Error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 namespace neph {
 namespace {
 
-/// Keeps the order of keys. Numbers are kept as float, so that a float written in its shortest form
-/// reads back bit for bit.
+/// Keeps the order of keys. Numbers are stored as float, so that a float written in its shortest
+/// form is read back with the same bits.
 using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
                                   std::int64_t, std::uint64_t, float>;
 
-constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 20;  // a preset has 8 KiB
+constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 20;  // a typical preset has 8 KiB
 constexpr std::array<std::string_view, 6> kTopKeys{"type",        "version", "title",
                                                    "description", "look",    "camera"};
 
@@ -39,6 +39,7 @@ std::optional<glm::vec3> toVector(const Json& value) {
     return v;
 }
 
+/// Choices are written by name, so that files survive a change of the enumeration.
 std::optional<int> toChoice(const Parameter& row, const Json& value) {
     if (!value.is_string()) return {};
     const auto& name = value.get_ref<const std::string&>();
@@ -55,6 +56,7 @@ std::optional<int> toInteger(const Json& value) {
     return static_cast<int>(number);
 }
 
+/// The value in the type of the parameter; empty if JSON has another type.
 std::optional<ParameterValue> toValue(const Parameter& row, const Json& value) {
     switch (row.kind) {
         case ParameterKind::toggle:

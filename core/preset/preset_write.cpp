@@ -1,4 +1,4 @@
-// preset_write.cpp: presets to JSON, and to disk.
+// preset_write.cpp: writes presets as JSON.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +42,8 @@ Json toJson(const CameraPose& pose) {
     return camera;
 }
 
-/// One key a line, values on their line: easier to read and to compare than either of dump()'s.
+/// One key per line with its whole value: easier to read and to compare than either format of
+/// dump().
 std::string layOut(const Json& document) {
     std::string out = "{";
     std::string_view comma = "\n";

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = "window-";
-constexpr std::time_t kYoungS = 60;  // a lock of that age may have been made this moment
+constexpr std::time_t kYoungS = 60;  // a younger lock may just have been created by another window
 
 std::time_t timeOf(const fs::path& file) {
     struct stat status {};
@@ -41,6 +41,7 @@ std::vector<fs::path> filesOf(const fs::path& folder, const char* extension) {
     return files;
 }
 
+/// The lock goes last, so that no other window takes the file in between.
 void forget(const fs::path& file) {
     ::unlink(file.c_str());
     ::unlink(lockOf(file).c_str());
@@ -81,6 +82,8 @@ Autosave::~Autosave() {
     if (!file_.empty() && !fs::exists(file_, error)) ::unlink(lockOf(file_).c_str());
 }
 
+/// A file whose lock can be taken has no living owner. Locks of other windows without a file are
+/// leftovers.
 void Autosave::findCrashed() {
     for (const fs::path& file : filesOf(*folder_, ".json")) {
         if (auto lock = FileLock::take(lockOf(file))) {
@@ -88,7 +91,7 @@ void Autosave::findCrashed() {
         }
     }
     std::ranges::sort(crashed_, {}, [](const Held& held) { return held.left.savedAt; });
-    for (const fs::path& lock : filesOf(*folder_, ".lock")) {  // of windows that saved nothing
+    for (const fs::path& lock : filesOf(*folder_, ".lock")) {  // left by windows that saved nothing
         fs::path file = lock;
         std::error_code error;
         if (fs::exists(file.replace_extension(".json"), error)) continue;
@@ -133,11 +136,12 @@ void Autosave::tick(const State& state, Clock::time_point now) {
     }
 }
 
+/// On another thread, because flushing to disk may take long.
 void Autosave::save(const SessionState& state) {
     saving_ = std::async(std::launch::async, [file = file_, state] { saveSession(file, state); });
 }
 
-/// After a save: what it stands for is forgotten, or the fault kept.
+/// After a save: discards the session that it replaces, or keeps the error message.
 void Autosave::noteSaved() {
     try {
         saving_.get();
@@ -147,7 +151,7 @@ void Autosave::noteSaved() {
         if (error.message() != toldFault_) fault_ = error.message();
         toldFault_ = error.message();
         adopted_ = std::exchange(adoptSaves_, false) || adopted_;
-        saved_.emplace();  // no state is like it: to be tried again
+        saved_.emplace();  // differs from every state, so that saving is tried again
     }
 }
 
@@ -165,7 +169,7 @@ void Autosave::finish(const SessionState& state) {
         fs::rename(file_, *folder_ / "last.json", error);
         if (std::exchange(adopted_, false)) discardCrashed();
     } catch (const Error&) {
-        return;  // what was saved last stays, and is offered at the next start
+        return;  // the last saved state stays and is offered at the next start
     }
     ::unlink(lockOf(file_).c_str());
     file_.clear();
@@ -184,7 +188,7 @@ void Autosave::discardCrashed() {
 
 void Autosave::adoptCrashed() {
     adopted_ = !crashed_.empty();
-    looked_.reset();  // now
+    looked_.reset();  // check at the next tick
 }
 
 std::optional<LeftSession> Autosave::last() const {

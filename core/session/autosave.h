@@ -1,9 +1,9 @@
-// autosave.h: the session kept every few seconds, so that a crash, a kill or a power cut loses
+// autosave.h: saves the session every few seconds, so that a crash, a kill or a power cut loses
 // little.
 //
-// Each window has a file of its own in the user's state folder, and a lock beside it that the
-// system lets go when the program ends, however it ends. A file that nobody holds was left by a
-// window that ended unexpectedly; after a proper end the file is renamed to last.json.
+// Each window has its own file in the user's state folder, and beside it a lock that the system
+// releases when the program ends, however it ends. A file without a holder was left by a window
+// that ended unexpectedly; after a normal exit the file is renamed to last.json.
 #pragma once
 #include <chrono>
 #include <ctime>
@@ -18,7 +18,7 @@
 
 namespace neph {
 
-/// A lock on a file of that name, which is made where it is missing; let go with the object.
+/// A lock on a file, which is created if missing; released with the object.
 class FileLock {
   public:
     FileLock() = default;
@@ -26,52 +26,52 @@ class FileLock {
     FileLock(FileLock&& other) noexcept;
     FileLock& operator=(FileLock&& other) noexcept;
 
-    /// None where somebody else holds it, or it cannot be made.
+    /// Empty if another process holds the lock, or the file cannot be created.
     static std::optional<FileLock> take(const std::filesystem::path& file);
 
   private:
     int file_ = -1;
 };
 
-/// A session left behind by a window that is gone.
+/// A saved session of a window that no longer exists.
 struct LeftSession {
     std::filesystem::path file;
     std::time_t savedAt = 0;
 };
 
+/// Saves the session of one window, and finds those that crashed windows left.
 class Autosave {
   public:
     using Clock = std::chrono::steady_clock;
     using State = std::function<SessionState()>;
 
-    /// Looks in `folder` for what was left; none: nothing is kept.
+    /// Searches `folder` for sessions left by a crash; without a folder nothing is saved.
     explicit Autosave(std::optional<std::filesystem::path> folder,
                       Clock::duration interval = std::chrono::seconds(5));
-    /// Without finish(): what was saved stays, as after a crash.
+    /// Without finish() the saved file stays, as after a crash.
     ~Autosave();
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
-    /// To be called once a frame: asks for the state once an interval, and where it is another than
-    /// the one saved last, saves it on a thread of its own. The first state asked for counts as
-    /// saved.
+    /// Call once per frame: gets the state once per interval and, if it differs from the one last
+    /// saved, saves it on another thread. The first state counts as saved.
     void tick(const State& state, Clock::time_point now);
-    /// Until what is being saved is saved.
+    /// Waits until a save in progress has finished.
     void wait();
-    /// At a proper end: the session becomes the last one, unless nothing was done.
+    /// At a normal exit: the session becomes the last one, unless nothing was changed.
     void finish(const SessionState& state);
-    /// What kept a session from being saved; told once.
+    /// Why a session could not be saved; returned once.
     std::optional<std::string> takeFault();
 
-    /// The newest session that was left by a crash; nobody else is offered it while this lives.
+    /// The newest session left by a crash; while this object exists, no other window is offered it.
     const LeftSession* crashed() const {
         return crashed_.empty() ? nullptr : &crashed_.back().left;
     }
-    /// Forgets it.
+    /// Deletes it.
     void discardCrashed();
-    /// It was taken over: forgotten as soon as this window has saved its own.
+    /// It was opened here: deleted as soon as this window has saved its own session.
     void adoptCrashed();
-    /// That of the last proper end.
+    /// The session of the last normal exit.
     std::optional<LeftSession> last() const;
 
   private:
@@ -87,16 +87,16 @@ class Autosave {
 
     std::optional<std::filesystem::path> folder_;
     Clock::duration interval_;
-    std::filesystem::path file_;  // ours; empty where nothing can be kept
+    std::filesystem::path file_;  // our file; empty if nothing can be saved
     FileLock lock_;
     std::vector<Held> crashed_;  // oldest first
     std::optional<SessionState> saved_;
     std::optional<Clock::time_point> looked_;
     std::future<void> saving_;
     std::string fault_, toldFault_;
-    bool written_ = false;     // since the start
-    bool adopted_ = false;     // the newest of crashed_ goes with the next save
-    bool adoptSaves_ = false;  // the save under way is the one
+    bool written_ = false;     // something was saved since the start
+    bool adopted_ = false;     // delete the newest of crashed_ with the next save
+    bool adoptSaves_ = false;  // the save in progress is that one
 };
 
 }  // namespace neph

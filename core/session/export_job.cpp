@@ -1,4 +1,4 @@
-// export_job.cpp: reading the lines, and estimating what is left from what is done.
+// export_job.cpp: reads progress lines, and estimates the remaining time from what is done.
 #include "core/session/export_job.h"
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 namespace neph {
 namespace {
 
-constexpr int kNiceness = 10;    // the window has the right of way
-constexpr double kLeastS = 1.0;  // before what is left can be told from what was done
+constexpr int kNiceness = 10;    // the window has priority
+constexpr double kLeastS = 1.0;  // elapsed time before the remaining time can be estimated
 constexpr double kLeastShare = 0.01;
 
 }  // namespace
@@ -27,7 +27,7 @@ ExportJob::ExportJob(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments)
     : child_(program, arguments, {.niceness = kNiceness, .takesInput = false}) {}
 
-/// Lines that are none of ours are passed over.
+/// Takes one line of progress; other output is skipped.
 void ExportJob::take(const std::string& line) {
     const auto told = nlohmann::json::parse(line, nullptr, false);
     if (!told.is_object()) return;
@@ -76,7 +76,7 @@ std::string ExportJob::text() const {
 
 std::string ExportJob::fault() const {
     const std::string words = child_.lastWords();
-    // Notes and what was written came before.
+    // Notes and names of written files come before it.
     const std::size_t error = words.rfind("error: ");
     if (error != words.npos) return words.substr(error + 7);
     return words.empty() ? fmt::format("the program ended with {}", child_.status().value_or(-1))

@@ -1,5 +1,5 @@
-// export_job.h: an export that runs beside the window: the program itself, started as `nephoscope
-// render --progress`, and what its lines tell.
+// export_job.h: an export that runs in the background: the program itself, started as `nephoscope
+// render --progress`, and the progress that it prints.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -12,6 +12,7 @@
 
 namespace neph {
 
+/// One export in progress.
 class ExportJob {
   public:
     enum class State { running, done, failed, cancelled };
@@ -19,20 +20,20 @@ class ExportJob {
     /// Starts `program` with `arguments`, at low priority. Throws Error.
     ExportJob(const std::filesystem::path& program, const std::vector<std::string>& arguments);
 
-    /// Takes in what it said; to be called now and then.
+    /// Reads its progress; call regularly.
     State poll();
-    /// Asks it to stop; it leaves no half file.
+    /// Asks it to stop; it leaves no incomplete file.
     void cancel();
 
     State state() const { return state_; }
-    /// Share that is there, 0 to 1.
+    /// Completed fraction, 0 to 1.
     double fraction() const;
     /// "12 of 40 pictures, 1 min 20 s left".
     std::string text() const;
-    /// The picture or film that was written last; empty before.
+    /// The image or video that was written last; empty before the first.
     const std::filesystem::path& file() const { return file_; }
     int done() const { return done_; }
-    /// Why it failed, in the program's own words.
+    /// Why it failed, as the program reported it.
     std::string fault() const;
 
   private:
@@ -41,9 +42,9 @@ class ExportJob {
     ChildProcess child_;
     State state_ = State::running;
     bool cancelling_ = false;
-    int done_ = 0, of_ = 0;  // 0: not yet told
-    double part_ = 0.0;      // of the next picture
-    double seconds_ = 0.0;   // that it took so far
+    int done_ = 0, of_ = 0;  // 0: not yet known
+    double part_ = 0.0;      // of the next image
+    double seconds_ = 0.0;   // elapsed so far
     std::filesystem::path file_;
 };
 

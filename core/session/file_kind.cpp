@@ -1,5 +1,5 @@
-// file_kind.cpp: the "type" that documents of ours open with. A document that is broken further
-// down is still told by it, so that the message is about what is wrong.
+// file_kind.cpp: recognises our documents by their "type". A document that is damaged further down
+// is still recognised, so that the message is about the damage.
 #include "core/session/file_kind.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kHead = 4096;
 constexpr std::string_view kSpace = " \t\r\n";
 
-/// What follows the key `"type"` and a colon in quotes; empty where there is none.
+/// The quoted value after the key `"type"` and a colon; empty if there is none.
 std::string_view typeIn(std::string_view text) {
     constexpr std::string_view kKey = "\"type\"";
     const auto skip = [&](std::size_t count) {

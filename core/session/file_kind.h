@@ -1,4 +1,4 @@
-// file_kind.h: what a file that is named or dropped is to the program, by its first kilobytes.
+// file_kind.h: what kind of file was named or dropped, from its first kilobytes.
 #pragma once
 #include <filesystem>
 
@@ -6,7 +6,7 @@ namespace neph {
 
 enum class FileKind { data, preset, session };
 
-/// `data` for all that is neither of the others, folders and what cannot be read included.
+/// `data` for everything else, including folders and unreadable files.
 FileKind kindOfFile(const std::filesystem::path& path);
 
 }  // namespace neph

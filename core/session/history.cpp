@@ -1,4 +1,4 @@
-// history.cpp: steps and their labels.
+// history.cpp: undo steps and their labels.
 #include "core/session/history.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace neph {
 namespace {
 
-/// The same words with a small letter, where they go on in a list.
+/// Joins parts in a list, with lower-case initials after the first.
 std::string joined(const std::vector<std::string>& parts) {
     std::string text;
     for (std::string part : parts) {
@@ -97,6 +97,7 @@ void History::restart(const Document& document) {
     last_ = document;
 }
 
+/// All states change alike, so undo still leads to valid documents.
 void History::adapt(const std::function<void(Document&)>& change) {
     for (auto* steps : {&past_, &future_}) {
         for (Step& step : *steps) {
@@ -116,6 +117,7 @@ void History::commit(const Document& document, std::string label) {
     last_ = document;
 }
 
+/// A drag is one step, not one per frame.
 void History::settle(const Document& document, bool handDown, double restS) {
     const bool letGo = handDown_ && !handDown;
     handDown_ = handDown;

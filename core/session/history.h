@@ -1,7 +1,7 @@
 // history.h: undo and redo of the document, one step per gesture.
 //
-// The document is plain values, so a step is a copy of them. Panels change the document freely;
-// `commit` at the end of a gesture makes one step of whatever changed since the last.
+// The document is plain values, so a step is a copy of it. Panels change the document freely;
+// `commit` at the end of a gesture makes one step of all changes since the last.
 #pragma once
 #include <functional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace neph {
 
-/// Everything about the picture that the user can change.
+/// Everything about the image that the user can change.
 struct Document {
     Look look;
     CameraPose camera;
@@ -23,33 +23,33 @@ struct Document {
     bool operator==(const Document&) const = default;
 };
 
-/// What changed, in words: "Cloud: Mixing scale 1 -> 0.5", "Cloud: 3 parameters", "Time 1 -> 2,
-/// camera"; empty when equal. Times count from 1.
+/// Describes the change: "Cloud: Mixing scale 1 -> 0.5", "Cloud: 3 parameters", "Time 1 -> 2,
+/// camera"; empty if equal. Times count from 1.
 std::string describeChange(const Document& before, const Document& after);
 
+/// The undo steps of one document.
 class History {
   public:
     explicit History(const Document& start = {}) : last_(start) {}
 
-    /// Forgets all steps and starts at `document`, as after opening other data.
+    /// Discards all steps and starts at `document`, as after opening other data.
     void restart(const Document& document);
 
-    /// Changes every state that steps lead to, as when the times or the grid that they count in are
-    /// others.
+    /// Applies `change` to the states of all steps, for example when the times or the grid that
+    /// they refer to have changed.
     void adapt(const std::function<void(Document&)>& change);
 
-    /// Makes a step of what changed since the last commit; nothing when nothing did. `label`
-    /// overrides the words of describeChange.
+    /// Makes a step of the changes since the last commit, if any. `label` overrides describeChange.
     void commit(const Document& document, std::string label = {});
 
-    /// Commits when a gesture is over: when the hand lets go (a mouse button that was down is up),
-    /// or without a hand, as after keys or the wheel, when nothing has changed for kRestS seconds.
+    /// Commits when a gesture is over: when the mouse button is released, or, after keys or the
+    /// wheel, when nothing has changed for kRestS seconds.
     void settle(const Document& document, bool handDown, double restS);
-    static constexpr double kRestS = 0.4;  // tuned by hand: between two turns of a wheel
+    static constexpr double kRestS = 0.4;  // tuned by hand: more than between wheel clicks
 
-    /// Words for every step, oldest first, those that were undone at the end.
+    /// Labels of all steps, oldest first, those that were undone last.
     std::vector<std::string> steps() const;
-    /// How many of them lead to the present state.
+    /// How many of them lead to the current state.
     std::size_t position() const { return past_.size(); }
 
     bool canUndo() const { return !past_.empty(); }
@@ -57,12 +57,12 @@ class History {
     std::string undoLabel() const { return canUndo() ? past_.back().label : std::string(); }
     std::string redoLabel() const { return canRedo() ? future_.back().label : std::string(); }
 
-    /// Goes one step back or forth in `document`; what is not yet committed is committed first.
-    /// False when there is no step.
+    /// Goes one step back or forward in `document`; pending changes are committed first. False if
+    /// there is no such step.
     bool undo(Document& document);
     bool redo(Document& document);
-    /// To the state after the first `steps` steps; what is not yet committed is committed first.
-    /// False when it is the present one or there are not so many.
+    /// Goes to the state after the first `steps` steps; pending changes are committed first. False
+    /// if that is the current state or there are fewer steps.
     bool jumpTo(Document& document, std::size_t steps);
 
   private:

@@ -1,4 +1,4 @@
-// moved_data.cpp: one move found out, tried for all.
+// moved_data.cpp: finds out one move and tries it for all missing files.
 #include "core/session/moved_data.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A name is missing if opening it would fail; names of bundled samples are not.
 bool isMissing(const std::string& name) {
     try {
         listFiles(std::span(&name, 1));
@@ -22,7 +23,7 @@ bool isMissing(const std::string& name) {
     }
 }
 
-/// `path` when what lay under `from` lies under `to`; none where it did not.
+/// `path` after moving `from` to `to`; empty if it is not under `from`.
 std::optional<fs::path> moved(const fs::path& path, const fs::path& from, const fs::path& to) {
     const auto [end, rest] = std::mismatch(from.begin(), from.end(), path.begin(), path.end());
     if (end != from.end()) return {};
@@ -57,7 +58,7 @@ int moveData(SessionState& state, const std::string& missing, const fs::path& fo
     if (!fs::exists(to, error)) return 0;
     replace(state, missing, to.string());
     int count = 1;
-    // What both paths end with has not moved; what is before it has.
+    // The part that both paths end with has not moved; what comes before it has.
     while (from.has_relative_path() && to.has_relative_path() && from.filename() == to.filename()) {
         from = from.parent_path();
         to = to.parent_path();

@@ -1,4 +1,4 @@
-// moved_data.h: data of a session that are no longer where they were.
+// moved_data.h: finds data of a session that have been moved.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace neph {
 
-/// Names in `state` under which there is nothing, each once.
+/// Names in `state` that do not exist, each once.
 std::vector<std::string> missingData(const SessionState& state);
 
-/// Puts `found`, or the file of the same name in the folder `found`, in the place of `missing`, and
-/// tries the same move for whatever else is missing. Returns how many names were replaced.
+/// Replaces `missing` by `found`, or by the file of the same name in the folder `found`, and tries
+/// the same move for all other missing names. Returns how many names were replaced.
 int moveData(SessionState& state, const std::string& missing, const std::filesystem::path& found);
 
 }  // namespace neph

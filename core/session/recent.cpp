@@ -1,4 +1,4 @@
-// recent.cpp: a short list of names.
+// recent.cpp: a short list of recently opened names.
 #include "core/session/recent.h"
 
 #include <fmt/format.h>
@@ -11,10 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxEntryBytes = 65536;  // of the settings: some hundred names
+constexpr std::size_t kMaxEntryBytes = 65536;  // in the settings: some hundred names
 
 }  // namespace
 
+/// Absolute, so that the entry works from any folder.
 std::string recentEntry(std::span<const std::string> named) {
     std::string entry;
     for (const std::string& name : named) {

@@ -1,4 +1,4 @@
-// session.cpp: what is asked for, what is shown, and opening; presets and messages.
+// session.cpp: opening and reading data, and showing what was requested; messages and history.
 #include "core/session/session.h"
 
 #include <fmt/format.h>
@@ -21,6 +21,7 @@ std::string nameOf(const std::vector<std::filesystem::path>& paths) {
     return paths.size() == 1 ? first : fmt::format("{} and {} more", first, paths.size() - 1);
 }
 
+/// Keys use file and index, not the position in the series, which changes when files are added.
 VolumeKey keyFor(const DatasetInfo& info, int time, const VolumeRequest& request) {
     const TimeInfo& when = info.times[static_cast<std::size_t>(time)];
     return {when.indexInFile, when.file.string(), request};
@@ -54,7 +55,7 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
     const std::vector<std::string> names(named.begin(), named.end());
     auto work = [this, open = open_, names, paths, time, region, budget = budget_,
                  look = document.look](const Progress& progress) {
-        std::vector<FileStamp> stamps = stampsOf(paths);  // before: later growth is noticed
+        std::vector<FileStamp> stamps = stampsOf(paths);  // before reading, to notice growth
         auto dataset =
             open(paths, [&progress](double share) { return goOn(progress, kOpenShare * share); });
         const int count = static_cast<int>(dataset->info().times.size());
@@ -98,6 +99,7 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
     });
 }
 
+/// Shares the volumes, which are immutable, but opens its own handle of the data.
 void Session::copyFrom(const Session& other) {
     document = other.document;
     history.restart(document);
@@ -163,10 +165,10 @@ void Session::poll() {
     }
 }
 
-/// Brings what `key` says onto the screen, now where it is held.
+/// Shows the volume of `key`: at once if it is cached, otherwise when it has been read.
 void Session::want(const VolumeKey& key) {
     if ((key == shownKey_ && !shownStale_) || key == failedKey_) {
-        if (jobs_.busy() && !opening_) jobs_.cancel();  // the wish before was taken back
+        if (jobs_.busy() && !opening_) jobs_.cancel();  // the previous request was withdrawn
         return;
     }
     if (const Held held = cache_.find(key)) {
@@ -179,6 +181,8 @@ void Session::want(const VolumeKey& key) {
     }
 }
 
+/// Reads a volume in the background. A finished one is cached even if it is no longer the one
+/// requested.
 void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
     opening_ = false;
     readingKey_ = key;
@@ -208,14 +212,15 @@ void Session::cancelLoading() {
     failedKey_ = keyOf(document.time);
 }
 
+/// The view returns to what is shown, so that document and image agree.
 void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
     readingKey_.reset();
     unreadable_.push_back(key);
-    if (key != keyOf(document.time)) return;  // read ahead: told when somebody asks for it
+    if (key != keyOf(document.time)) return;  // read ahead: reported when it is requested
     const std::size_t count = dataset_->info().times.size();
     const bool growing = count > 1 && static_cast<std::size_t>(time) + 1 == count;
     missedLast_ = growing && follow;
-    if (growing) {  // perhaps still being written
+    if (growing) {  // may still be being written
         say(Message::Kind::warning,
             error.message() + "\n       hint: the last time is tried again when its file grows");
     } else {
@@ -225,7 +230,7 @@ void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
     goBackToShown();
 }
 
-/// Wishes for what is shown already, for want of anything else.
+/// Requests what is already shown, because nothing else is available.
 void Session::goBackToShown() {
     if (!shown_ || !shownKey_) return;
     region_ = shownKey_->request.region;
@@ -238,6 +243,7 @@ void Session::goBackToShown() {
     }
 }
 
+/// Makes a volume the one that is shown, and reports what is notable about it.
 void Session::show(const VolumeKey& key, const Held& held) {
     if (shown_) keepView(shown_->summary.grid, held->summary.grid);
     shown_ = fresh_ = held;
@@ -255,7 +261,7 @@ void Session::show(const VolumeKey& key, const Held& held) {
     }
 }
 
-/// Poses are shares of the grid that is shown: another part of the same domain is to be seen from
+/// Poses are relative to the grid that is shown: another part of the same domain must be seen from
 /// the same place, now and in every step of the history.
 void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
     if (before.originM == now.originM && before.extentM() == now.extentM()) return;
@@ -277,7 +283,7 @@ void Session::say(Message::Kind kind, std::string text) {
     if (messages.size() > kMaxMessages) messages.erase(messages.begin());
 }
 
-/// Says what has not been said of these data before.
+/// Adds messages that have not been shown for these data before.
 void Session::sayNew(const std::vector<std::string>& notes, Message::Kind kind) {
     for (const std::string& note : notes) {
         if (toldNotes_.insert(note).second) say(kind, note);

@@ -1,9 +1,9 @@
 // session.h: the document of the workbench and the data that it shows.
 //
-// Look, camera and time are in `document`, which panels change freely. Which part of the domain is
-// shown and how much memory it may take are the session's own: undo and presets leave them alone.
-// Data come in through a background job; until they are there, and when they fail, the last good
-// data stay. When nothing is asked for, the next times are read ahead, and grown files again.
+// Look, camera and time are in `document`, which panels change freely. Region and memory limit
+// belong to the session itself: undo and presets leave them alone. Data are read by a background
+// job; until they arrive, and if reading fails, the last good data stay. When nothing is requested,
+// the next times are read ahead, and files that have grown are read again.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -26,95 +26,99 @@
 
 namespace neph {
 
+/// A message for the user.
 struct Message {
     enum class Kind { note, warning, error };
     Kind kind = Kind::note;
     std::string text;
-    std::uint64_t serial = 0;  ///< counts up from 1
+    std::uint64_t serial = 0;  ///< increases from 1
 };
 
-/// The time that is shown first: the middle one, since models start without cloud and storms leave
-/// the domain.
+/// The time that is shown first: the middle one, because models start without cloud and storms
+/// leave the domain.
 int defaultTime(const DatasetInfo& info);
 
-/// Opens files and folders as one series, as Dataset::open; called on the worker.
+/// Opens files and folders as one series, like Dataset::open; called on the worker.
 using OpenSeries = std::function<std::shared_ptr<Dataset>(
     std::span<const std::filesystem::path> paths, const Progress& progress)>;
 
+/// One document with its data. Used by the main thread; work runs on the threads of its members.
 class Session {
   public:
-    /// `wake` is called on other threads when there is something for poll(). Files are looked at
-    /// for growth every `watchInterval`.
+    /// `wake` is called on other threads when poll() has something to do. Files are checked for
+    /// growth every `watchInterval`.
     explicit Session(PluginHost host, std::function<void()> wake = {});
     explicit Session(OpenSeries open, std::function<void()> wake = {},
                      std::chrono::milliseconds watchInterval = std::chrono::seconds(2));
 
     Document document;
     History history;
-    CameraPose homeCamera;            ///< of the preset that was loaded last
+    CameraPose homeCamera;            ///< of the last loaded preset
     std::vector<Message> messages;    ///< newest last
-    std::uint64_t settledSerial = 0;  ///< errors up to here are overcome: other data were opened
+    std::uint64_t settledSerial = 0;  ///< errors up to here are obsolete: other data were opened
     std::string presetName;           ///< last loaded or saved, as presetNameOf; empty before
-    Look presetLook;                  ///< of that preset; what is changed is measured against it
+    Look presetLook;                  ///< of that preset, to show what has been changed
     std::optional<CameraPose> presetCamera;
-    bool follow = false;  ///< from the last time to a new last one
+    bool follow = false;  ///< moves from the last time to a new last one
 
-    /// Opens what the user named: files, folders, or nothing for the bundled storm, as one series
-    /// in the background, and shows `time` (negative counts from the end) or the default time, of
-    /// `region` or the whole domain. Faults become messages.
+    /// Opens files, folders, or the bundled storm if nothing is named, as one series in the
+    /// background, and shows `time` (negative counts from the end) or the default time, of `region`
+    /// or the whole domain. Errors become messages.
     void open(std::span<const std::string> named, std::optional<int> time = {},
               std::optional<Region> region = {});
-    /// What was named when the open data were opened; none for the bundled storm.
+    /// The names that the open data were opened with; empty for the bundled storm.
     const std::vector<std::string>& named() const { return named_; }
-    /// Takes over data, document and what is shown from another session, which keeps its own; the
-    /// history begins anew.
+    /// Copies data, document and what is shown from another session, which keeps its own; the
+    /// history starts again.
     void copyFrom(const Session& other);
-    /// Takes over look and camera of a preset, or parts of them, as one step of the history. Faults
-    /// become messages; false.
+    /// Applies look and camera of a preset, or parts of them, as one step of the history. Errors
+    /// become messages, and the result is false.
     bool loadPreset(const std::string& nameOrFile, PresetParts parts = kPresetAll);
-    /// The same with a preset from elsewhere; `label` names the step.
+    /// The same with a preset from another source; `label` names the step.
     void takePreset(const LoadedPreset& loaded, PresetParts parts, const std::string& label);
-    /// Saves look and camera under a name of the user's; one of that name is replaced if `replace`,
-    /// and keeps its words where `text` has none. Faults become messages; false.
+    /// Saves look and camera as a preset of the user; one of that name is replaced if `replace`,
+    /// and keeps its title and description if `text` is empty. Errors become messages, and the
+    /// result is false.
     bool savePreset(const std::string& name, bool replace = false,
                     std::optional<PresetText> text = {});
-    /// The preset that the document came from, as at the start of the program.
+    /// Sets the preset that the document came from, as at the start of the program.
     void setPreset(const std::string& name);
 
-    /// Part of the domain to be shown; none: the whole.
+    /// Part of the domain to show; empty: all of it.
     void setRegion(const std::optional<Region>& region);
     const std::optional<Region>& region() const { return region_; }
-    /// Bounds of one volume; `machine` bounds all that are held together as well.
+    /// Limits of one volume; `machine` also limits all cached volumes together.
     void setBudget(const MemoryBudget& budget);
     const MemoryBudget& budget() const { return budget_; }
 
-    /// To be called once a frame: takes over what was done in the background, and asks for what
-    /// document, region and budget want where that is not what is shown.
+    /// Call once per frame: takes the results of background work, and requests what document,
+    /// region and budget require if that is not what is shown.
     void poll();
-    /// Looks for grown files now.
+    /// Checks for files that have grown now.
     void lookForGrowth() { watch_.lookNow(); }
-    /// A volume to be shown that came in since the last call, for the renderer; else nullptr.
+    /// A volume to show that arrived since the last call, for the renderer; otherwise nullptr.
     std::shared_ptr<const SpeciesVolume> takeVolume();
 
     bool loading() const { return jobs_.busy(); }
-    /// Gives up what is being opened or read; what is shown stays.
+    /// Cancels opening or reading; what is shown stays.
     void cancelLoading();
     double loadingFraction() const { return jobs_.fraction(); }
     std::string loadingLabel() const { return jobs_.label(); }
 
-    /// Metadata of the open data; nullptr before any.
+    /// Metadata of the open data; nullptr before the first.
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
-    /// What is shown; nullptr before any.
+    /// What is shown; nullptr before the first.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
-    /// The same with the volume.
+    /// The same with its volume.
     const std::shared_ptr<const HeldVolume>& held() const { return shown_; }
     const VolumeCache& cache() const { return cache_; }
-    /// Whether a time could be shown at once, and how many could.
+    /// Whether a time is cached and can be shown at once, and how many are.
     bool holds(int time) const;
     int timesHeld() const;
-    /// Whether what is shown is of this time, and as the document, region and budget want it.
+    /// Whether what is shown has this time, and matches document, region and budget.
     bool shows(int time) const;
 
+    /// Adds a message, unless it repeats the last one.
     void say(Message::Kind kind, std::string text);
     bool undo();
     bool redo();
@@ -151,18 +155,18 @@ class Session {
     Held shown_, fresh_;
     std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
     bool shownStale_ = false;  // its file has changed since it was read
-    bool opening_ = false;     // other data are on their way: what is shown now is left alone
+    bool opening_ = false;     // other data are being opened: what is shown now is left alone
     int seenTime_ = 0;         // document.time at the last poll
-    int direction_ = 1;        // in which times were stepped through
+    int direction_ = 1;        // in which the times were stepped through
     bool aheadDone_ = false;
-    bool missedLast_ = false;  // the last time could not be read yet, and is to be followed
+    bool missedLast_ = false;  // the last time could not be read yet and is to be followed
     std::set<std::string> toldNotes_;
-    std::vector<VolumeKey> unreadable_;  // ahead of time; not tried again
+    std::vector<VolumeKey> unreadable_;  // failed while reading ahead; not tried again
     std::optional<std::vector<FileStamp>> grown_;
 
     std::uint64_t lastSerial_ = 0;
     SeriesWatch watch_;
-    Jobs jobs_;  // last, so that the worker ends before what it uses
+    Jobs jobs_;  // last, so that the worker ends before the members it uses
 };
 
 }  // namespace neph

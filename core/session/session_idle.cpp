@@ -1,5 +1,5 @@
-// session_idle.cpp: what a session does when nothing is asked of it: reading the next times ahead,
-// and reading files again that have grown.
+// session_idle.cpp: what a session does when nothing is requested: reads the next times ahead, and
+// reads files again that have grown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 namespace neph {
 namespace {
 
+/// Labels identify times: seconds are relative to the first time, which may change.
 bool sameTime(const TimeInfo& a, const TimeInfo& b) {
     return a.label == b.label;
 }
 
-/// Index in `now` of a time that `before` had at `index`; the nearest there is where it is gone.
+/// Index in `now` of the time that `before` has at `index`; the nearest one if it is gone.
 int movedTime(const DatasetInfo& before, const DatasetInfo& now, int index) {
     const int known = std::clamp(index, 0, static_cast<int>(before.times.size()) - 1);
     const TimeInfo& when = before.times[static_cast<std::size_t>(known)];
@@ -24,7 +25,7 @@ int movedTime(const DatasetInfo& before, const DatasetInfo& now, int index) {
     return std::clamp(index, 0, static_cast<int>(now.times.size()) - 1);
 }
 
-/// The file of `before` that is on disk but not in `now`; nullptr when there is none.
+/// A file of `before` that exists but is not in `now`; nullptr if there is none.
 const TimeInfo* lostFile(const DatasetInfo& before, const DatasetInfo& now) {
     for (const TimeInfo& when : before.times) {
         std::error_code error;
@@ -57,8 +58,8 @@ int Session::timesHeld() const {
     return held;
 }
 
-/// Times worth having besides the one that is shown, the next first: as many as memory holds, in
-/// the direction of the last step first, but for the one behind.
+/// Times to read ahead, the most useful first: as many as memory holds, in the direction of the
+/// last step, except that the previous time comes second.
 std::vector<int> Session::timesAhead() const {
     const int count = static_cast<int>(dataset_->info().times.size());
     const std::uint64_t each = std::max<std::uint64_t>(1, shown_->volume.bytes());
@@ -78,10 +79,11 @@ std::vector<int> Session::timesAhead() const {
     return times;
 }
 
+/// Starts one volume at a time; poll() calls it again when that is done.
 void Session::readAhead() {
     if (aheadDone_ || !shown_ || shownStale_ || keyOf(document.time) != shownKey_) return;
     const std::vector<int> times = timesAhead();
-    // Used in reverse order, so that what is nearest is given up last.
+    // Touched in reverse order, so that the nearest times are dropped last.
     for (auto time = times.rbegin(); time != times.rend(); ++time) cache_.find(keyOf(*time));
     cache_.find(*shownKey_);
     for (const int time : times) {
@@ -106,6 +108,8 @@ void Session::readAgain() {
     jobs_.start("Reading again what has grown", std::move(work), failed, Jobs::Kind::ahead);
 }
 
+/// Replaces the data set by the one that was opened again; the old one is kept if a file cannot be
+/// read now.
 void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps) {
     grown_.reset();
     const std::shared_ptr<Dataset> old = std::exchange(dataset_, std::move(grown));
@@ -129,15 +133,16 @@ void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> 
     adoptTimes(before, now);
 }
 
-/// Gives up volumes of files that changed. What a file had before it grew stays, but for its last
-/// time, which may have been half written.
+/// Drops volumes of files that changed. If a file only grew, what it had before stays, except for
+/// its last time, which may have been incomplete.
 void Session::dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps) {
     const auto find = [](const std::vector<FileStamp>& all, const std::string& file) {
         return std::ranges::find_if(all, [&](const FileStamp& s) { return s.path == file; });
     };
     const auto changed = [&](const VolumeKey& key) {
         const auto was = find(stamps_, key.file), is = find(stamps, key.file);
-        // Of data that a file describes rather than holds nothing is known: read them again.
+        // If the data are not in the file itself but in others that it describes, nothing is known:
+        // read them again.
         if (was == stamps_.end() || is == stamps.end()) return true;
         if (*was == *is) return false;
         if (is->bytes <= was->bytes) return true;
@@ -151,6 +156,7 @@ void Session::dropChanged(const DatasetInfo& before, const std::vector<FileStamp
     if (shownKey_ && changed(*shownKey_)) shownStale_ = true;
 }
 
+/// The document and its history keep showing the same times, whatever their new index.
 void Session::adoptTimes(const DatasetInfo& before, const DatasetInfo& now) {
     const bool atLast = document.time + 1 == static_cast<int>(before.times.size());
     const auto move = [&](Document& state) { state.time = movedTime(before, now, state.time); };

@@ -1,4 +1,4 @@
-// session_presets.cpp: presets taken over into the document, and the document saved as one.
+// session_presets.cpp: applies presets to the document, and saves the document as one.
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -17,10 +17,11 @@ void Session::setPreset(const std::string& name) {
         presetLook = preset.look;
         presetCamera = preset.camera;
         if (preset.camera) homeCamera = *preset.camera;
-    } catch (const Error&) {  // deleted, or out of reach: what is shown is what there is
+    } catch (const Error&) {  // deleted or unreadable: compare with the current look instead
     }
 }
 
+/// Commits pending changes first, so that undo returns to the look before the preset.
 void Session::takePreset(const LoadedPreset& loaded, PresetParts parts, const std::string& label) {
     for (const std::string& warning : loaded.warnings) say(Message::Kind::warning, warning);
     history.commit(document);

@@ -1,4 +1,4 @@
-// session_read.cpp: sessions out of JSON from strangers; every fault becomes an Error.
+// session_read.cpp: reads sessions from untrusted JSON; every fault becomes an Error.
 #include <fmt/format.h>
 
 #include <array>
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxBytes = std::size_t{16} << 20;  // a thousand names have 0.1 MiB
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;  // a thousand names take 0.1 MiB
 constexpr std::size_t kMaxNames = 100000;                 // of data; a long series has thousands
 constexpr std::size_t kMaxNameLength = 4096;              // PATH_MAX
 constexpr std::size_t kMaxBookmarks = 1000;
@@ -30,13 +30,13 @@ constexpr std::array<std::string_view, 8> kSlotKeys{"data", "region", "preset", 
 constexpr std::array<std::string_view, 2> kRegionKeys{"lower_m", "upper_m"};
 constexpr std::array<std::string_view, 2> kBookmarkKeys{"name", "camera"};
 
-/// An object whose keys are asked for one by one.
+/// Reads the keys of an object one by one, and reports unknown ones.
 struct Reader {
     const Json& object;
     std::string where;
     std::vector<std::string>& warnings;
 
-    /// nullptr where there is no such key.
+    /// nullptr if the key is absent.
     const Json* find(std::string_view key) const {
         const auto found = object.find(std::string(key));
         return found == object.end() ? nullptr : &*found;
@@ -65,7 +65,7 @@ struct Reader {
         if (!fits) refuse(key, fmt::format("a whole number from 0 to {}", last));
         value = json->get<int>();
     }
-    /// A list; nullptr where there is no such key.
+    /// A list of limited length; nullptr if the key is absent.
     const Json* list(std::string_view key, std::size_t least, std::size_t most) const {
         const Json* json = find(key);
         if (json == nullptr) return nullptr;
@@ -77,7 +77,7 @@ struct Reader {
     }
 };
 
-/// Where the data lie, by the name in the file.
+/// The path of data named in the file, relative to the folder of the file.
 std::string resolved(const std::string& name, const fs::path& folder) {
     std::error_code error;
     const bool bare = name.find('/') == name.npos && !name.starts_with('.');
@@ -102,6 +102,7 @@ std::vector<std::string> readNames(const Reader& slot, const fs::path& folder) {
     return names;
 }
 
+/// null stands for no limit on that side.
 glm::dvec3 readCorner(const Reader& region, std::string_view key, double unbounded) {
     const Json* list = region.list(key, 3, 3);
     glm::dvec3 corner(unbounded);
@@ -152,6 +153,7 @@ std::vector<Bookmark> readBookmarks(const Reader& slot) {
     return bookmarks;
 }
 
+/// A path in a session lacks the header of a path file, so it is added for the parser.
 CameraPath readPath(const Reader& slot) {
     const Json* json = slot.find("path");
     if (json == nullptr) return {};
@@ -161,7 +163,7 @@ CameraPath readPath(const Reader& slot) {
     return parseCameraPath(path.dump(), slot.where + ": path", slot.warnings);
 }
 
-/// Look and camera, by the code that reads presets.
+/// Reads look and camera with the code that reads presets.
 void readLook(const Reader& slot, Document& document) {
     Json preset{{"type", kPresetType}, {"version", kPresetVersion}};
     for (const char* key : {"look", "camera"}) {

@@ -1,6 +1,6 @@
-// session_state.h: what a session file keeps: the documents and where their data lie.
+// session_state.h: the contents of a session file: the documents and the names of their data.
 //
-// Plain values. Pictures, volumes and history are no part of it: they are made again.
+// Plain values. Images, volumes and history are not included: they are computed again.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -14,22 +14,23 @@ namespace neph {
 
 /// One of the two documents that can be compared.
 struct SlotState {
-    std::vector<std::string> data;  ///< files or folders as they were named; none: bundled storm
+    std::vector<std::string> data;  ///< files or folders as named; empty: bundled storm
     std::optional<Region> region;
     std::string presetName;  ///< last loaded or saved
     Document document;
     bool operator==(const SlotState&) const = default;
 };
 
-/// How two slots share the picture: one of them alone, side by side, in turns, or as the error of A
-/// against B. Session files hold the first two.
+/// How two slots share the image: one alone, side by side, alternating, or as the error of A
+/// against B. Session files contain only the first two.
 enum class CompareMode : int { single, split, flicker, error };
 
+/// Everything in a session file.
 struct SessionState {
     std::vector<SlotState> slots;  ///< one or two
     int active = 0;                ///< the slot that panels edit
     CompareMode compare = CompareMode::single;
-    float splitAt = 0.5f;  ///< share of the picture's width that slot A takes
+    float splitAt = 0.5f;  ///< share of the image width that slot A takes
     bool linkedCameras = true;
     bool linkedTimes = true;
     bool operator==(const SessionState&) const = default;

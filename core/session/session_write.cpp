@@ -1,4 +1,4 @@
-// session_write.cpp: sessions to JSON, and to disk.
+// session_write.cpp: writes sessions as JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLineLength = 100;
 
-/// Whether `path` is named from `folder`: where it lies under it, or beside it.
+/// Whether data are named relative to `folder`: if they are below it or beside it.
 bool movesWith(const fs::path& relative, const fs::path& folder) {
     if (relative.empty() || !folder.has_relative_path()) return false;
     auto part = relative.begin();
@@ -27,7 +27,7 @@ bool movesWith(const fs::path& relative, const fs::path& folder) {
     return (++part == relative.end() || *part != "..") && folder.parent_path().has_relative_path();
 }
 
-/// As it stands in the file.
+/// The name that is written to the file.
 std::string nameOf(const std::string& name, const fs::path& folder) {
     std::error_code error;
     const bool bare = name.find('/') == name.npos && !name.starts_with('.');
@@ -39,7 +39,7 @@ std::string nameOf(const std::string& name, const fs::path& folder) {
     return relative.begin()->string() == ".." ? relative.string() : "./" + relative.string();
 }
 
-/// Within what readers take: nothing that a file holds may keep it from being read again.
+/// Limits a pose to the ranges of the reader, so that every file that is written can be read again.
 CameraPose bounded(CameraPose pose) {
     for (int i = 0; i < 3; ++i) pose.target[i] = std::clamp(pose.target[i], kMinTarget, kMaxTarget);
     for (const CameraKey& row : kCameraKeys) {
@@ -54,7 +54,7 @@ Json toJson(const CameraPose& pose) {
 
 Json toJson(const CameraPath& path) {
     Json json = Json::parse(formatCameraPath(path));
-    json.erase("type");  // said by its place
+    json.erase("type");  // implied by its place in the session
     json.erase("version");
     return json;
 }
@@ -92,7 +92,7 @@ std::string onOneLine(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// What fits on a line stands on one.
+/// Values that fit on one line are written on one.
 void layOut(const Json& value, const std::string& indent, std::string& out) {
     const std::string line = onOneLine(value);
     if (value.empty() || !value.is_structured() || (line.size() < kLineLength && !indent.empty())) {

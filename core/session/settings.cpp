@@ -1,4 +1,4 @@
-// settings.cpp: one JSON object; `type` nephoscope-settings, version 1.
+// settings.cpp: reads and writes one JSON object of `type` nephoscope-settings, version 1.
 #include "core/session/settings.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kType = "nephoscope-settings";
 constexpr int kVersion = 1;
-constexpr std::size_t kMaxBytes = std::size_t{4} << 20;  // paths of what was opened lately
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;  // it holds the paths of recent files
 
 std::optional<std::filesystem::path> settingsFile() {
     const auto folder = userConfigDir();
@@ -28,7 +28,7 @@ std::optional<std::filesystem::path> settingsFile() {
     return *folder / "settings.json";
 }
 
-/// The object in the file; none where there is no file. Throws Error where it is none of ours.
+/// The object in the file; empty if there is no file. Throws Error if it is not a settings file.
 std::optional<Json> readObject(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return {};
@@ -73,7 +73,7 @@ bool take(const Json& json, std::vector<std::string>& value) {
     return true;
 }
 
-/// The single spelling of a setting.
+/// A setting; the only place where its key is written.
 struct Row {
     const char* key;
     const char* expected;

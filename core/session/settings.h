@@ -1,28 +1,30 @@
-// settings.h: what is remembered between runs, in $XDG_CONFIG_HOME/nephoscope/settings.json.
+// settings.h: settings that are kept between runs, in $XDG_CONFIG_HOME/nephoscope/settings.json.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace neph {
 
+/// Colours of the panels.
 enum class Theme : int { dark, light };
 
+/// Preferences of the user; not part of any document.
 struct Settings {
-    std::string memory;  ///< as parseMemory of memory_setting.h; empty: the program chooses
+    std::string memory;  ///< as for parseMemory in memory_setting.h; empty: the program chooses
     Theme theme = Theme::dark;
-    float textScale = 1.0f;         ///< of text and panels, besides the monitor's own scale
-    double framesPerSecond = 30.0;  ///< to be held while something moves
+    float textScale = 1.0f;  ///< scale of text and panels, in addition to that of the monitor
+    double framesPerSecond = 30.0;  ///< target while something moves
     bool leftColumn = true, rightColumn = true;
-    bool scaleBar = true, compass = true, heightRuler = false;  ///< over the picture
+    bool scaleBar = true, compass = true, heightRuler = false;  ///< overlays on the image
     std::vector<std::string> recent;  ///< data and sessions opened, newest first, absolute paths
     bool operator==(const Settings&) const = default;
 };
 
-/// Settings as remembered, or those of a first run. What is wrong is left out and told in
+/// The saved settings, or those of a first run. Invalid ones are left out and reported in
 /// `warnings`.
 Settings loadSettings(std::vector<std::string>& warnings);
 
-/// Remembers; keys that this version does not know stay. Throws Error.
+/// Saves the settings; keys unknown to this version are kept. Throws Error.
 void saveSettings(const Settings& settings);
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// thumbnail.cpp: from a preset's content to a file name.
+// thumbnail.cpp: derives a file name from the content of a preset.
 #include "core/session/thumbnail.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,7 @@
-// thumbnail.h: where the small picture of a preset is kept.
+// thumbnail.h: where the thumbnail of a preset is cached.
 //
-// In the user's cache folder, named by what the preset's file holds and by the program's version,
-// so that a preset that was edited or a program that draws otherwise gets a new one.
-// `nephoscope thumbnails` makes them.
+// In the user's cache folder, named by a hash of the preset file and the program version, so that
+// an edited preset or a new version gets a new one. `nephoscope thumbnails` makes them.
 #pragma once
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -14,7 +13,7 @@ namespace neph {
 
 inline constexpr glm::ivec2 kThumbnailPx{192, 108};
 
-/// Whether or not there is one yet; none where the preset cannot be read or there is no cache
+/// The file, whether or not it exists; empty if the preset cannot be read or there is no cache
 /// folder.
 std::optional<std::filesystem::path> thumbnailFile(const PresetEntry& preset);
 

@@ -1,4 +1,4 @@
-// held_volume.cpp: plan, read, look through.
+// held_volume.cpp: plans, reads and summarises the volume of one time.
 #include "core/volume/held_volume.h"
 
 #include <algorithm>
@@ -11,13 +11,15 @@
 namespace neph {
 namespace {
 
-// What bounds the clouds: thinner is not seen even across a storm. A droplet cloud of this content
-// has a mean free path of 6.7 km ([Riley03] eq. 3, 10 µm), and so has this extinction.
+// Thresholds of the visible region: thinner cloud is not seen even across a storm. A droplet cloud
+// of this content has a mean free path of 6.7 km ([Riley03] eq. 3, 10 µm), and so has this
+// extinction.
 constexpr float kVisibleContentKgPerM3 = 1e-6f;
 constexpr float kVisibleExtinctionPerM = 1.5e-4f;
 constexpr double kMarginShare = 0.1;  // tuned by eye
 
-// Lowest bin of histograms: far below what is seen, and eight decades on more than any cell holds.
+// Exponent of the lowest histogram bin: far below what is visible; eight decades above it is more
+// than any cell contains.
 constexpr double kLeastDecadeKgPerM3 = -9.0;
 constexpr double kLeastDecadePerM = -7.0;
 
@@ -25,12 +27,13 @@ double leastDecade(Holding holding) {
     return holding == Holding::extinction ? kLeastDecadePerM : kLeastDecadeKgPerM3;
 }
 
+/// Bounding box in cells, both corners included.
 struct CellBounds {
     glm::ivec3 lower{std::numeric_limits<int>::max()}, upper{-1};
     bool empty() const { return upper.x < 0; }
 };
 
-/// Widens `bounds` by the cells above `threshold` and counts those that hold something.
+/// Extends `bounds` by the cells above `threshold` and adds all cells above zero to `histogram`.
 void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
                  FieldHistogram& histogram) {
     std::size_t i = 0;
@@ -47,7 +50,7 @@ void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
     }
 }
 
-/// Lowest and highest level of the domain; a region may hold but some of them.
+/// Lowest and highest level of the whole domain; a region may cover only some of them.
 glm::dvec2 domainHeights(Dataset& dataset, int time, const VolumeRequest& request,
                          const ReadPlan& plan, const Progress& progress) {
     const bool cut = request.region && (std::isfinite(request.region->lowerM.z) ||
@@ -84,6 +87,7 @@ bool VolumeSummary::empty() const {
     return std::ranges::none_of(anything, [](bool some) { return some; });
 }
 
+/// One pass over every field, when the volume has just been read.
 VolumeSummary summarise(const SpeciesVolume& volume) {
     VolumeSummary summary;
     summary.grid = volume.grid;

@@ -1,6 +1,7 @@
-// held_volume.h: one time's volume as a picture needs it, with how it was read and what is in it.
+// held_volume.h: the volume of one time as the renderer needs it, with how it was read and what is
+// in it.
 //
-// Made by one function for the workbench and the command line, so that both show the same.
+// One function makes it for both the workbench and the command line, so that they show the same.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,30 +15,30 @@
 
 namespace neph {
 
-/// What is asked of a time besides the time itself.
+/// Everything that determines a volume besides the time.
 struct VolumeRequest {
-    std::optional<Region> region;  ///< none: the whole domain
+    std::optional<Region> region;  ///< empty: the whole domain
     MemoryBudget budget;
-    RadiusPlan radii;  ///< as the look asks for it
+    RadiusPlan radii;  ///< as the look requires
     bool operator==(const VolumeRequest&) const = default;
 };
 
-/// How many cells of a volume hold how much of a species, in bins of equal width in the logarithm.
-/// Values are as they are held: kg/m³, or 1/m where the radii of the model made them extinction.
+/// Number of cells by value of one species, in bins of equal width in the logarithm. Values are as
+/// held: kg/m³, or 1/m where model radii turned content into extinction.
 struct FieldHistogram {
     static constexpr int kBinsPerDecade = 8, kDecades = 8, kBins = kBinsPerDecade * kDecades;
     Holding holding = Holding::absent;
-    float least = 0.0f, most = 0.0f;  ///< of the values above zero; 0 where there is none
+    float least = 0.0f, most = 0.0f;  ///< of the values above zero; 0 if there are none
     std::array<std::uint64_t, kBins> cells{};
-    std::uint64_t below = 0, above = 0;  ///< above zero, but outside of the bins
+    std::uint64_t below = 0, above = 0;  ///< above zero, but outside the bins
     std::uint64_t filled() const;        ///< cells above zero
 
-    /// Lower bound of a bin; that of kBins is the upper one of the last.
+    /// Lower edge of a bin; that of kBins is the upper edge of the last.
     static double lowerBound(Holding holding, int bin);
     void add(float value);
 };
 
-/// What is known of a volume without looking into it again.
+/// Facts about a volume that are computed once, when it is read.
 struct VolumeSummary {
     RegularGrid grid;
     ReadPlan plan;
@@ -45,11 +46,12 @@ struct VolumeSummary {
     std::array<bool, kSpeciesCount> present{};   ///< the model has the species
     std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
     std::array<FieldHistogram, kSpeciesCount> histograms{};
-    std::optional<Region> clouds;  ///< where it is dense enough to be seen
+    std::optional<Region> clouds;  ///< bounding box of what is dense enough to be seen
     std::string timeLabel;
     bool empty() const;  ///< no hydrometeor anywhere
 };
 
+/// A volume with its summary, as the cache keeps it.
 struct HeldVolume {
     SpeciesVolume volume;
     VolumeSummary summary;
@@ -61,7 +63,7 @@ VolumeSummary summarise(const SpeciesVolume& volume);
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress = {});
 
-/// `region` with a margin of a tenth of its extent on every side.
+/// `region` extended by a tenth of its extent on every side.
 Region withMargin(const Region& region);
 
 }  // namespace neph

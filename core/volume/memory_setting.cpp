@@ -1,4 +1,4 @@
-// memory_setting.cpp: /proc, control groups and sizes as people write them.
+// memory_setting.cpp: /proc, control groups, and sizes as users type them.
 #include "core/volume/memory_setting.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kEverything = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t kMachineShare = 4;  // of the memory that is free: four times are held well
-constexpr double kLeastBytes = 1U << 20U;   // less holds not even a coarse picture
+constexpr std::uint64_t kMachineShare = 4;  // a quarter of the free memory leaves room for others
+constexpr double kLeastBytes = 1U << 20U;   // less does not hold even a coarse volume
 
+/// Powers of 1024 and of 1000, as users write them.
 struct Unit {
     std::string_view name;
     double bytes;
@@ -42,6 +43,7 @@ constexpr std::array kUnits{Unit{"kib", 1024.0},
                             Unit{"b", 1.0},
                             Unit{"", 1.0}};
 
+/// A file with one number; empty for "max" and missing files.
 std::optional<std::uint64_t> numberIn(const fs::path& file) {
     std::ifstream stream(file);
     std::uint64_t number = 0;
@@ -49,7 +51,7 @@ std::optional<std::uint64_t> numberIn(const fs::path& file) {
     return {};  // "max", or no such file
 }
 
-/// The number after `key` in a table of keys and numbers; 0 where it is missing.
+/// The number after `key` in a table of keys and numbers; 0 if it is missing.
 std::uint64_t entryIn(const fs::path& file, std::string_view key) {
     std::ifstream stream(file);
     std::string word;
@@ -60,6 +62,7 @@ std::uint64_t entryIn(const fs::path& file, std::string_view key) {
     return 0;
 }
 
+/// The page cache counts as used but can be reclaimed.
 std::uint64_t leftOf(std::optional<std::uint64_t> limit, std::optional<std::uint64_t> used,
                      std::uint64_t reclaimable) {
     if (!limit) return kEverything;
@@ -67,7 +70,7 @@ std::uint64_t leftOf(std::optional<std::uint64_t> limit, std::optional<std::uint
     return *limit - std::min(*limit, kept);
 }
 
-/// What the control groups of this process leave, from its own up to the root.
+/// Memory that the control groups of this process leave, from its own up to the root.
 std::uint64_t ownControlGroupFreeBytes() {
     std::ifstream table("/proc/self/cgroup");
     std::uint64_t left = kEverything;

@@ -1,4 +1,4 @@
-// native_band.cpp: reading and checking of bands, and the threads that share them out.
+// native_band.cpp: reads and checks bands, and distributes them over threads.
 #include "core/volume/native_band.h"
 
 #include <fmt/format.h>
@@ -12,22 +12,25 @@
 namespace neph {
 namespace {
 
-constexpr std::size_t kBandBytes = 1U << 20U;  // a field: a handful of them stay in a core's cache
-constexpr std::size_t kMostThreads = 4;        // memory, not computing, bounds what more would give
+constexpr std::size_t kBandBytes = 1U << 20U;  // per field: a few of them fit into a core's cache
+constexpr std::size_t kMostThreads = 4;        // more would be limited by memory, not by computing
 
 std::string textOf(glm::ivec3 size) {
     return fmt::format("{} x {} x {}", size.x, size.y, size.z);
 }
 
+/// A grid of one column has no profiles: there the two are the same.
 bool isProfile(const VariableInfo& variable, const DatasetInfo& info) {
     return variable.size.x == 1 && variable.size.y == 1 && (info.size.x > 1 || info.size.y > 1);
 }
 
+/// A value that cannot be used.
 struct BadCell {
     std::size_t index;  ///< into the values of the band
     std::string expected;
 };
 
+/// Names the file, variable, time and cell of an unusable value.
 Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, const Box& band,
               const ColumnField& field, const BadCell& bad) {
     const TimeInfo& when = dataset.info().times.at(static_cast<std::size_t>(time));
@@ -154,8 +157,8 @@ void overBands(Dataset& dataset, std::size_t bandCount, const BandWork& work,
         if (!handle) break;
         handles.push_back(std::move(handle));
     }
-    // Each takes one run of neighbouring bands, so that what a reader keeps (a row of chunks)
-    // serves the next band as well, and few rows are needed by two readers.
+    // Each worker takes one run of neighbouring bands, so that what a reader has cached (a row of
+    // chunks) also serves the next band, and few rows are needed by two readers.
     const std::size_t runs = handles.size() + 1;
     shareOut(
         runs, handles.size() + 1,

@@ -1,4 +1,4 @@
-// optical_depth.cpp: from where the ray enters the box to where it leaves it.
+// optical_depth.cpp: integrates extinction from where the ray enters the box to where it leaves it.
 #include "core/volume/optical_depth.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStepsPerCell = 2.0;
 
-/// Trilinear; `at` in cells from the lower corner, so that centres are at halves.
+/// Trilinear interpolation; `at` is in cells from the lower corner, so that centres are at halves.
 double valueAt(const Array3f& field, const glm::dvec3& at) {
     const glm::dvec3 most = glm::dvec3(field.size - 1);
     const glm::dvec3 shifted = glm::clamp(at - 0.5, glm::dvec3(0.0), most);
@@ -25,7 +25,7 @@ double valueAt(const Array3f& field, const glm::dvec3& at) {
     return glm::mix(plane(low.z), plane(high.z), f.z);
 }
 
-/// Metres along the ray between which it is in the box; empty where `from` is not below `to`.
+/// The part of the ray within the box, in metres from the eye; empty if `from` is not below `to`.
 struct Span {
     double from = 0.0;
     double to = std::numeric_limits<double>::infinity();
@@ -46,6 +46,7 @@ Span clip(const RegularGrid& grid, const glm::dvec3& eye, const glm::dvec3& dir)
     return span;
 }
 
+/// Trapezoidal rule, in units of one step.
 double integral(const Array3f& field, const glm::dvec3& entry, const glm::dvec3& perStep,
                 int steps) {
     double sum = 0.0;

@@ -1,7 +1,7 @@
-// optical_depth.h: how much light the fields take away along one ray through what is shown.
+// optical_depth.h: optical depth of each field along one ray.
 //
 // World space, metres. The held values are trilinear between the centres of their cells and
-// constant beyond the outermost; detail noise is left out.
+// constant beyond the outermost; detail noise is not included.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -12,13 +12,14 @@
 
 namespace neph {
 
+/// Optical depth of each species.
 struct OpticalDepth {
     std::array<double, kSpeciesCount> of{};  ///< 0 where absent or invisible
     double total() const { return std::accumulate(of.begin(), of.end(), 0.0); }
 };
 
 /// Along the ray from `eyeWorld` in the unit direction `dirWorld`, with the extinction of `plan`,
-/// Eq. 9: trapezoids of at most half the width of a cell.
+/// Eq. 9: trapezoidal rule with steps of at most half a cell.
 OpticalDepth opticalDepthAlong(const SpeciesVolume& volume, const MediumPlan& plan,
                                const glm::dvec3& eyeWorld, const glm::dvec3& dirWorld);
 

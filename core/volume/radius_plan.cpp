@@ -1,4 +1,4 @@
-// radius_plan.cpp: what is asked for, what is there, and the extinction of cells.
+// radius_plan.cpp: what the look asks for, what the data provide, and the extinction of cells.
 #include "core/volume/radius_plan.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ bool schemeSizes(Microphysics scheme, Species s) {
     return scheme != Microphysics::unknown;
 }
 
-/// What the scheme's diagnosis lacks in these data; nothing when it can be made.
+/// What the data lack for the diagnosis of the scheme; empty if it can be made.
 std::optional<std::string> schemeLacks(const DatasetInfo& info, const RadiusRule& rule, Species s) {
     if (!schemeSizes(info.microphysics, s)) {
         return info.scheme.empty() ? "no known microphysics scheme"
@@ -35,7 +35,8 @@ std::optional<std::string> schemeLacks(const DatasetInfo& info, const RadiusRule
     return {};
 }
 
-/// What sizes the particles when nothing else does; core/volume/radius_scheme has the numbers.
+/// The assumption that applies if no source is available; core/volume/radius_scheme has the
+/// numbers.
 std::string_view assumption(Species s) {
     if (s == Species::cloud) return "100 droplets per cm³ are assumed";
     if (s == Species::ice) return "a radius of 30 µm is assumed";
@@ -55,6 +56,7 @@ std::string_view nameOf(RadiusSource source) {
     return "";
 }
 
+/// Falls from file to number to scheme to an assumption until the data suffice. docs/physics.md §7
 RadiusRule planRule(const DatasetInfo& info, Species s, RadiusSource wanted,
                     std::vector<std::string>& notes) {
     RadiusRule rule;
@@ -99,7 +101,8 @@ RadiusRule planRule(const DatasetInfo& info, Species s, RadiusSource wanted,
     return rule;
 }
 
-/// Whether the asked-for source has a value at a cell, and the size by the first that has.
+/// The size of one cell, from the first source that has a value there; `gap` if that is not the
+/// requested one.
 struct CellSize {
     bool gap;
     ParticleSize size;
@@ -116,7 +119,7 @@ CellSize sizeOfCell(const RadiusRule& rule, Species s, RadiationOptics optics, d
     return {rule.source != RadiusSource::scheme, sizeFromScheme(rule.scheme, s, optics, cell)};
 }
 
-/// The value of a cell, if it is one.
+/// The value of a cell, if it is finite and above zero.
 std::optional<double> valueAt(std::span<const float> values, std::size_t i) {
     if (values.empty() || !std::isfinite(values[i]) || values[i] <= 0.0f) return {};
     return static_cast<double>(values[i]);

@@ -1,4 +1,5 @@
-// radius_scheme.cpp: the size distributions of WSM6, Thompson, Morrison and Lin.
+// radius_scheme.cpp: the size distributions of WSM6, Thompson, Morrison and Lin, as coded in WRF
+// 4.2.2.
 #include "core/volume/radius_scheme.h"
 
 #include <algorithm>
@@ -11,11 +12,10 @@
 namespace neph {
 namespace {
 
-/// Mass of Thompson's snow is this times the square of its diameter, kg/m². [Thompson08]
+/// Mass of Thompson's snow is this times the squared diameter, kg/m². [Thompson08]
 constexpr double kThompsonSnowKgPerM2 = 0.069;
 
-/// Radii that WRF's schemes hand to radiation lie between these; the smallest and largest that the
-/// size distributions may come to.
+/// Limits of the radii that the schemes of WRF pass to its radiation code.
 struct RadiusBounds {
     double lowerM, upperM;
 };
@@ -48,13 +48,13 @@ double densityOf(Microphysics scheme, Species species) {
     return 0.0;
 }
 
-/// Droplets per m³ where nothing says how many; 100 per cm³ is Thompson's and a maritime cloud's.
+/// Droplets per m³ if unknown; 100 per cm³ is the value of Thompson and of maritime clouds.
 double dropletsOf(Microphysics scheme) {
     if (scheme == Microphysics::wsm6) return 3e8;
     return scheme == Microphysics::morrison ? 2.5e8 : 1e8;
 }
 
-/// μ of the droplets' gamma distribution.
+/// Shape parameter μ of the droplets' gamma distribution.
 double dropletShape(Microphysics scheme, double numberPerM3) {
     if (scheme == Microphysics::thompson) {
         return std::min(15.0, std::round(1e9 / numberPerM3) + 2.0);
@@ -71,12 +71,15 @@ ParticleSize cloudSize(Microphysics scheme, RadiationOptics optics, CellState ce
         const double equal = equalSpheresRadiusM(cell.contentKgPerM3, cell.numberPerM3, density);
         return {within(kCloudBounds, equal), density};
     }
-    // As coded: 1.5 / λ of a λ that is the inverse of the diameter, three times the radius.
+    // As coded in WRF: 1.5 / λ with a λ that is the inverse of the diameter; three times the
+    // radius.
     const double inverseDiameter =
         std::cbrt(std::numbers::pi / 6.0 * density * cell.numberPerM3 / cell.contentKgPerM3);
     return {within(kCloudBounds, 1.5 / inverseDiameter), density};
 }
 
+/// WSM6 diagnoses number and diameter from the mass alone; the others need a number, or a radius is
+/// assumed. docs/physics.md §7
 ParticleSize iceSize(Microphysics scheme, const CellState& cell) {
     if (scheme == Microphysics::wsm6) {
         const double number =
@@ -91,23 +94,23 @@ ParticleSize iceSize(Microphysics scheme, const CellState& cell) {
     return {30e-6, densityOf(Microphysics::unknown, Species::ice)};
 }
 
-/// An exponential distribution of fixed intercept.
+/// Size of an exponential distribution with a fixed intercept.
 ParticleSize interceptSize(const CellState& cell, double interceptPerM4, double density) {
     const double slope = interceptSlopePerM(cell.contentKgPerM3, interceptPerM4, density);
     return {effectiveRadiusM(slope, 0.0), density};
 }
 
-/// Intercepts of [Lin83], which are also WSM6's, 1/m⁴.
+/// Intercepts of [Lin83], also used by WSM6, 1/m⁴.
 constexpr double kRainIntercept = 8e6, kGraupelIntercept = 4e6, kHailIntercept = 4e4;
 constexpr double kLinSnowIntercept = 3e6;
 
 ParticleSize wsm6Snow(RadiationOptics optics, const CellState& cell) {
-    // N0 grows as it gets colder, up to 1e11. [HDC04]
+    // N0 increases with decreasing temperature, up to 1e11. [HDC04]
     const double intercept =
         std::clamp(2e6 * std::exp(0.12 * (kFreezingK - cell.temperatureK)), 2e6, 1e11);
     const ParticleSize consistent = interceptSize(cell, intercept, 100.0);
     if (optics == RadiationOptics::geometric) return consistent;
-    return {within(kSnowBounds, consistent.radiusM / 3.0), 100.0};  // as coded: 0.5 / λ
+    return {within(kSnowBounds, consistent.radiusM / 3.0), 100.0};  // as coded in WRF: 0.5 / λ
 }
 
 ParticleSize snowSize(Microphysics scheme, RadiationOptics optics, const CellState& cell) {
@@ -123,6 +126,7 @@ ParticleSize snowSize(Microphysics scheme, RadiationOptics optics, const CellSta
     return interceptSize(cell, kLinSnowIntercept, 100.0);
 }
 
+/// Thompson makes the intercept depend on the content, the others keep it fixed.
 ParticleSize graupelSize(Microphysics scheme, const CellState& cell) {
     const double density = densityOf(scheme, Species::graupel);
     if (scheme == Microphysics::thompson) {
@@ -145,7 +149,7 @@ ParticleSize rainSize(Microphysics scheme, const CellState& cell) {
 }  // namespace
 
 bool schemeReadsNumber(Microphysics scheme, Species species) {
-    if (species == Species::cloud) return true;  // else the scheme's fixed number
+    if (species == Species::cloud) return true;  // otherwise the scheme's fixed number applies
     if (scheme == Microphysics::thompson)
         return species == Species::ice || species == Species::rain;
     return scheme == Microphysics::morrison && species != Species::hail;
@@ -187,7 +191,7 @@ ParticleSize sizeFromNumber(Microphysics scheme, Species species, const CellStat
 
 ParticleSize sizeFromFile(Microphysics scheme, Species species, double radiusM) {
     if (scheme == Microphysics::thompson && species == Species::snow) {
-        // Mass 0.069 M2 = π/6 ρ M3 and r_e = M3 / (2 M2): larger flakes are fluffier.
+        // Mass 0.069 M2 = π/6 ρ M3 and r_e = M3 / (2 M2): larger flakes have a lower density.
         return {radiusM, 3.0 * kThompsonSnowKgPerM2 / (std::numbers::pi * radiusM)};
     }
     return {radiusM, densityOf(scheme, species)};
@@ -207,8 +211,8 @@ double extinctionPerM(RadiationOptics optics, Species species, double contentKgP
     if (optics == RadiationOptics::geometric || !(ice || species == Species::snow)) {
         return geometricExtinctionPerM(contentKgPerM3, size.radiusM, size.densityKgPerM3);
     }
-    // Fu's fit in RRTMG's visible band, 2513 / D_ge[µm] m²/kg, with r_e where D_ge should stand;
-    // snow above 130 µm counts as 130 µm with less mass. [Fu96]
+    // Fu's fit in RRTMG's visible band, 2513 / D_ge[µm] m²/kg, used with r_e in place of D_ge; snow
+    // above 130 µm counts as 130 µm with less mass. [Fu96]
     constexpr double kFuM3PerKg = 2513e-6, kLargestSnowM = 130e-6;
     const double radiusM = ice ? size.radiusM : std::min(size.radiusM, kLargestSnowM);
     const double massShare = radiusM / size.radiusM * (radiusM / size.radiusM);

@@ -1,4 +1,4 @@
-// read_plan.cpp: the target grid, and the least coarsening that memory asks for.
+// read_plan.cpp: the target grid, and the least coarsening that fits into memory.
 #include "core/volume/read_plan.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace neph {
 namespace {
 
 constexpr int kMostLevels = 256;
-constexpr std::size_t kDepthSamples = 100'000;  // layers that tell the median depth well
+constexpr std::size_t kDepthSamples = 100'000;  // enough layers for a good estimate of the median
 constexpr int kFewestSampleRows = 3;
 constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here and on the GPU
 // One RGBA32F texture holds three optical classes and the skylight,
@@ -22,17 +22,18 @@ constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here an
 constexpr std::uint64_t kMediumBytes = 16;
 constexpr int kClassesPerTexture = 3;
 
-/// What the levels of the grid are chosen from, metres.
+/// Native heights that determine the levels of the grid, metres.
 struct NativeLevels {
     double lowest = 0.0, highest = 0.0, medianDepth = 0.0;
 };
 
-/// The largest number with two digits that is not above `value`; value > 0.
+/// The largest number of two significant digits that does not exceed `value`; value > 0.
 double roundedDown(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
     return std::floor(value / unit + 1e-9) * unit;
 }
 
+/// Depths of all layers of a field of heights.
 void addDepths(const ColumnField& heights, std::vector<float>& depths) {
     const std::vector<float>& values = heights.values.values;
     const std::size_t layer = heights.levelStride();
@@ -47,7 +48,7 @@ double median(std::vector<float>& values) {
     return static_cast<double>(*middle);
 }
 
-/// Lowest and highest of one level of interfaces.
+/// Lowest and highest height of one interface.
 std::ranges::minmax_result<float> extremes(Dataset& dataset, const VariableInfo& variable, int time,
                                            int level, const Progress& progress) {
     Box plane{{0, 0, level}, variable.size};
@@ -55,6 +56,7 @@ std::ranges::minmax_result<float> extremes(Dataset& dataset, const VariableInfo&
     return std::ranges::minmax(dataset.read(variable.name, time, plane, progress).values);
 }
 
+/// Reads only some rows in between: the median needs a sample, not the whole domain.
 NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
     const VariableInfo& variable =
         requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
@@ -76,8 +78,8 @@ NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
     return levels;
 }
 
-/// Levels of the grid: `z` of origin, spacing and size. Spacing and borders are chosen for the
-/// whole depth, so that a region's levels are some of the whole domain's.
+/// Sets `z` of origin, spacing and size. Spacing and offsets are chosen for the whole depth, so
+/// that the levels of a region are a subset of those of the whole domain.
 void placeLevels(const NativeLevels& native, const std::optional<Region>& region,
                  RegularGrid& grid) {
     double spacing = roundedDown(native.medianDepth);
@@ -112,6 +114,8 @@ Box boxOf(const DatasetInfo& info, const std::optional<Region>& region) {
     return box;
 }
 
+/// An empty plan would give a volume without cells; the region is at fault, and the message shows
+/// its limits.
 void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLevels& native,
                   const std::optional<Region>& region) {
     if (glm::all(glm::greaterThan(plan.box.size(), glm::ivec3(0))) && plan.grid.size.z > 0) return;
@@ -120,7 +124,7 @@ void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLeve
     const auto text = [](glm::dvec3 from, glm::dvec3 to) {
         std::string words;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(from[axis]) || !std::isfinite(to[axis])) continue;  // not asked for
+            if (!std::isfinite(from[axis]) || !std::isfinite(to[axis])) continue;  // no limit here
             words += fmt::format("{}{} {:.6g} to {:.6g} km", words.empty() ? "" : ", ", "xyz"[axis],
                                  from[axis] * 1e-3, to[axis] * 1e-3);
         }
@@ -134,7 +138,7 @@ void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLeve
                  .hint = "from the south-west corner, z above sea level, lower before upper"});
 }
 
-/// Completes a plan that has its box and its levels.
+/// Completes a plan whose box and levels are set.
 void coarsen(ReadPlan& plan, int coarsening, const DatasetInfo& info) {
     plan.coarsening = coarsening;
     std::uint64_t species = 0;

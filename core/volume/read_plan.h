@@ -1,9 +1,8 @@
-// read_plan.h: how much of a data set is read for a picture: where, and how finely, so that it fits
-// into memory.
+// read_plan.h: which part of a data set is read, and how finely, so that it fits into memory.
 //
-// A plan is made before any mixing ratio is read. What is coarsened is averaged, not skipped: every
-// block of `coarsening` x `coarsening` columns becomes one column with their mean content, so that
-// the mass of the domain stays the same.
+// A plan is made before any mixing ratio is read. Coarsening averages and never skips: every block
+// of `coarsening` x `coarsening` columns becomes one column with their mean content, so that the
+// mass of the domain is conserved.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -16,14 +15,14 @@
 
 namespace neph {
 
-/// What one time's volume may take, in bytes. Without bounds unless told.
+/// Memory that the volume of one time may use, in bytes. Unlimited by default.
 struct MemoryBudget {
     std::uint64_t machine = std::numeric_limits<std::uint64_t>::max();  ///< fields of the process
     std::uint64_t gpu = std::numeric_limits<std::uint64_t>::max();      ///< fields and medium
     bool operator==(const MemoryBudget&) const = default;
 };
 
-/// What a renderer that computes on the CPU may take: its bound is time, not memory.
+/// GPU budget of a renderer that runs on the CPU: its limit is time, not memory.
 /// docs/measurements.md
 inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 
@@ -34,24 +33,25 @@ struct Region {
     bool operator==(const Region&) const = default;
 };
 
+/// What to read, and the grid that results.
 struct ReadPlan {
     Box box;             ///< native columns that are read, all levels
     int coarsening = 1;  ///< native columns along each edge of a block
-    RegularGrid grid;    ///< what comes of it; levels cover the region asked for
-    std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< what it is expected to take
+    RegularGrid grid;    ///< resulting grid; its levels cover the requested region
+    std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< expected memory
     bool operator==(const ReadPlan&) const = default;
 };
 
-/// The finest plan for `region` (everything when not given) at `time` that fits `budget`, or the
-/// coarsest there is. Cells that the region touches are read whole. The levels are spaced by the
-/// median native layer, rounded so that the times of a series share them. Reads the lowest and the
-/// highest interface and some rows of heights. Throws Error where the region holds no cell.
+/// The finest plan for `region` (default: everything) at `time` that fits `budget`, or the coarsest
+/// possible. Cells that the region touches are read whole. The level spacing is the median native
+/// layer depth, rounded so that the times of a series share it. Reads the lowest and the highest
+/// interface and some rows of heights. Throws Error if the region contains no cell.
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region = {},
                   const MemoryBudget& budget = {}, const Progress& progress = {});
 
 /// One or two sentences for the screen and for `info`, for example "Every 2 x 2 columns are
-/// averaged to one of 2 km: all would take 3.1 GiB, not 0.8 GiB." Empty for everything at full
-/// resolution.
+/// averaged to one of 2 km: at full resolution the domain would take 3.1 GiB, not 0.8 GiB." Empty
+/// if everything is read at full resolution.
 std::string describe(const ReadPlan& plan, const DatasetInfo& info);
 
 }  // namespace neph

@@ -1,4 +1,4 @@
-// repair.cpp: clipping of mixing ratios.
+// repair.cpp: clips mixing ratios to what is physically possible.
 #include "core/volume/repair.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace neph {
 namespace {
 
-/// More condensate than air is no condensate; the most that storms reach is near 0.03 kg/kg.
+/// More condensate than air cannot be real; storms reach about 0.03 kg/kg at most.
 constexpr float kImpossibleRatio = 1.0f;
 
 }  // namespace

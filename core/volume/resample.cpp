@@ -15,9 +15,8 @@
 namespace neph {
 namespace {
 
-/// Slope of content within layer k, per metre: the smaller of the slopes to its neighbours, and
-/// never so steep that the line leaves the range of the neighbours' means (van Leer's limiter on
-/// uneven layers).
+/// Slope of content within layer k, per metre: the central difference, but never so steep that the
+/// line leaves the range of the neighbouring means (van Leer's limiter on uneven layers).
 double limitedSlope(std::span<const double> interfaces, std::span<const double> content,
                     std::size_t k) {
     if (k == 0 || k + 1 == content.size()) return 0.0;
@@ -26,17 +25,17 @@ double limitedSlope(std::span<const double> interfaces, std::span<const double> 
     if (below * above <= 0.0) return 0.0;
     const double depth = interfaces[k + 1] - interfaces[k];
     const double reach = 0.5 * (interfaces[k + 2] + interfaces[k + 1] - interfaces[k] -
-                                interfaces[k - 1]);  // centre below to centre above
+                                interfaces[k - 1]);  // from the centre below to the centre above
     const double central = std::abs(below + above) / reach;
     const double steepest = 2.0 * std::min(std::abs(below), std::abs(above)) / depth;
     return std::copysign(std::min(central, steepest), below);
 }
 
-/// The blocks of native columns of one band: which block a native column belongs to.
+/// Maps the native columns of one band to blocks.
 struct Blocks {
     glm::ivec2 native;  ///< columns of the band
-    glm::ivec2 coarse;  ///< blocks of the band; those at the north and east may be cut
-    int edge;           ///< native columns along each edge of a whole block
+    glm::ivec2 coarse;  ///< blocks of the band; those at the north and east edges may be incomplete
+    int edge;           ///< native columns along each edge of a full block
 
     std::size_t count() const {
         return static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(coarse.y);
@@ -77,9 +76,9 @@ std::vector<double> blockMeans(const ColumnField& field, const Blocks& blocks) {
     return means;
 }
 
-/// One quantity per m³, such as content, as the mean of each block over the depth that the block's
-/// layer has, so that its integral over the block's whole area is kept. Beyond the border of the
-/// domain there is nothing. Block fastest.
+/// Averages a quantity per m³, such as content, over each block and the depth of the block's layer,
+/// so that its integral over the full area of the block is conserved. There is nothing beyond the
+/// border of the domain. Block fastest.
 std::vector<double> averaged(const Array3f& quantity, const ColumnField& heights,
                              std::span<const double> interfaces, const Blocks& blocks) {
     const auto layers = static_cast<std::size_t>(quantity.size.z);
@@ -102,7 +101,7 @@ std::vector<double> averaged(const Array3f& quantity, const ColumnField& heights
     return means;
 }
 
-/// Remaps the blocks of one band to the levels of `out`, into its rows from `firstRow` on.
+/// Remaps the blocks of one band to the levels of `out`, starting at row `firstRow`.
 void remap(std::span<const double> interfaces, std::span<const double> quantity, std::size_t blocks,
            const RegularGrid& grid, int firstRow, Array3f& out) {
     const std::size_t layers = quantity.size() / blocks;
@@ -126,7 +125,7 @@ void remap(std::span<const double> interfaces, std::span<const double> quantity,
     }
 }
 
-/// One species on its way into the volume.
+/// The state of one species while it is resampled.
 struct SpeciesWork {
     const VariableInfo* ratio;
     Array3f* out;
@@ -136,13 +135,14 @@ struct SpeciesWork {
     Species species() const { return *ratio->species; }
 };
 
-/// What every species of a band needs, read when the first of them holds anything.
+/// The air of a band, needed for every species; read only if one of them has any condensate.
 struct BandAir {
     ColumnField heights, density;
     std::vector<double> interfaces;  ///< of the blocks, block fastest
     bool empty() const { return interfaces.empty(); }
 };
 
+/// Resamples all species, band by band, on several threads.
 class BandResampler {
   public:
     BandResampler(const ReadPlan& plan, const RadiusPlan& radii, int time,
@@ -163,6 +163,7 @@ class BandResampler {
     }
 
   private:
+    /// Reads heights and density only for bands with condensate.
     void take(Dataset& dataset, const Box& band, const Progress& progress) {
         const Blocks blocks = blocksOf(band, plan_.coarsening);
         const int firstRow = (band.lower.y - plan_.box.lower.y) / plan_.coarsening;
@@ -194,7 +195,7 @@ class BandResampler {
         return air;
     }
 
-    /// In place from what is per kg of dry air to what is per m³.
+    /// Converts in place from per kg of dry air to per m³.
     static void timesDensity(Array3f& perKg, const ColumnField& density) {
         const std::size_t layer = perKg.index(0, 0, 1);
         for (std::size_t k = 0; k < static_cast<std::size_t>(perKg.size.z); ++k) {
@@ -203,7 +204,7 @@ class BandResampler {
         }
     }
 
-    /// Values for every cell: a profile is repeated in each column.
+    /// Values for every cell: a profile is repeated for each column.
     static Array3f spread(ColumnField field, glm::ivec3 size) {
         if (!field.profile) return std::move(field.values);
         Array3f values(size);
@@ -214,7 +215,8 @@ class BandResampler {
         return values;
     }
 
-    /// In place from content to extinction, on native cells: it does not follow from mean contents.
+    /// Converts in place from content to extinction, on native cells: extinction does not follow
+    /// from mean content.
     void toExtinction(Dataset& dataset, const Box& band, const ColumnField& density,
                       SpeciesWork& work, Array3f& quantity, const Progress& progress) {
         const RadiusRule& rule = radii_.of(work.species());
@@ -239,9 +241,10 @@ class BandResampler {
     const int time_;
     std::vector<SpeciesWork>& species_;
     const std::vector<Box> bands_;
-    std::mutex mutex_;  // of repairs and gaps; rows of the result belong to one band alone
+    std::mutex mutex_;  // guards repairs and gaps; each band writes its own rows of the result
 };
 
+/// Collects what was assumed, missing or corrected.
 void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
               SpeciesVolume& volume) {
     std::vector<std::string> empty;
@@ -274,9 +277,9 @@ Array3f readInterfaceHeights(Dataset& dataset, int time, const Progress& progres
 double medianLayerDepth(const Array3f& heights) {
     const std::size_t layer = heights.values.size() / static_cast<std::size_t>(heights.size.z);
     const std::size_t count = heights.values.size() - layer;
-    // Of large fields every n-th layer is looked at: about 100,000 tell the median well.
+    // Large fields are sampled: about 100,000 layers give a good estimate of the median.
     std::size_t stride = std::max<std::size_t>(1, count / 100'000);
-    if (stride > 1) stride |= 1U;  // odd, so that it does not fall in step with rows
+    if (stride > 1) stride |= 1U;  // odd, so that the samples do not align with rows
     std::vector<float> depths;
     for (std::size_t i = 0; i < count; i += stride) {
         depths.push_back(heights.values[i + layer] - heights.values[i]);

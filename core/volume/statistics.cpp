@@ -1,4 +1,4 @@
-// statistics.cpp: each band of rows is looked at by itself, then the bands are put together.
+// statistics.cpp: summarises each band of rows, then merges the bands.
 #include "core/volume/statistics.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace neph {
 namespace {
 
-constexpr std::size_t kDepthsOfAll = 100'000;  // tell the median well
+constexpr std::size_t kDepthsOfAll = 100'000;  // enough for a good estimate of the median
 
 void widen(std::optional<HeightRange>& range, const HeightRange& by) {
     if (!range) range = by;
@@ -19,13 +19,14 @@ void widen(std::optional<HeightRange>& range, const HeightRange& by) {
     range->topM = std::max(range->topM, by.topM);
 }
 
-/// What one band of rows adds to the summary of its time.
+/// The contribution of one band of rows to the summary of its time.
 struct BandSummary {
-    TimeSummary found;             // its medianM and notes are left out
-    std::vector<float> depths;     // of some layers
+    TimeSummary found;             // without medianM and notes
+    std::vector<float> depths;     // of a sample of layers
     std::vector<Repairs> repairs;  // of each species
 };
 
+/// Summarises one band of rows. Each species is read, used and dropped.
 class BandLook {
   public:
     BandLook(Dataset& dataset, int time, const Box& band, const Progress& progress)
@@ -72,7 +73,7 @@ class BandLook {
         layers.thickestM = static_cast<double>(thickest);
     }
 
-    /// Dry air above a square metre in each cell, kg.
+    /// Mass of dry air per square metre in each cell, kg/m².
     void weighCells() {
         if (dataset_.info().find(VariableRole::dryAirDensity) == nullptr) return;
         const ColumnField density = readDensity(dataset_, time_, band_, progress_);
@@ -153,7 +154,7 @@ class BandLook {
     const Progress& progress_;
     std::size_t columns_ = 0, layers_ = 0;
     ColumnField heights_;
-    std::vector<float> airKgPerM2_;  // empty where the density is not known
+    std::vector<float> airKgPerM2_;  // empty if the density is unknown
     std::vector<double> condensate_;
     std::vector<float> cloud_, precipitation_;
     BandSummary result_;
@@ -213,7 +214,7 @@ TimeSummary summarise(Dataset& dataset, int time, const Progress& progress) {
     const std::vector<Box> bands = bandsOf(wholeBox(info), 1);
     const glm::i64vec3 size = info.size;
     const auto cells = static_cast<std::size_t>(size.x * size.y * size.z);
-    const std::size_t stride = (cells / kDepthsOfAll) | 1U;  // odd: not in step with rows
+    const std::size_t stride = (cells / kDepthsOfAll) | 1U;  // odd: does not align with rows
     std::vector<BandSummary> parts(bands.size());
     overBands(
         dataset, bands.size(),

@@ -1,4 +1,5 @@
-// statistics.h: what a forecaster asks of a model time before looking at it. Native grid, SI.
+// statistics.h: what a forecaster wants to know about a model time before rendering it. Native
+// grid, SI.
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
@@ -12,11 +13,11 @@
 namespace neph {
 
 /// A cell counts as cloud, or as precipitation, from this mixing ratio: of cloud water and ice
-/// together, or of rain, snow, graupel and hail together. A choice, as common in studies of shallow
-/// cumulus: thin enough for wisps, thick enough to pass over numerical noise.
+/// together, or of rain, snow, graupel and hail together. A choice that is common in studies of
+/// shallow cumulus: low enough for wisps, high enough to ignore numerical noise.
 inline constexpr float kCloudRatioKgPerKg = 1e-5f;
 
-/// The column that holds most.
+/// The heaviest column.
 struct ColumnPeak {
     double massKgPerM2 = 0.0;   ///< 0 where there is none
     glm::dvec2 positionM{0.0};  ///< its centre
@@ -42,18 +43,19 @@ struct HeightRange {
     double baseM = 0.0, topM = 0.0;
 };
 
+/// What `nephoscope info` reports about one time.
 struct TimeSummary {
     int time = 0;
     LayerSummary layers;
     std::vector<SpeciesPeak> peaks;  ///< one for each species of the dataset, in order of Species
-    bool hasColumns = false;         ///< false where the density of air is not known
+    bool hasColumns = false;         ///< false if the density of air is unknown
     ColumnPeak condensate;           ///< of all species together
     std::optional<HeightRange> cloud, precipitation;
-    std::vector<std::string> notes;  ///< what would be clipped
+    std::vector<std::string> notes;  ///< what resampling would clip
 };
 
-/// Reads heights, density and mixing ratios of one time, a band of rows after the other, so that
-/// little is held at once. Throws Error or Cancelled.
+/// Reads heights, density and mixing ratios of one time, in bands of rows, so that little is in
+/// memory at once. Throws Error or Cancelled.
 TimeSummary summarise(Dataset& dataset, int time, const Progress& progress = {});
 
 }  // namespace neph

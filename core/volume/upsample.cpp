@@ -1,4 +1,5 @@
-// upsample.cpp: rows of the finer grid from blended rows of the coarser one, layer by layer.
+// upsample.cpp: computes rows of the finer grid from interpolated rows of the coarser one, layer by
+// layer.
 #include "core/volume/upsample.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace {
 
 constexpr std::size_t kMostWorkers = 16;
 
-/// Where a cell's centre lies between two cells of the coarser grid.
+/// The two coarse cells between whose centres the centre of a fine cell lies.
 struct Place {
     int below = 0, above = 0;
-    float share = 0.0f;  ///< of the upper one
+    float share = 0.0f;  ///< weight of `above`
 };
 
 Place placeOf(int cell, int cells, int coarseCells) {
@@ -31,7 +32,7 @@ float mix(float a, float b, float share) {
     return a + share * (b - a);
 }
 
-/// The row of coarse cells through (y, z).
+/// The row of coarse cells interpolated to (y, z).
 void blendRows(const Array3f& coarse, const Place& y, const Place& z, std::vector<float>& row) {
     const std::array rows{&coarse.at(0, y.below, z.below), &coarse.at(0, y.above, z.below),
                           &coarse.at(0, y.below, z.above), &coarse.at(0, y.above, z.above)};

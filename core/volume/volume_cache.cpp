@@ -1,4 +1,4 @@
-// volume_cache.cpp: a list in order of use; the few entries there are need no index.
+// volume_cache.cpp: a list in order of use; the few entries need no index.
 #include "core/volume/volume_cache.h"
 
 #include <algorithm>
@@ -36,6 +36,7 @@ void VolumeCache::drop(const std::function<bool(const VolumeKey&)>& which) {
     });
 }
 
+/// The newest volume stays even if it is larger than the limit: it is the one that is shown.
 void VolumeCache::shrink() {
     while (bytes_ > limit_ && entries_.size() > 1) {
         bytes_ -= entries_.back().volume->volume.bytes();

@@ -1,6 +1,6 @@
-// volume_cache.h: volumes that were read, the least recently used given up first.
+// volume_cache.h: volumes that were read; the least recently used is dropped first.
 //
-// Used by one thread. Volumes are shared: whoever took one keeps it alive beyond the cache.
+// Used by one thread. Volumes are shared: a user keeps a volume alive beyond the cache.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace neph {
 
-/// What a volume is made from: equal keys give equal volumes while the file stays as it is.
+/// What determines a volume: equal keys give equal volumes while the file is unchanged.
 struct VolumeKey {
     int indexInFile = 0;
     std::string file;
@@ -21,19 +21,20 @@ struct VolumeKey {
     bool operator==(const VolumeKey&) const = default;
 };
 
+/// A least-recently-used cache of volumes.
 class VolumeCache {
   public:
-    /// Bytes of fields that are held at most, though the newest volume always is.
+    /// Largest total size of fields, bytes; the newest volume is kept in any case.
     void setLimit(std::uint64_t bytes);
     std::uint64_t limit() const { return limit_; }
 
-    /// Adds as the newest, or replaces; gives up the oldest until the rest fits.
+    /// Adds a volume as the newest, or replaces it; drops the oldest until the rest fits.
     void put(VolumeKey key, std::shared_ptr<const HeldVolume> volume);
-    /// The volume, which becomes the newest; nullptr where it is not held.
+    /// The volume, which becomes the newest; nullptr if it is not in the cache.
     std::shared_ptr<const HeldVolume> find(const VolumeKey& key);
     bool holds(const VolumeKey& key) const;
 
-    /// Gives up those that `which` is true for.
+    /// Drops the volumes for which `which` is true.
     void drop(const std::function<bool(const VolumeKey&)>& which);
     void clear() {
         drop([](const VolumeKey&) { return true; });

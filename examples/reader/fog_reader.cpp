@@ -13,7 +13,7 @@ class FogFile : public File {
         std::string word;
         in_ >> word >> nx >> ny >> nz >> about_.spacingM[0] >> about_.spacingM[1] >> dz_;
         if (!in_ || in_.get() != '\n') {
-            throw Error{"line 1 is wrong", word, "FOG nx ny nz dx dy dz", "write it anew"};
+            throw Error{"line 1 is wrong", word, "FOG nx ny nz dx dy dz", "write the file again"};
         }
         start_ = in_.tellg();
         about_.model = "Fog 1";
@@ -38,7 +38,7 @@ class FogFile : public File {
                 in_.seekg(start_ +
                           std::streamoff(4 * (row * std::size_t(about_.size[0]) + box.lower[0])));
                 in_.read(reinterpret_cast<char*>(to), std::streamsize(4 * box.length(0)));
-                if (!in_) throw Error{"cloud is cut short", "", "4 bytes a cell", "copy it again"};
+                if (!in_) throw Error{"cloud ends early", "", "4 bytes per cell", "copy it again"};
                 for (std::size_t x = 0; x < box.length(0); ++x) *to++ *= 1e-3f;  // to kg/kg
             }
         }

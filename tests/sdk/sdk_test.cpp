@@ -118,8 +118,8 @@ TEST_CASE("What the example throws reaches the user") {
     std::ofstream(workshop().folder / "short.fog") << "FOG 2 2 3 100 100 50\n";
     const Outcome outcome = nephoscope("info --reader build/fog.so short.fog");
     CHECK(outcome.status == 1);
-    CHECK(contains(outcome.err, "cloud is cut short"));
-    CHECK(contains(outcome.err, "4 bytes a cell"));
+    CHECK(contains(outcome.err, "cloud ends early"));
+    CHECK(contains(outcome.err, "4 bytes per cell"));
     std::ofstream(workshop().folder / "lie.fog") << "FOG -2 2 3 100 100 50\n";
     CHECK(contains(nephoscope("info --reader build/fog.so lie.fog").err, "size -2 x 2 x 3"));
 }
