@@ -14,9 +14,13 @@
 
 namespace neph {
 
+<<<<<<< HEAD
 /// The hydrometeors that a volume can hold; values are indices into arrays.
+=======
+#include "shaders/shared/sizes.glsl"
+
+>>>>>>> d5884bd2975ae8c42eece443e85470d28ce49255
 enum class Species : int { cloud, ice, rain, snow, graupel, hail };
-inline constexpr int kSpeciesCount = 6;
 
 /// Properties of a species that do not depend on the data.
 struct SpeciesInfo {

@@ -2,13 +2,11 @@
 #pragma once
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
+#include "core/grid/species.h"
 
 namespace neph::render {
 
-/// Texels a side of the tile.
-inline constexpr int kNoiseSize = 128;
-/// Levels of the stacked noise: down to 4 texels a side, less than one for the largest features.
-inline constexpr int kNoiseLevels = 6;
+#include "shaders/shared/medium_layout.glsl"
 
 /// RG16, filtered. r: billow, g: wisp. As half-angle slicing reads it.
 gl::Texture bakeNoise(gl::ProgramCache& programs);
