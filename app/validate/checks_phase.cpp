@@ -7,25 +7,12 @@
 #include <cmath>
 
 #include "app/validate/checks.h"
+#include "core/optics/phase_functions.h"
 
 namespace neph::validate {
 namespace {
 
 constexpr double kChance = 1e-4;  // that a right sampler is found wrong
-
-std::vector<PhaseSpec> everyKind() {
-    std::vector<PhaseSpec> specs;
-    for (int kind = 0; kind < kPhaseKindCount; ++kind) {
-        PhaseSpec spec;
-        spec.kind = static_cast<PhaseKind>(kind);
-        spec.alpha = 5.0f;
-        const bool ice =
-            spec.kind == PhaseKind::roughAggregate || spec.kind == PhaseKind::solidColumn;
-        if (ice) spec.radiusM = 30e-6f;
-        specs.push_back(spec);
-    }
-    return specs;
-}
 
 /// The largest distance between the share of cosines below a value and what it should be.
 double distance(std::vector<float> cosines, const PhaseSpec& spec) {
@@ -47,12 +34,12 @@ double distance(std::vector<float> cosines, const PhaseSpec& spec) {
 std::vector<Row> phaseRows(render::TraceMeter& meter, bool quick) {
     const int count = quick ? 1 << 16 : 1 << 20;
     std::vector<Row> rows;
-    for (const PhaseSpec& spec : everyKind()) {
+    for (const PhaseSpec& spec : typicalSpecs()) {
         const auto kind = static_cast<std::size_t>(spec.kind);
         Row row;
         row.trial = fmt::format("Phase functions: {} scattering angles drawn", count);
         row.source = fmt::format("cumulative of the phase function, p = {}", kChance);
-        row.quantity = fmt::format("D of {}", kPhaseIds[kind]);
+        row.quantity = fmt::format("D of {}", phaseFunction(spec.kind).id);
         row.expected = 0.0;
         const auto seed = static_cast<std::uint32_t>(1 + kind);
         row.measured = distance(meter.sampledCosines(spec, count, seed), spec);

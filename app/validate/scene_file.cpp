@@ -5,6 +5,7 @@
 
 #include "app/validate/json_object.h"
 #include "app/validate/scene_medium.h"
+#include "core/optics/phase_functions.h"
 
 namespace neph::validate {
 namespace {
@@ -48,8 +49,10 @@ PhaseSpec parsePhase(const Object& entry) {
     const Object object(phase.is_string() ? named : phase, entry.where + ": phase",
                         {"kind", "g", "g2", "weight", "alpha", "radius_um"});
     object.need("kind", "the name of a phase function");
-    const std::string id = object.word("kind", kPhaseIds);
-    spec.kind = static_cast<PhaseKind>(std::ranges::find(kPhaseIds, id) - kPhaseIds.begin());
+    std::vector<std::string_view> ids;
+    for (const PhaseFunction& function : phaseFunctions()) ids.push_back(function.id);
+    const std::string id = object.word("kind", ids);
+    spec.kind = static_cast<PhaseKind>(std::ranges::find(ids, id) - ids.begin());
     for (const PhaseParameter& parameter : kPhaseParameters) {
         if (!object.has(parameter.key)) continue;
         if (!phaseReads(spec.kind, parameter.member)) {

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/optics/phase_functions.h"
+
 namespace neph {
 namespace {
 
@@ -49,17 +51,6 @@ constexpr std::array kEntries{
     Entry{"view.tone_map", "filmic", "Toe and shoulder as film has them. [Narkowicz15]"},
     Entry{".noise_character", "billow", "Rounded heaps, as convective cloud has."},
     Entry{".noise_character", "wisp", "Streaks, as cirrus has."},
-    Entry{"phase", "isotropic", "The same in all directions: 1 / (4 pi)."},
-    Entry{"phase", "rayleigh", "Of particles far smaller than the wavelength. [Rayleigh71]"},
-    Entry{"phase", "henyey_greenstein", "One lobe, by its asymmetry g. [HG41]"},
-    Entry{"phase", "double_henyey_greenstein", "A forward and a backward lobe. [Irvine65]"},
-    Entry{"phase", "draine", "Between Henyey-Greenstein and Rayleigh, by alpha. [Draine03]"},
-    Entry{"phase", "cornette_shanks", "Henyey-Greenstein with Rayleigh's shape at g = 0. [CS92]"},
-    Entry{
-        "phase", "water_droplets",
-        "Mie theory of a population of droplets: corona, fog bow and glory at three wavelengths."},
-    Entry{"phase", "rough_aggregate", "Crystals frozen together, with rough faces. [Key02]"},
-    Entry{"phase", "solid_column", "Hexagonal ice columns, fitted without their halos. [Key02]"},
 };
 
 }  // namespace
@@ -69,6 +60,9 @@ std::string_view choiceHelp(const Parameter& row, int choice) {
     const std::string_view id = row.choices[static_cast<std::size_t>(choice)];
     for (const Entry& entry : kEntries) {
         if (entry.choice == id && row.id.ends_with(entry.of)) return entry.help;
+    }
+    for (const PhaseFunction& function : phaseFunctions()) {
+        if (function.id == id && row.id.ends_with("phase")) return function.help;
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/look/look.h"
+#include "core/optics/phase_functions.h"
 
 namespace neph {
 namespace {
@@ -131,10 +132,18 @@ class Rows {
     std::optional<Species> species_;
 };
 
+std::vector<std::string_view> columnOf(std::string_view PhaseFunction::*text) {
+    std::vector<std::string_view> column;
+    for (const PhaseFunction& function : phaseFunctions()) column.push_back(function.*text);
+    return column;
+}
+
 void Rows::phase(std::string_view id, std::size_t spec) {
+    static const auto kIds = columnOf(&PhaseFunction::id);
+    static const auto kLabels = columnOf(&PhaseFunction::label);
     const std::string p(id);
-    choice(p, "Phase function", spec + offsetof(PhaseSpec, kind), Stage::medium, kPhaseIds,
-           kPhaseLabels, "Angular distribution of scattered light, P in Eq. 5. docs/physics.md §2");
+    choice(p, "Phase function", spec + offsetof(PhaseSpec, kind), Stage::medium, kIds, kLabels,
+           "Angular distribution of scattered light, P in Eq. 5. docs/physics.md §2");
     phaseNumber(p + "_g", "Asymmetry g", "1", spec, &PhaseSpec::g, {-0.99, 0.999},
                 "g of Henyey-Greenstein, Draine and Cornette-Shanks; first lobe of the double HG.");
     phaseNumber(p + "_g2", "Second lobe g", "1", spec, &PhaseSpec::g2, {-0.99, 0.99},

@@ -270,4 +270,26 @@ DropletOptics computeDroplets(float effectiveRadiusM) {
     return optics;
 }
 
+float dropletCumulative(const DropletOptics& droplets, float theta) {
+    const float index = glsl::phaseTableIndex(std::cos(theta), kPhaseTableSize);
+    const int i = std::min(static_cast<int>(index), kPhaseTableSize - 2);
+    const float lower = std::cos(glsl::phaseTableTheta(i, kPhaseTableSize));
+    const float upper = std::cos(glsl::phaseTableTheta(i + 1, kPhaseTableSize));
+    const float share = lower == upper ? 0.0f : (lower - std::cos(theta)) / (lower - upper);
+    const auto at = static_cast<std::size_t>(i);
+    return std::lerp(droplets.cumulative[at], droplets.cumulative[at + 1],
+                     std::clamp(share, 0.0f, 1.0f));
+}
+
+float dropletSample(const DropletOptics& droplets, float u) {
+    const auto& cumulative = droplets.cumulative;
+    const float share = 1.0f - u;
+    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, share);
+    const auto i = static_cast<int>(above - cumulative.begin());
+    const float low = *(above - 1), high = *above;
+    const float f = high > low ? std::clamp((share - low) / (high - low), 0.0f, 1.0f) : 0.5f;
+    return std::lerp(std::cos(glsl::phaseTableTheta(i - 1, kPhaseTableSize)),
+                     std::cos(glsl::phaseTableTheta(i, kPhaseTableSize)), f);
+}
+
 }  // namespace neph

@@ -2,18 +2,17 @@
 // tabulates it.
 //
 // cosTheta is the cosine of the scattering angle; 1 is forward. Values are per steradian and
-// integrate to 1 over the sphere. The mathematics of each function is in shaders/lib/phase_*.glsl,
-// compiled here as C++; water droplets come from core/optics/droplets.
+// integrate to 1 over the sphere.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace neph {
 
-/// The phase functions of docs/physics.md §2.
+/// Place in the table of phase functions, core/optics/phase_functions.h; those that code refers to
+/// have a name.
 enum class PhaseKind : int {
     isotropic,
     rayleigh,
@@ -25,21 +24,6 @@ enum class PhaseKind : int {
     roughAggregate,
     solidColumn
 };
-inline constexpr int kPhaseKindCount = 9;
-/// Spelling in JSON and `--set`, in the order of PhaseKind; the labels on screen likewise.
-inline constexpr std::array<std::string_view, kPhaseKindCount> kPhaseIds{
-    "isotropic",   "rayleigh",        "henyey_greenstein", "double_henyey_greenstein",
-    "draine",      "cornette_shanks", "water_droplets",    "rough_aggregate",
-    "solid_column"};
-inline constexpr std::array<std::string_view, kPhaseKindCount> kPhaseLabels{"Isotropic",
-                                                                            "Rayleigh",
-                                                                            "Henyey-Greenstein",
-                                                                            "Double HG",
-                                                                            "Draine",
-                                                                            "Cornette-Shanks",
-                                                                            "Water droplets (Mie)",
-                                                                            "Rough aggregate (ice)",
-                                                                            "Solid column (ice)"};
 
 /// A phase function with its parameters; each kind reads its own and ignores the others.
 struct PhaseSpec {
@@ -55,20 +39,11 @@ struct PhaseSpec {
 /// Whether functions of this kind use a parameter of PhaseSpec.
 bool phaseReads(PhaseKind kind, float PhaseSpec::*parameter);
 
-<<<<<<< HEAD
-/// Number of entries of a table; entry i belongs to Theta = pi (i / (size - 1))², so that the
-/// forward peak is resolved.
-inline constexpr int kPhaseTableSize = 1024;
-using PhaseTable =
-    std::vector<glm::vec3>;  ///< P at 650, 550 and 450 nm, 1/sr, kPhaseTableSize entries
-=======
 #include "shaders/shared/sizes.glsl"
 
-/// P at 650, 550 and 450 nm, 1/sr, kPhaseTableSize entries; entry i belongs to Theta = pi (i /
-/// (size
-/// - 1))², so that the forward peak is resolved.
+/// P at 650, 550 and 450 nm, 1/sr. Entry i of kPhaseTableSize belongs to the angle pi x² with
+/// x = i / (kPhaseTableSize - 1), so that the forward peak is resolved.
 using PhaseTable = std::vector<glm::vec3>;
->>>>>>> d5884bd2975ae8c42eece443e85470d28ce49255
 
 /// P(Theta) at the three wavelengths, 1/sr.
 glm::vec3 phaseValue(const PhaseSpec& spec, float cosTheta);

@@ -12,6 +12,7 @@
 #include "app/ui/fields/fields_plots.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/number_text.h"
+#include "core/optics/phase_functions.h"
 
 namespace neph::ui {
 namespace {
@@ -176,8 +177,8 @@ const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species sp
     }
     const bool current = curve.made && curve.made->spec == wanted;
     if (!current && !curve.making.valid()) {
-        const auto how =
-            wanted.kind == PhaseKind::waterDroplets ? std::launch::async : std::launch::deferred;
+        const bool slow = phaseFunction(wanted.kind).table != nullptr;
+        const auto how = slow ? std::launch::async : std::launch::deferred;
         curve.making = std::async(how, makeCurve, wanted);
         if (how == std::launch::deferred) curve.made = curve.making.get();
     }

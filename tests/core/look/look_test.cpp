@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/optics/phase_functions.h"
 #include "tests/text.h"
 
 using namespace neph;
@@ -200,6 +201,14 @@ TEST_CASE("The sun stands where compass and horizon say") {
     look.sunElevationDeg = 30.0f;
     CHECK(sunDirWorld(look).z == doctest::Approx(0.5));
     CHECK(glm::length(sunDirWorld(look)) == doctest::Approx(1.0));
+}
+
+TEST_CASE("Every parameter that a phase function reads has a row") {
+    for (std::size_t kind = 0; kind < phaseFunctions().size(); ++kind) {
+        const PhaseFunction& function = phaseFunctions()[kind];
+        CAPTURE(function.id);
+        CHECK(acting(static_cast<PhaseKind>(kind)).size() == function.reads().size());
+    }
 }
 
 TEST_CASE("A phase function shows the parameters that it has, and no others") {

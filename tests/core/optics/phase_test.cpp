@@ -1,11 +1,15 @@
 // phase_test.cpp: phase functions by name, as the renderer and the panels ask for them.
-#include "core/optics/phase.h"
+#include "core/optics/phase_functions.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
+#include <set>
+#include <string>
 
 #include "shaders/lib/glsl_cpp.h"
 
@@ -15,20 +19,6 @@ using doctest::Approx;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-std::vector<PhaseSpec> allKinds() {
-    std::vector<PhaseSpec> specs;
-    for (int kind = 0; kind < kPhaseKindCount; ++kind) {
-        PhaseSpec spec;
-        spec.kind = static_cast<PhaseKind>(kind);
-        spec.alpha = 5.0f;
-        if (spec.kind == PhaseKind::roughAggregate || spec.kind == PhaseKind::solidColumn) {
-            spec.radiusM = 30e-6f;
-        }
-        specs.push_back(spec);
-    }
-    return specs;
-}
 
 /// 2π ∫ table · weight(μ) dμ over the sphere at 550 nm, as the renderer looks it up.
 template <typename Weight>
@@ -47,16 +37,77 @@ double integrateTable(const PhaseTable& table, Weight weight) {
 
 }  // namespace
 
-TEST_CASE("Every kind has an id and a label of its own") {
-    for (std::size_t i = 0; i < kPhaseKindCount; ++i) {
-        CHECK(!kPhaseLabels[i].empty());
-        CHECK(std::count(kPhaseIds.begin(), kPhaseIds.end(), kPhaseIds[i]) == 1);
+TEST_CASE("Every phase function has an id, a label and a line of help of its own") {
+    std::set<std::string_view> ids, labels, helps;
+    for (const PhaseFunction& function : phaseFunctions()) {
+        CAPTURE(function.id);
+        CHECK(!function.label.empty());
+        CHECK(function.help.ends_with(function.id == "isotropic" ? "." : "]"));  // its source
+        ids.insert(function.id);
+        labels.insert(function.label);
+        helps.insert(function.help);
+    }
+    CHECK(ids.size() == phaseFunctions().size());
+    CHECK(labels.size() == phaseFunctions().size());
+    CHECK(helps.size() == phaseFunctions().size());
+}
+
+TEST_CASE("The sources of phase functions are in the list of references") {
+    std::ifstream file(NEPH_TEST_SOURCE_DIR "/docs/references.md");
+    const std::string references{std::istreambuf_iterator<char>(file), {}};
+    for (const PhaseFunction& function : phaseFunctions()) {
+        const std::size_t key = function.help.find('[');
+        if (key == std::string_view::npos) continue;
+        CAPTURE(function.help);
+        CHECK(references.find("| " + std::string(function.help.substr(key)) + " |") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("Kinds that code refers to are those that presets spell so") {
+    CHECK(phaseFunction(PhaseKind::isotropic).id == "isotropic");
+    CHECK(phaseFunction(PhaseKind::rayleigh).id == "rayleigh");
+    CHECK(phaseFunction(PhaseKind::henyeyGreenstein).id == "henyey_greenstein");
+    CHECK(phaseFunction(PhaseKind::doubleHenyeyGreenstein).id == "double_henyey_greenstein");
+    CHECK(phaseFunction(PhaseKind::draine).id == "draine");
+    CHECK(phaseFunction(PhaseKind::cornetteShanks).id == "cornette_shanks");
+    CHECK(phaseFunction(PhaseKind::waterDroplets).id == "water_droplets");
+    CHECK(phaseFunction(PhaseKind::roughAggregate).id == "rough_aggregate");
+    CHECK(phaseFunction(PhaseKind::solidColumn).id == "solid_column");
+}
+
+TEST_CASE("A phase function changes with the parameters that it reads, and with no others") {
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
+        for (float PhaseSpec::*member : {&PhaseSpec::g, &PhaseSpec::g2, &PhaseSpec::weight,
+                                         &PhaseSpec::alpha, &PhaseSpec::radiusM}) {
+            PhaseSpec other = spec;
+            other.*member *= 0.5f;
+            const bool changes = phaseAsymmetry(other) != phaseAsymmetry(spec) ||
+                                 phaseValue(other, 0.7f) != phaseValue(spec, 0.7f);
+            CHECK(changes == phaseReads(spec.kind, member));
+        }
+    }
+}
+
+TEST_CASE("The cumulative of every phase function is the integral of its table") {
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
+        const PhaseTable table = makePhaseTable(spec);
+        for (const double degrees : {1.0, 10.0, 60.0, 120.0}) {
+            CAPTURE(degrees);
+            const double edge = std::cos(glm::radians(degrees));
+            const double share = integrateTable(table, [&](double mu) { return mu > edge; });
+            const auto stated = static_cast<double>(
+                phaseCumulative(spec, static_cast<float>(glm::radians(degrees))));
+            CHECK(std::abs(share - stated) < 1e-3);
+        }
     }
 }
 
 TEST_CASE("The table of every kind integrates to one and has the stated asymmetry") {
-    for (const PhaseSpec& spec : allKinds()) {
-        CAPTURE(kPhaseIds[static_cast<std::size_t>(spec.kind)]);
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
         const PhaseTable table = makePhaseTable(spec);
         REQUIRE(table.size() == static_cast<std::size_t>(kPhaseTableSize));
         CHECK(integrateTable(table, [](double) { return 1.0; }) == Approx(1.0).epsilon(5e-4));
@@ -66,8 +117,8 @@ TEST_CASE("The table of every kind integrates to one and has the stated asymmetr
 }
 
 TEST_CASE("Values by name are those of the table at every angle") {
-    for (const PhaseSpec& spec : allKinds()) {
-        CAPTURE(kPhaseIds[static_cast<std::size_t>(spec.kind)]);
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
         const PhaseTable table = makePhaseTable(spec);
         for (float mu : {1.0f, 0.999f, 0.8f, 0.0f, -0.7f, -1.0f}) {
             const glm::vec3 value = phaseValue(spec, mu);
@@ -78,8 +129,8 @@ TEST_CASE("Values by name are those of the table at every angle") {
 }
 
 TEST_CASE("The cumulative by name starts at 0, never falls and ends at 1") {
-    for (const PhaseSpec& spec : allKinds()) {
-        CAPTURE(kPhaseIds[static_cast<std::size_t>(spec.kind)]);
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
         CHECK(phaseCumulative(spec, 0.0f) == Approx(0.0).epsilon(1e-6));
         CHECK(phaseCumulative(spec, static_cast<float>(kPi)) == Approx(1.0).epsilon(1e-5));
         float before = 0.0f;
@@ -92,8 +143,8 @@ TEST_CASE("The cumulative by name starts at 0, never falls and ends at 1") {
 }
 
 TEST_CASE("Samples by name pass the Kolmogorov-Smirnov test against the cumulative") {
-    for (const PhaseSpec& spec : allKinds()) {
-        CAPTURE(kPhaseIds[static_cast<std::size_t>(spec.kind)]);
+    for (const PhaseSpec& spec : typicalSpecs()) {
+        CAPTURE(phaseFunction(spec.kind).id);
         constexpr int kSamples = 4096;
         std::vector<double> shares;
         std::uint32_t state = 7u;

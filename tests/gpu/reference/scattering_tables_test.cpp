@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/optics/phase_functions.h"
 #include "shaders/lib/glsl_cpp.h"
 
 using namespace neph;
@@ -35,9 +36,9 @@ double integral(const PhaseTable& table, int wavelength) {
 }  // namespace
 
 TEST_CASE("Normalised tables integrate to 1 to the sixth digit, whatever the function") {
-    for (int kind = 0; kind < kPhaseKindCount; ++kind) {
+    for (std::size_t kind = 0; kind < phaseFunctions().size(); ++kind) {
         const PhaseSpec spec{.kind = static_cast<PhaseKind>(kind), .g = 0.98f};
-        CAPTURE(kPhaseIds[static_cast<std::size_t>(kind)]);
+        CAPTURE(phaseFunctions()[kind].id);
         const PhaseTable table = render::normalised(makePhaseTable(spec));
         for (int wavelength = 0; wavelength < 3; ++wavelength) {
             CHECK(integral(table, wavelength) == doctest::Approx(1.0).epsilon(2e-6));
