@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/gl/binding_check.h"
 #include "app/gl/shader_source.h"
 #include "core/base/error.h"
 
@@ -64,6 +65,11 @@ Program::Program(const fs::path& root, const std::string& file,
         const std::string reason = source.explain(logOf(name_, true));
         glDeleteProgram(name_);
         throw Error({"shader " + file, "does not link", reason, "", ""});
+    }
+    if (const std::string shared = sharedBinding(name_); !shared.empty()) {
+        glDeleteProgram(name_);
+        throw Error({"shader " + file, "two of its resources share a binding", shared,
+                     "a binding of its own for each", "see shaders/shared/*_layout.glsl"});
     }
     glGetProgramiv(name_, GL_COMPUTE_WORK_GROUP_SIZE, &groupSize_[0]);
 }

@@ -11,10 +11,13 @@
 
 namespace neph::gl {
 
+#include "shaders/shared/groups_layout.glsl"
+
 /// A linked compute program and the files it was made of.
 class Program {
   public:
-    /// Throws Error with file, line and reason when it does not compile or link.
+    /// Throws Error with file, line and reason when it does not compile or link, or
+    /// where two of its textures, images or buffers share a binding.
     Program(const std::filesystem::path& root, const std::string& file,
             const std::vector<std::string>& defines);
     ~Program();
@@ -24,8 +27,7 @@ class Program {
     /// Runs enough work groups of `groupSize` to cover `items`.
     void dispatch(glm::ivec3 items) const;
     /// Runs work groups `first` to `first + count` in a row. Drivers take 65535 at a time: the
-    /// number of the first is in the uniform at this location.
-    static constexpr int kFirstGroupLocation = 20;
+    /// number of the first is in the uniform at kFirstGroupLocation.
     void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }

@@ -19,6 +19,8 @@
 
 namespace neph::render {
 
+#include "shaders/shared/display_layout.glsl"
+
 struct Renderer::Impl {
     explicit Impl(std::filesystem::path shaderDir) : programs(std::move(shaderDir)) {}
 
@@ -141,9 +143,9 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
     fit(rays, GL_RGBA32F, finer.sizePx);
     integrator->render({finer, stage, sample, rays}, context);
     const gl::Program& program = programs.get("display/average.comp");
-    program.setInt(0, inputs.supersample);
-    rays.bindImage(0, GL_READ_ONLY);
-    linear.bindImage(1, GL_WRITE_ONLY);
+    program.setInt(kAverageSideLocation, inputs.supersample);
+    rays.bindImage(kAverageRaysImage, GL_READ_ONLY);
+    linear.bindImage(kAverageLinearImage, GL_WRITE_ONLY);
     program.dispatch({inputs.sizePx, 1});
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
@@ -151,13 +153,13 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
 void Renderer::Impl::resolve(const FrameInputs& inputs) {
     const gl::Program& program = programs.get("display/resolve.comp");
     const glm::ivec2 lowerPx = inputs.part ? inputs.part->lowerPx : glm::ivec2(0);
-    program.setInt(2, lowerPx.x);
-    program.setInt(3, lowerPx.y);
-    program.setInt(4, inputs.backdrop ? 0 : 1);
-    program.setFloat(0, std::exp2(inputs.look.exposureEv));
-    program.setInt(1, static_cast<int>(inputs.look.toneMap));
-    linear.bindImage(0, GL_READ_ONLY);
-    display.bindImage(1, GL_WRITE_ONLY);
+    program.setInt(kResolveLeftLocation, lowerPx.x);
+    program.setInt(kResolveLowerLocation, lowerPx.y);
+    program.setInt(kResolveTransparentLocation, inputs.backdrop ? 0 : 1);
+    program.setFloat(kResolveGainLocation, std::exp2(inputs.look.exposureEv));
+    program.setInt(kResolveCurveLocation, static_cast<int>(inputs.look.toneMap));
+    linear.bindImage(kResolveLinearImage, GL_READ_ONLY);
+    display.bindImage(kResolveDisplayImage, GL_WRITE_ONLY);
     program.dispatch({inputs.sizePx, 1});
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }

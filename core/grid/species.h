@@ -14,8 +14,9 @@
 
 namespace neph {
 
+#include "shaders/shared/sizes.glsl"
+
 enum class Species : int { cloud, ice, rain, snow, graupel, hail };
-inline constexpr int kSpeciesCount = 6;
 
 struct SpeciesInfo {
     std::string_view id;          ///< spelling in parameter ids and JSON

@@ -55,11 +55,12 @@ struct PhaseSpec {
 /// Whether functions of a kind read a parameter of PhaseSpec.
 bool phaseReads(PhaseKind kind, float PhaseSpec::*parameter);
 
-/// Entries of a table; entry i belongs to Theta = pi (i / (size - 1))², so that the forward peak is
-/// resolved.
-inline constexpr int kPhaseTableSize = 1024;
-using PhaseTable =
-    std::vector<glm::vec3>;  ///< P at 650, 550 and 450 nm, 1/sr, kPhaseTableSize entries
+#include "shaders/shared/sizes.glsl"
+
+/// P at 650, 550 and 450 nm, 1/sr, kPhaseTableSize entries; entry i belongs to Theta = pi (i /
+/// (size
+/// - 1))², so that the forward peak is resolved.
+using PhaseTable = std::vector<glm::vec3>;
 
 /// P(Theta) at the three wavelengths, 1/sr.
 glm::vec3 phaseValue(const PhaseSpec& spec, float cosTheta);

@@ -1,10 +1,11 @@
 // average.comp: squares of rays to pixels, in linear light.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "../shared/display_layout.glsl"
 
-layout(rgba32f, binding = 0) readonly uniform image2D i_rays;
-layout(rgba32f, binding = 1) writeonly uniform image2D o_linear;
-layout(location = 0) uniform int side;  // of a square
+layout(rgba32f, binding = kAverageRaysImage) readonly uniform image2D i_rays;
+layout(rgba32f, binding = kAverageLinearImage) writeonly uniform image2D o_linear;
+layout(location = kAverageSideLocation) uniform int side;  // of a square
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

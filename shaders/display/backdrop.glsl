@@ -3,8 +3,9 @@
 #pragma once
 #include "../lib/sky.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/light_layout.glsl"
 
-layout(binding = 4) uniform sampler2DArray t_light;
+layout(binding = kLightUnit) uniform sampler2DArray t_light;
 
 /// Share of sunlight that reaches a point of the ground.
 float sunOnGround(vec3 positionM, int lastLayer) {

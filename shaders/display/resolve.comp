@@ -2,14 +2,15 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/tonemap.glsl"
+#include "../shared/display_layout.glsl"
 
-layout(rgba32f, binding = 0) readonly uniform image2D i_linear;
-layout(rgba8, binding = 1) writeonly uniform image2D o_display;
-layout(location = 0) uniform float gain;
-layout(location = 1) uniform int curve;
-layout(location = 2) uniform int left;  // of this part in the whole picture
-layout(location = 3) uniform int lower;
-layout(location = 4) uniform int transparent;
+layout(rgba32f, binding = kResolveLinearImage) readonly uniform image2D i_linear;
+layout(rgba8, binding = kResolveDisplayImage) writeonly uniform image2D o_display;
+layout(location = kResolveGainLocation) uniform float gain;
+layout(location = kResolveCurveLocation) uniform int curve;
+layout(location = kResolveLeftLocation) uniform int left;  // of this part in the whole picture
+layout(location = kResolveLowerLocation) uniform int lower;
+layout(location = kResolveTransparentLocation) uniform int transparent;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

@@ -4,11 +4,13 @@
 // Layer k of the array holds the irradiance that meets slice first + k; this pass reads layer k and
 // writes layer k + 1. Either engine's medium is read, by the same names.
 #version 450 core
-layout(local_size_x = 16, local_size_y = 16) in;  // a tile
+#include "../shared/light_layout.glsl"
+layout(local_size_x = kLightTile, local_size_y = kLightTile) in;
 #include "../lib/optics.glsl"
 // A file is included once, on whichever side of an #if: what both sides need comes before it.
 #include "../lib/noise.glsl"
 #include "../medium/bricks.glsl"
+#include "../shared/groups_layout.glsl"
 #if PACKED
 #include "../march/packed_sample.glsl"
 #else
@@ -16,11 +18,11 @@ layout(local_size_x = 16, local_size_y = 16) in;  // a tile
 #endif
 #include "../medium/total_extinction.glsl"
 
-layout(binding = 4) uniform sampler2DArray t_light;
-layout(LIGHT_FORMAT, binding = 0) writeonly uniform image2DArray o_light;
-layout(location = 0) uniform int layer;
-layout(location = 20) uniform int firstGroup;
-layout(std430, binding = 3) readonly buffer Tiles {
+layout(binding = kLightUnit) uniform sampler2DArray t_light;
+layout(LIGHT_FORMAT, binding = kLightImage) writeonly uniform image2DArray o_light;
+layout(location = kLightLayerLocation) uniform int layer;
+layout(location = kFirstGroupLocation) uniform int firstGroup;
+layout(std430, binding = kLightTilesBuffer) readonly buffer Tiles {
     ivec2 tiles[];  // of the light buffer, that pass through anything
 };
 
@@ -67,7 +69,8 @@ float lightBeyond(vec2 at, float centre, vec3 positionM) {
 }
 
 void main() {
-    ivec2 texel = 16 * tiles[firstGroup + int(gl_WorkGroupID.x)] + ivec2(gl_LocalInvocationID.xy);
+    ivec2 texel =
+        kLightTile * tiles[firstGroup + int(gl_WorkGroupID.x)] + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(texel, u_.picture.zw))) return;
     vec2 at = (vec2(texel) + 0.5) / vec2(u_.picture.zw);
     vec2 across = at / u_.lightScale.xy + vec2(u_.lightU.w, u_.lightV.w);

@@ -6,33 +6,37 @@
 // PROFILE counts; FLOOR repeats the rays and samples of a picture with one fetch each and nothing
 // else, to measure against. docs/performance.md
 #version 450 core
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "../shared/march_layout.glsl"
+layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
 #include "../display/backdrop.glsl"
 #include "../lib/noise.glsl"
 #include "../medium/phases.glsl"
 #include "../medium/ray_in_box.glsl"
+#include "../shared/march_blocks.glsl"
 #include "packed_sample.glsl"
 
-layout(location = 0) uniform int firstRow;  // of the band of rows that is drawn
-layout(location = 1) uniform float blend;   // of this picture in the mean: 1 for the first
-layout(rgba32f, binding = 0) uniform image2D io_linear;
-layout(binding = 6) uniform sampler2D t_blueNoise;
+// Of the band of rows that is drawn.
+layout(location = kMarchFirstRowLocation) uniform int firstRow;
+// Of this picture in the mean: 1 for the first.
+layout(location = kMarchBlendLocation) uniform float blend;
+layout(rgba32f, binding = kMarchLinearImage) uniform image2D io_linear;
+layout(binding = kMarchBlueNoiseUnit) uniform sampler2D t_blueNoise;
 #if NOISE
-layout(binding = 3) uniform sampler3D t_noise;  // a tile of billow, and of wisp upon it; nearest
+// A tile of billow, and of wisp upon it; nearest.
+layout(binding = kNoiseUnit) uniform sampler3D t_noise;
 // Classes with detail of one scale and character share a kind.
 const int kKindOfClass[CLASSES] = KIND_OF_CLASS;
 const int kClassOfKind[KINDS] = CLASS_OF_KIND;
 #endif
 #if PROFILE
-layout(r32ui, binding = 1) writeonly uniform uimage2D o_taken;
-layout(std430, binding = 2) buffer Counts {
-    uint rays, taken, skipped, terminated;
-}
-counts_;
+layout(r32ui, binding = kMarchTakenImage) writeonly uniform uimage2D o_taken;
+layout(std430, binding = kMarchCountsBuffer) buffer Counts {
+    CountBlock counts_;
+};
 #endif
 #if FLOOR
-layout(r32ui, binding = 1) readonly uniform uimage2D i_taken;
-layout(binding = 7) uniform sampler3D t_floor;
+layout(r32ui, binding = kMarchTakenImage) readonly uniform uimage2D i_taken;
+layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 #endif
 
 const int kRun = 4;
@@ -58,7 +62,7 @@ struct Eye {
 /// In [0, 1): a different place for each pixel and each picture. The golden ratio's fraction
 /// spreads the pictures evenly.
 float placeInStep(ivec2 pixel) {
-    float pattern = texelFetch(t_blueNoise, (pixel + u_.whole.zw) & 63, 0).r;
+    float pattern = texelFetch(t_blueNoise, (pixel + u_.whole.zw) & (kBlueNoiseSize - 1), 0).r;
     return fract(pattern + 0.61803399 * float(u_.sampling.x));
 }
 
@@ -77,7 +81,7 @@ Path pathOf(ivec2 pixel, Ray ray, float endM) {
 
 /// Length of step for a level of extinction.
 float stepM(uint level) {
-    float perM = exp2((240.0 - float(level)) / 8.0);  // as brick_map.h has it, its inverse
+    float perM = exp2((float(kLevelOfOne) - float(level)) / float(kLevelsPerOctave));
     return clamp(u_.march.y * perM, u_.march.z * u_.march.x, u_.march.w * u_.march.x);
 }
 
@@ -150,7 +154,7 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     Mixture mixture = mixtureAt(middleM);
 #if NOISE
     Detail detail = detailOf(mixture);
-    vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / NOISE_SIZE;
+    vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / float(kNoiseSize);
 #endif
     float lit = 0.0;
     float before = eye.through;
@@ -203,7 +207,7 @@ ivec2 pixelOf(uint index) {
 }
 
 void main() {
-    ivec2 pixel = 8 * ivec2(gl_WorkGroupID.xy) + pixelOf(gl_LocalInvocationIndex);
+    ivec2 pixel = kMarchEyeGroup * ivec2(gl_WorkGroupID.xy) + pixelOf(gl_LocalInvocationIndex);
     pixel.y += firstRow;
     if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
     Ray ray = rayThrough(pixel);

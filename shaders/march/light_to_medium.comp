@@ -4,15 +4,18 @@
 // Layer k of the light lies on the plane between slices k - 1 and k. The layers of one batch of
 // slices are held; voxels before or behind are left to other batches.
 #version 450 core
-layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
+#include "../shared/march_layout.glsl"
+layout(local_size_x = kBlockVoxels, local_size_y = kBlockVoxels, local_size_z = 1) in;
 #include "../shared/frame.glsl"
+#include "../shared/groups_layout.glsl"
+#include "../shared/light_layout.glsl"
 
-layout(binding = 4) uniform sampler2DArray t_light;
-layout(rg16f, binding = 0) uniform image3D io_extinction;
-layout(std430, binding = 1) readonly buffer Blocks {
+layout(binding = kLightUnit) uniform sampler2DArray t_light;
+layout(rg16f, binding = kMarchExtinctionImage) uniform image3D io_extinction;
+layout(std430, binding = kMarchBlocksBuffer) readonly buffer Blocks {
     ivec4 blocks[];
 };
-layout(location = 20) uniform int firstGroup;
+layout(location = kFirstGroupLocation) uniform int firstGroup;
 
 /// Layer of the light at a point, with its fraction.
 float layerAt(vec3 positionM) {
@@ -29,10 +32,11 @@ float lightAt(vec3 positionM, float layer) {
 }
 
 void main() {
-    ivec3 voxel = 8 * blocks[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
+    ivec3 voxel =
+        kBlockVoxels * blocks[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
     ivec3 size = imageSize(io_extinction);
     vec3 cellM = u_.gridExtentM.xyz / vec3(size);
-    for (int z = 0; z < 8; ++z, ++voxel.z) {
+    for (int z = 0; z < kBlockVoxels; ++z, ++voxel.z) {
         vec3 positionM = (vec3(voxel) + 0.5) * cellM;
         float layer = layerAt(positionM) - float(u_.slices.y);
         bool held = layer >= 0.0 && layer <= float(u_.slices.z);

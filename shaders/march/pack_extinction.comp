@@ -4,30 +4,33 @@
 // DETAIL: each species times its detail, down to the size of a voxel: the level of the noise whose
 // texels are as large.
 #version 450 core
-layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
+#include "../shared/march_layout.glsl"
+layout(local_size_x = kBlockVoxels, local_size_y = kBlockVoxels, local_size_z = 1) in;
 #include "../lib/noise.glsl"
+#include "../shared/groups_layout.glsl"
 
-layout(binding = 0) uniform sampler3D t_held[SPECIES];  // those that are visible
-layout(rg16f, binding = 0) uniform image3D io_extinction;
-layout(std430, binding = 0) readonly buffer Blocks {
+layout(binding = kHeldUnit) uniform sampler3D t_held[SPECIES];  // those that are visible
+layout(rg16f, binding = kMarchExtinctionImage) uniform image3D io_extinction;
+layout(std430, binding = kMarchBlocksBuffer) readonly buffer Blocks {
     ivec4 blocks[];
 };
-layout(location = 20) uniform int firstGroup;
-layout(location = 0) uniform float extinctionPerTexel[SPECIES];
+layout(location = kFirstGroupLocation) uniform int firstGroup;
+layout(location = kPackExtinctionPerTexelLocation) uniform float extinctionPerTexel[SPECIES];
 #if DETAIL
-layout(binding = 6) uniform sampler3D t_noise;        // a tile of billow, and of wisp upon it
-layout(location = 30) uniform float amount[SPECIES];  // of each species' detail
-layout(location = 36) uniform
-    float noiseTexelsPerM[KINDS];                      // of each scale and character of detail
-layout(location = 42) uniform float character[KINDS];  // 0 billow, 1 wisp
-layout(location = 48) uniform vec3 voxelM;
+// A tile of billow, and of wisp upon it.
+layout(binding = kBesideHeldUnit) uniform sampler3D t_noise;
+layout(location = kPackAmountLocation) uniform float amount[SPECIES];  // of each species' detail
+// Of each scale and character of detail.
+layout(location = kPackTexelsPerMLocation) uniform float noiseTexelsPerM[KINDS];
+layout(location = kPackCharacterLocation) uniform float character[KINDS];  // 0 billow, 1 wisp
+layout(location = kPackVoxelLocation) uniform vec3 voxelM;
 const int kKindOfSpecies[SPECIES] = KIND_OF_SPECIES;
 
 float noiseOf(int kind, vec3 positionM) {
     float texels = noiseTexelsPerM[kind] * min(min(voxelM.x, voxelM.y), voxelM.z);  // a voxel
-    int level = clamp(int(round(log2(max(texels, 1.0)))), 0, NOISE_LEVELS - 1);
-    ivec3 at = ivec3(floor(positionM * noiseTexelsPerM[kind])) & (NOISE_SIZE - 1);
-    at.z += int(character[kind]) * NOISE_SIZE;
+    int level = clamp(int(round(log2(max(texels, 1.0)))), 0, kNoiseLevels - 1);
+    ivec3 at = ivec3(floor(positionM * noiseTexelsPerM[kind])) & (kNoiseSize - 1);
+    at.z += int(character[kind]) * kNoiseSize;
     return texelFetch(t_noise, at >> level, level).r;
 }
 #endif
@@ -49,9 +52,10 @@ float extinctionAt(ivec3 voxel) {
 }
 
 void main() {
-    ivec3 voxel = 8 * blocks[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
+    ivec3 voxel =
+        kBlockVoxels * blocks[firstGroup + int(gl_WorkGroupID.x)].xyz + ivec3(gl_LocalInvocationID);
     ivec3 size = imageSize(io_extinction);
-    for (int z = 0; z < 8; ++z, ++voxel.z) {
+    for (int z = 0; z < kBlockVoxels; ++z, ++voxel.z) {
         float extinctionPerM = extinctionAt(voxel);
         if (all(lessThan(voxel, size))) {
             float light = imageLoad(io_extinction, voxel).g;

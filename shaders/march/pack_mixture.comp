@@ -6,18 +6,19 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/optics.glsl"
+#include "../shared/march_layout.glsl"
 
-layout(binding = 0) uniform sampler3D t_held[SPECIES];  // those that are visible
+layout(binding = kHeldUnit) uniform sampler3D t_held[SPECIES];  // those that are visible
 const int kClassOfSpecies[SPECIES] = CLASS_OF_SPECIES;
-layout(binding = 6) uniform sampler3D t_extinction;
-layout(rgba8, binding = 0) writeonly uniform image3D o_mixture0;
+layout(binding = kBesideHeldUnit) uniform sampler3D t_extinction;
+layout(rgba8, binding = kPackMixture0Image) writeonly uniform image3D o_mixture0;
 #if MIXTURE_TEXTURES > 1
-layout(rgba8, binding = 1) writeonly uniform image3D o_mixture1;
+layout(rgba8, binding = kPackMixture1Image) writeonly uniform image3D o_mixture1;
 #endif
-layout(location = 0) uniform float extinctionPerTexel[SPECIES];
-layout(location = 12) uniform float layerM;  // height of a voxel
-layout(location = 13) uniform float asymmetry;
-layout(location = 14) uniform float groundShare;
+layout(location = kPackExtinctionPerTexelLocation) uniform float extinctionPerTexel[SPECIES];
+layout(location = kPackLayerLocation) uniform float layerM;  // height of a voxel
+layout(location = kPackAsymmetryLocation) uniform float asymmetry;
+layout(location = kPackGroundLocation) uniform float groundShare;
 
 vec3 cornerOf(ivec3 cell) {
     return (2.0 * vec3(cell) + 1.0) / vec3(textureSize(t_extinction, 0));
@@ -29,7 +30,8 @@ float presence(float extinctionPerM) {
 }
 
 void storeShares(ivec3 cell, float skylight) {
-    float shares[6] = float[6](0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float shares[2 * kClassesBesideSkylight];
+    for (int i = 0; i < 2 * kClassesBesideSkylight; ++i) shares[i] = 0.0;
     float total = 0.0;
     for (int s = 0; s < SPECIES; ++s) {
         float e = extinctionPerTexel[s] * textureLod(t_held[s], cornerOf(cell), 0.0).r;

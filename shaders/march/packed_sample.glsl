@@ -3,11 +3,14 @@
 #pragma once
 #include "../medium/bricks.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/march_layout.glsl"
 
-layout(binding = 0) uniform sampler3D t_extinction;  // r: 1/m, g: share of sunlight
-layout(binding = 1) uniform sampler3D t_mixture0;    // r: skylight, gba: classes 0 to 2
+// r: 1/m, g: share of sunlight.
+layout(binding = kMarchExtinctionUnit) uniform sampler3D t_extinction;
+// r: skylight, gba: classes 0 to 2.
+layout(binding = kMarchMixture0Unit) uniform sampler3D t_mixture0;
 #if MIXTURE_TEXTURES > 1
-layout(binding = 5) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
+layout(binding = kMarchMixture1Unit) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
 #endif
 struct Mixture {
     float skylight;
@@ -17,7 +20,7 @@ struct Mixture {
 Mixture mixtureAt(vec3 positionM) {
     vec3 at = positionM / u_.mixtureExtentM.xyz;
     vec4 first = textureLod(t_mixture0, at, 0.0);
-    float stored[6] = float[6](first.g, first.b, first.a, 0.0, 0.0, 0.0);
+    float stored[2 * kClassesBesideSkylight] = float[](first.g, first.b, first.a, 0.0, 0.0, 0.0);
 #if MIXTURE_TEXTURES > 1
     vec4 second = textureLod(t_mixture1, at, 0.0);
     stored[3] = second.r;

@@ -2,16 +2,16 @@
 // the medium: one extinction per optical class and voxel.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
-#include "../shared/frame_block.glsl"
+#include "../shared/medium_layout.glsl"
 
-const int kSpeciesCount = 6;
-layout(binding = 0) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
-layout(rgba32f, binding = 0) writeonly uniform image3D o_medium0;
+layout(binding = kHeldUnit) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
+layout(rgba32f, binding = kMedium0Image) writeonly uniform image3D o_medium0;
 #if CLASS_TEXTURES > 1
-layout(rgba32f, binding = 1) writeonly uniform image3D o_medium1;
+layout(rgba32f, binding = kMedium1Image) writeonly uniform image3D o_medium1;
 #endif
-layout(location = 0) uniform float extinctionPerHeld[kSpeciesCount];  // m²/kg or 1; 0 when absent
-layout(location = 6) uniform int classOf[kSpeciesCount];
+// m²/kg or 1; 0 when absent.
+layout(location = kExtinctionPerHeldLocation) uniform float extinctionPerHeld[kSpeciesCount];
+layout(location = kClassOfLocation) uniform int classOf[kSpeciesCount];
 
 void main() {
     ivec3 voxel = ivec3(gl_GlobalInvocationID);

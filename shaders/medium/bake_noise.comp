@@ -4,11 +4,12 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 #include "../lib/noise.glsl"
+#include "../shared/medium_layout.glsl"
 
 #if STACKED
-layout(r8, binding = 0) writeonly uniform image3D o_noise;
+layout(r8, binding = kNoiseImage) writeonly uniform image3D o_noise;
 #else
-layout(rg16, binding = 0) writeonly uniform image3D o_noise;
+layout(rg16, binding = kNoiseImage) writeonly uniform image3D o_noise;
 #endif
 
 void main() {

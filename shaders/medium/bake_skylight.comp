@@ -5,14 +5,15 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/optics.glsl"
+#include "../shared/medium_layout.glsl"
 
-layout(rgba32f, binding = 0) uniform image3D io_last;  // the medium's last texture
+layout(rgba32f, binding = kSkylightImage) uniform image3D io_last;  // the medium's last texture
 #if CLASS_TEXTURES > 1
-layout(binding = 0) uniform sampler3D t_first;
+layout(binding = kMedium0Unit) uniform sampler3D t_first;
 #endif
-layout(location = 0) uniform float layerM;
-layout(location = 1) uniform float asymmetry;
-layout(location = 2) uniform float groundShare;
+layout(location = kSkylightLayerLocation) uniform float layerM;
+layout(location = kSkylightAsymmetryLocation) uniform float asymmetry;
+layout(location = kSkylightGroundLocation) uniform float groundShare;
 
 float extinctionAt(ivec3 voxel) {
     vec4 last = imageLoad(io_last, voxel);

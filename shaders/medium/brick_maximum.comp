@@ -4,13 +4,13 @@
 // A sample in a brick reads voxels of the brick and one more on every side.
 #version 450 core
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+#include "../shared/medium_layout.glsl"
 
-layout(binding = 0) uniform sampler3D t_medium0;
+layout(binding = kMedium0Unit) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
-layout(binding = 1) uniform sampler3D t_medium1;
+layout(binding = kMedium1Unit) uniform sampler3D t_medium1;
 #endif
-layout(r32f, binding = 0) writeonly uniform image3D o_maximum;
-layout(location = 0) uniform int brickVoxels;
+layout(r32f, binding = kBrickMaximumImage) writeonly uniform image3D o_maximum;
 
 float extinctionAt(ivec3 voxel) {
     vec4 first = texelFetch(t_medium0, voxel, 0);
@@ -24,8 +24,8 @@ float extinctionAt(ivec3 voxel) {
 void main() {
     ivec3 brick = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(brick, imageSize(o_maximum)))) return;
-    ivec3 lower = max(brick * brickVoxels - 1, ivec3(0));
-    ivec3 upper = min((brick + 1) * brickVoxels + 1, textureSize(t_medium0, 0));
+    ivec3 lower = max(brick * kBrickVoxels - 1, ivec3(0));
+    ivec3 upper = min((brick + 1) * kBrickVoxels + 1, textureSize(t_medium0, 0));
     float largest = 0.0;
     for (int z = lower.z; z < upper.z; ++z) {
         for (int y = lower.y; y < upper.y; ++y) {

@@ -2,9 +2,10 @@
 #pragma once
 #include "../lib/ray_box.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/medium_layout.glsl"
 
 // r: distance to the nearest occupied brick, in bricks; g: level of the largest extinction nearby
-layout(binding = 2) uniform usampler3D t_bricks;
+layout(binding = kBricksUnit) uniform usampler3D t_bricks;
 
 uvec2 brickAt(vec3 positionM) {
     ivec3 brick = clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_bricks, 0) - 1);

@@ -2,12 +2,13 @@
 #pragma once
 #include "../lib/phase_table.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/medium_layout.glsl"
 
-layout(binding = 8) uniform sampler2D t_phases;  // one row a class
+layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // one row a class
 
 vec3 displayPhase(int index, float cosTheta) {
-    float at = phaseTableIndex(cosTheta, PHASE_TABLE_SIZE);
-    int entry = min(int(at), PHASE_TABLE_SIZE - 2);
+    float at = phaseTableIndex(cosTheta, kPhaseTableSize);
+    int entry = min(int(at), kPhaseTableSize - 2);
     return mix(texelFetch(t_phases, ivec2(entry, index), 0).rgb,
                texelFetch(t_phases, ivec2(entry + 1, index), 0).rgb, at - float(entry));
 }

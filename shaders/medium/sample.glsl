@@ -3,14 +3,15 @@
 #pragma once
 #include "../lib/noise.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/medium_layout.glsl"
 #include "bricks.glsl"
 
-layout(binding = 0) uniform sampler3D t_medium0;
+layout(binding = kMedium0Unit) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
-layout(binding = 1) uniform sampler3D t_medium1;
+layout(binding = kMedium1Unit) uniform sampler3D t_medium1;
 #endif
 #if NOISE
-layout(binding = 3) uniform sampler3D t_noise;  // r: billow, g: wisp
+layout(binding = kNoiseUnit) uniform sampler3D t_noise;  // r: billow, g: wisp
 #endif
 
 struct MediumSample {

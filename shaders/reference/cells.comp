@@ -1,21 +1,26 @@
 // cells.comp: the largest extinction that a sample in each cell can have; cells are those of
-// trace_medium.glsl.
+// shaders/reference/medium.glsl.
 #version 450 core
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "../lib/noise.glsl"
+#include "../shared/frame_block.glsl"
+#include "../shared/reference_layout.glsl"
 
-layout(binding = 0) uniform sampler3D t_medium0;
+layout(binding = kMedium0Unit) uniform sampler3D t_medium0;
 #if CLASS_TEXTURES > 1
-layout(binding = 1) uniform sampler3D t_medium1;
+layout(binding = kMedium1Unit) uniform sampler3D t_medium1;
 #endif
-layout(r32f, binding = 0) writeonly uniform image3D o_bound;
-layout(location = 0) uniform int cellVoxels;  // a side
+layout(r32f, binding = kBoundImage) writeonly uniform image3D o_bound;
+layout(location = kBoundCellVoxelsLocation) uniform int cellVoxels;  // a side
 #if NOISE
-layout(binding = 6) uniform sampler3D t_noiseBound;  // r: billow, g: wisp; levels of maxima
-layout(location = 1) uniform float amount[8];        // of each class's detail
-layout(location = 9) uniform float texelsPerM[8];
-layout(location = 17) uniform float character[8];  // 0 billow, 1 wisp
-layout(location = 25) uniform vec3 voxelM;
+// r: billow, g: wisp; levels of maxima.
+layout(binding = kNoiseBoundUnit) uniform sampler3D t_noiseBound;
+// Of each class's detail.
+layout(location = kBoundAmountLocation) uniform float amount[kMaxClasses];
+layout(location = kBoundTexelsPerMLocation) uniform float texelsPerM[kMaxClasses];
+// 0 billow, 1 wisp.
+layout(location = kBoundCharacterLocation) uniform float character[kMaxClasses];
+layout(location = kBoundVoxelLocation) uniform vec3 voxelM;
 
 /// The largest factor of detail of a class within a cell: texel i of level l of the bounds has the
 /// largest noise that interpolation gives between texels i 2^l and (i + 1) 2^l.

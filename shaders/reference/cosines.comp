@@ -2,13 +2,14 @@
 #version 450 core
 layout(local_size_x = 64) in;
 #include "../lib/random.glsl"
+#include "../shared/reference_layout.glsl"
 #include "scattering.glsl"
 
-layout(std430, binding = 6) writeonly buffer Cosines {
+layout(std430, binding = kCosinesBuffer) writeonly buffer Cosines {
     float cosines_[];
 };
-layout(location = 0) uniform int count;
-layout(location = 1) uniform int seed;
+layout(location = kCosinesCountLocation) uniform int count;
+layout(location = kCosinesSeedLocation) uniform int seed;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

@@ -1,14 +1,15 @@
 // error.comp: sums over each row of the picture: radiance, and the variance of its mean.
 #version 450 core
 layout(local_size_x = 8) in;
+#include "../shared/reference_layout.glsl"
 
-layout(rgba32f, binding = 0) readonly uniform image2D i_halfA;
-layout(rgba32f, binding = 1) readonly uniform image2D i_squares;
-layout(rgba32f, binding = 2) readonly uniform image2D i_halfB;
-layout(std430, binding = 7) writeonly buffer Rows {
+layout(rgba32f, binding = kErrorHalfAImage) readonly uniform image2D i_halfA;
+layout(rgba32f, binding = kErrorSquaresImage) readonly uniform image2D i_squares;
+layout(rgba32f, binding = kErrorHalfBImage) readonly uniform image2D i_halfB;
+layout(std430, binding = kErrorRowsBuffer) writeonly buffer Rows {
     vec2 rows_[];  // x: sum of means, y: of variances of means, over pixels and channels
 };
-layout(location = 0) uniform float paths;
+layout(location = kErrorPathsLocation) uniform float paths;
 
 void main() {
     ivec2 size = imageSize(i_squares);

@@ -1,17 +1,11 @@
 // from_detector.glsl: paths that begin at points of an instrument.
 // app/render/engines/reference/trace_meter.h
 #pragma once
+#include "../shared/reference_blocks.glsl"
 
-struct DetectorBlock {
-    vec4 lowerM;  // w: kind, as DetectorKind
-    vec4 upperM;
-    vec4 direction;  // unit; w: the largest absorption that its points can have, 1/m
-};
-layout(std430, binding = 6) readonly buffer Detectors {
+layout(std430, binding = kDetectorsBuffer) readonly buffer Detectors {
     DetectorBlock detectors_[];
 };
-
-const int kRadiance = 0, kFlux = 1, kDiffuseFlux = 2, kAbsorption = 3;
 
 uint keyOf(uint index) {
     return index;
@@ -22,13 +16,13 @@ void start(inout Path p, uint index) {
     p.positionM = mix(detector.lowerM.xyz, detector.upperM.xyz, draw(p).xyz);
     int kind = int(detector.lowerM.w);
     p.dir = detector.direction.xyz;
-    p.axis = kind == kAbsorption ? vec3(0.0, 0.0, 1.0) : p.dir;
-    p.direct = kind != kDiffuseFlux;
-    if (kind == kAbsorption) {
+    p.axis = kind == kAbsorptionDetector ? vec3(0.0, 0.0, 1.0) : p.dir;
+    p.direct = kind != kDiffuseFluxDetector;
+    if (kind == kAbsorptionDetector) {
         p.weight /= detector.direction.w;
         p.kind = kInside;
         p.stage = kMet;
-    } else if (kind != kRadiance) {
+    } else if (kind != kRadianceDetector) {
         p.kind = kSurface;
         p.stage = kMet;
     }

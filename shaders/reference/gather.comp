@@ -1,16 +1,19 @@
 // gather.comp: adds the results of one pass to the sums, and writes the mean picture.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "../shared/reference_layout.glsl"
 
-layout(std430, binding = 5) readonly buffer Results {
+layout(std430, binding = kResultsBuffer) readonly buffer Results {
     vec4 results_[];
 };
-layout(rgba32f, binding = 0) uniform image2D io_half;  // sums: radiance, paths that met particles
-layout(rgba32f, binding = 1) uniform image2D io_squares;  // of radiance; w: sum of first distances
-layout(rgba32f, binding = 2) readonly uniform image2D i_other;  // the other half
-layout(rgba32f, binding = 3) writeonly uniform image2D o_mean;
-layout(location = 0) uniform int firstResult;
-layout(location = 1) uniform float perPath;  // 1 / paths in both halves
+// Sums: radiance, paths that met particles.
+layout(rgba32f, binding = kGatherHalfImage) uniform image2D io_half;
+// Of radiance; w: sum of first distances.
+layout(rgba32f, binding = kGatherSquaresImage) uniform image2D io_squares;
+layout(rgba32f, binding = kGatherOtherImage) readonly uniform image2D i_other;  // the other half
+layout(rgba32f, binding = kGatherMeanImage) writeonly uniform image2D o_mean;
+layout(location = kGatherFirstResultLocation) uniform int firstResult;
+layout(location = kGatherPerPathLocation) uniform float perPath;  // 1 / paths in both halves
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

@@ -7,11 +7,13 @@
 #include "../lib/ray_box.glsl"
 #include "../medium/sample.glsl"
 #include "../medium/total_extinction.glsl"
+#include "../shared/reference_layout.glsl"
 
-layout(binding = 5) uniform sampler3D t_cells;  // r: bound, 1/m; g: cells to the next occupied one
+// r: bound, 1/m; g: cells to the next occupied one.
+layout(binding = kCellsUnit) uniform sampler3D t_cells;
 
-layout(location = 8) uniform vec3 cellM;   // size
-layout(location = 9) uniform vec3 voxelM;  // of the medium
+layout(location = kTraceCellLocation) uniform vec3 cellM;    // size
+layout(location = kTraceVoxelLocation) uniform vec3 voxelM;  // of the medium
 
 ivec3 cellAt(vec3 positionM) {
     ivec3 last = textureSize(t_cells, 0) - 1;

@@ -6,15 +6,17 @@
 #pragma once
 #include "../lib/directions.glsl"
 #include "../lib/scattering_table.glsl"
+#include "../shared/reference_layout.glsl"
 #include "medium.glsl"
 
-layout(binding = 8) uniform sampler2D t_phases;      // rgb: P, 1/sr, one row a class
-layout(binding = 9) uniform sampler2D t_scattering;  // versines, one row a class and wavelength
+layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // rgb: P, 1/sr, one row a class
+// Versines, one row a class and wavelength.
+layout(binding = kScatteringUnit) uniform sampler2D t_scattering;
 
 /// P at 650, 550 and 450 nm, 1/sr.
 vec3 phaseOf(int index, float versine) {
-    float at = phaseTableIndexOfVersine(versine, PHASE_TABLE_SIZE);
-    int entry = min(int(at), PHASE_TABLE_SIZE - 2);
+    float at = phaseTableIndexOfVersine(versine, kPhaseTableSize);
+    int entry = min(int(at), kPhaseTableSize - 2);
     return mix(texelFetch(t_phases, ivec2(entry, index), 0).rgb,
                texelFetch(t_phases, ivec2(entry + 1, index), 0).rgb, at - float(entry));
 }
@@ -83,11 +85,11 @@ int classBy(float u, Mixture mixture) {
 /// Draws a scattering angle of a class at one wavelength: its versine (x) and its density per
 /// steradian (y).
 vec2 drawVersine(int index, int wavelength, float u) {
-    float at = scatteringInterval(u, SCATTERING_INTERVALS);
+    float at = scatteringInterval(u, kScatteringIntervals);
     int i = int(at);
     int row = 3 * index + wavelength;
     float lower = texelFetch(t_scattering, ivec2(i, row), 0).r;
     float upper = texelFetch(t_scattering, ivec2(i + 1, row), 0).r;
     return vec2(mix(lower, upper, at - float(i)),
-                scatteringDensity(upper - lower, SCATTERING_INTERVALS));
+                scatteringDensity(upper - lower, kScatteringIntervals));
 }

@@ -5,18 +5,19 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/noise.glsl"
 #include "../lib/ray_box.glsl"
 #include "../shared/frame.glsl"
+#include "../shared/reference_layout.glsl"
 
-const int kSpeciesCount = 6;
-layout(binding = 0) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
+layout(binding = kHeldUnit) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
 #if NOISE
-layout(binding = 6) uniform sampler3D t_noise;  // r: billow, g: wisp
+layout(binding = kBesideHeldUnit) uniform sampler3D t_noise;  // r: billow, g: wisp
 #endif
-layout(std430, binding = 6) writeonly buffer Depths {
+layout(std430, binding = kDepthsBuffer) writeonly buffer Depths {
     float depths_[];  // species after species
 };
-layout(location = 0) uniform float extinctionPerHeld[kSpeciesCount];  // 0 when absent
-layout(location = 6) uniform int classOf[kSpeciesCount];
-layout(location = 12) uniform float longestStepM;
+// 0 when absent.
+layout(location = kExtinctionPerHeldLocation) uniform float extinctionPerHeld[kSpeciesCount];
+layout(location = kClassOfLocation) uniform int classOf[kSpeciesCount];
+layout(location = kDepthsStepLocation) uniform float longestStepM;
 
 float detailOf(int index, vec3 positionM) {
 #if NOISE
@@ -36,7 +37,8 @@ void main() {
     float lengthM = max(0.0, inside.y - max(inside.x, 0.0));
     int steps = int(ceil(lengthM / longestStepM));
     float stepM = lengthM / float(max(steps, 1));
-    float depth[kSpeciesCount] = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float depth[kSpeciesCount];
+    for (int s = 0; s < kSpeciesCount; ++s) depth[s] = 0.0;
     for (int i = 0; i < steps; ++i) {
         vec3 positionM = ray.originM + (max(inside.x, 0.0) + (float(i) + 0.5) * stepM) * ray.dir;
         for (int s = 0; s < kSpeciesCount; ++s) {

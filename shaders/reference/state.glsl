@@ -1,5 +1,6 @@
 // state.glsl: a path of light on its way, as it is kept between two dispatches.
 #pragma once
+#include "../shared/reference_layout.glsl"
 
 struct Path {
     vec3 positionM;    ///< in grid space
@@ -32,13 +33,12 @@ const int kIdle = 0, kWaiting = 1, kAiming = 2, kFlying = 3, kLeft = 4, kDone = 
           kTurning = 7;
 // Kinds of vertex. kInside: a detector.
 const int kParticle = 0, kSurface = 1, kInside = 2;
-const int kPathWords =
-    10;  // of four, in the buffer; word after word, so that lanes lie side by side
 
-layout(std430, binding = 3) buffer Lanes {
+// Word after word, so that lanes lie side by side.
+layout(std430, binding = kLanesBuffer) buffer Lanes {
     uvec4 lanes_[];
 };
-layout(location = 0) uniform int laneCount;
+layout(location = kTraceLanesLocation) uniform int laneCount;
 
 uvec4 bitsOf(vec3 v, uint w) {
     return uvec4(floatBitsToUint(v), w);
@@ -90,8 +90,6 @@ Path loadPath(uint lane) {
     p.key = words[9].xy;
     return p;
 }
-
-const int kMostWaiting = 8, kWaitingWords = 4;
 
 uint waitingWord(int place, uint lane) {
     return lane + uint((kPathWords + kWaitingWords * place) * laneCount);

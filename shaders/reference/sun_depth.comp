@@ -5,8 +5,9 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "../lib/ray_box.glsl"
 #include "../medium/sample.glsl"
 #include "../medium/total_extinction.glsl"
+#include "../shared/reference_layout.glsl"
 
-layout(r16f, binding = 0) writeonly uniform image3D o_depth;
+layout(r16f, binding = kSunDepthImage) writeonly uniform image3D o_depth;
 
 void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID);

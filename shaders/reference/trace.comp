@@ -10,28 +10,24 @@
 layout(local_size_x = 64) in;
 #include "../lib/random.glsl"
 #include "../lib/sky.glsl"
+#include "../shared/reference_blocks.glsl"
 #include "scattering.glsl"
 #include "state.glsl"
 
-layout(location = 1) uniform int rounds;       // of each lane in this dispatch
-layout(location = 2) uniform int pathsAPass;   // one a pixel, or detector
-layout(location = 3) uniform int firstTicket;  // of the oldest pass that is not whole
-layout(location = 4) uniform int lastPasses;   // passes that may be begun, from that one
-layout(location = 5) uniform int firstPass;    // its number
-layout(location = 6) uniform int seed;
-layout(location = 7) uniform int maxScatterings;   // 0: no limit
-layout(location = 10) uniform float discVersine;   // of the sun's angular radius
-layout(location = 11) uniform float rouletteFrom;  // scatterings
+layout(location = kTraceRoundsLocation) uniform int rounds;     // of each lane in this dispatch
+layout(location = kTracePathsLocation) uniform int pathsAPass;  // one a pixel, or detector
+// Of the oldest pass that is not whole.
+layout(location = kTraceFirstTicketLocation) uniform int firstTicket;
+layout(location = kTraceFirstPassLocation) uniform int firstPass;  // its number
+layout(location = kTraceSeedLocation) uniform int seed;
+layout(location = kTraceMaxScatteringsLocation) uniform int maxScatterings;  // 0: no limit
+layout(location = kTraceDiscLocation) uniform float discVersine;  // of the sun's angular radius
+layout(location = kTraceRouletteLocation) uniform float rouletteFrom;  // scatterings
 
-layout(std430, binding = 4) buffer Counters {
-    uint tickets;           // given out
-    uint collisions;        // places where a particle may have been
-    uint scatterings;       // particles that scattered
-    uint faults;            // paths whose radiance is no number
-    uint finished[PASSES];  // paths, of each pass that is on its way
-}
-counters_;
-layout(std430, binding = 5) writeonly buffer Results {
+layout(std430, binding = kCountersBuffer) buffer Counters {
+    CounterBlock counters_;
+};
+layout(std430, binding = kResultsBuffer) writeonly buffer Results {
     vec4 results_[];  // rgb: radiance, w: distance to the first particle or -1; pass after pass
 };
 
@@ -39,7 +35,7 @@ layout(std430, binding = 5) writeonly buffer Results {
 // ask for sunlight, and the optical depth up to which all do.
 const float kBranching = 0.25, kLeastBranching = 0.02, kLeastAsking = 0.25, kDepthOfAsking = 3.0;
 
-layout(binding = 10) uniform sampler3D t_sunDepth;  // to the sun, about
+layout(binding = kSunDepthUnit) uniform sampler3D t_sunDepth;  // to the sun, about
 
 uint collisions_ = 0u, scatterings_ = 0u;
 
@@ -78,7 +74,7 @@ void finish(inout Path p) {
         p.radiance = vec3(0.0);
     }
     uint path = p.ticket - uint(firstTicket);
-    uint slot = (uint(firstPass) + path / uint(pathsAPass)) % uint(PASSES);
+    uint slot = (uint(firstPass) + path / uint(pathsAPass)) % uint(kPassesAtOnce);
     results_[slot * uint(pathsAPass) + path % uint(pathsAPass)] = vec4(p.radiance, p.firstM);
     atomicAdd(counters_.finished[slot], 1u);
     p.stage = kIdle;
@@ -89,7 +85,7 @@ void begin(inout Path p) {
     if (p.stage == kIdle) p.ticket = atomicAdd(counters_.tickets, 1u);
     p.stage = kWaiting;
     uint path = p.ticket - uint(firstTicket);
-    if (path >= uint(lastPasses) * uint(pathsAPass)) return;
+    if (path >= uint(kPassesAtOnce) * uint(pathsAPass)) return;
     p.key = uvec2(keyOf(path % uint(pathsAPass)), uint(firstPass) + path / uint(pathsAPass));
     p.draws = 0u;
     p.scatterings = 0;

@@ -3,7 +3,7 @@
 #pragma once
 #include "frame_block.glsl"
 
-layout(std140, binding = 0) uniform FrameUniforms {
+layout(std140, binding = kFrameBinding) uniform FrameUniforms {
     FrameBlock u_;
 };
 

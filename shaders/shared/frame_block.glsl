@@ -6,8 +6,11 @@
 // spacingM; the light meets slice 0 first. The slices of the march face the sun and carry light
 // alone.
 #pragma once
+#include "sizes.glsl"
 
-const int kMaxClasses = 6;
+const int kFrameBinding = 0;  // of the uniform block
+
+const int kMaxClasses = kSpeciesCount;  // each species may be a class of its own
 
 struct ClassBlock {
     vec4 colourAlbedo;  ///< rgb: colour × single-scattering albedo; w: albedo

@@ -5,15 +5,19 @@
 // scatters the light that its slice received (Eq. 12) by the phase functions of its classes (Eq.
 // 18), and skylight.
 #version 450 core
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "../shared/slicing_layout.glsl"
+layout(local_size_x = kSlicingEyeGroup, local_size_y = kSlicingEyeGroup) in;
 #include "../medium/phases.glsl"
 #include "../medium/ray_in_box.glsl"
 #include "../medium/sample.glsl"
 #include "../medium/total_extinction.glsl"
+#include "../shared/light_layout.glsl"
 
-layout(binding = 4) uniform sampler2DArray t_light;
-layout(location = 0) uniform int firstRow;            // of the band of rows that is drawn
-layout(rgba32f, binding = 0) uniform image2D io_eye;  // rgb: radiance, a: transmittance
+layout(binding = kLightUnit) uniform sampler2DArray t_light;
+// Of the band of rows that is drawn.
+layout(location = kSlicingFirstRowLocation) uniform int firstRow;
+// rgb: radiance, a: transmittance.
+layout(rgba32f, binding = kSlicingEyeImage) uniform image2D io_eye;
 
 /// Slices of this batch that the ray meets within the occupied box and before the ground: first and
 /// last, in light order.

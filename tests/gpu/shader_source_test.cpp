@@ -84,6 +84,32 @@ TEST_CASE("A missing include is an error that names the line") {
     }
 }
 
+TEST_CASE("Two resources of a program that share a binding are reported by name") {
+    neph::test::needContext();
+    const Folder folder;
+    const auto with = [&](const std::string& resources, const std::string& body) {
+        folder.write("main.comp", "#version 450 core\nlayout(local_size_x = 1) in;\n" + resources +
+                                      "\nvoid main() { " + body + " }\n");
+        return messageOf(folder);
+    };
+    const std::string textures = "layout(binding = 1) uniform sampler2D t_list[2];\n";
+    const std::string read = "layout(std430, binding = 3) buffer Out { vec4 sum; };\n";
+    const std::string use =
+        "sum = texture(t_list[0], vec2(0)) + texture(t_list[1], vec2(0)) + texture(t_b, vec2(0));";
+    CHECK(with(read + textures + "layout(binding = 3) uniform sampler2D t_b;", use) == "compiled");
+    const std::string shared =
+        with(read + textures + "layout(binding = 2) uniform sampler2D t_b;", use);
+    CHECK(shared.find("t_list") != std::string::npos);
+    CHECK(shared.find("t_b") != std::string::npos);
+    CHECK(shared.find("both 2") != std::string::npos);
+    CHECK(with(read + "layout(std430, binding = 3) buffer In { vec4 part; };", "sum = part;")
+              .find("both 3") != std::string::npos);
+    CHECK(with("layout(rgba8, binding = 0) writeonly uniform image2D o_a;\n"
+               "layout(rgba8, binding = 0) writeonly uniform image2D o_b;",
+               "imageStore(o_a, ivec2(0), vec4(0)); imageStore(o_b, ivec2(0), vec4(0));")
+              .find("both 0") != std::string::npos);
+}
+
 TEST_CASE(
     "A bad edit leaves the last good program, says so once, and the next good edit takes over") {
     neph::test::needContext();

@@ -7,6 +7,7 @@
 #include "app/render/frame/frame_inputs.h"
 #include "app/render/light/slice_plan.h"
 #include "app/render/medium/brick_map.h"
+#include "core/grid/species.h"
 #include "core/look/medium.h"
 #include "shaders/lib/glsl_cpp.h"
 

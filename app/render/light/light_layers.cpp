@@ -39,16 +39,16 @@ void LightLayers::march(const gl::Program& program, const LightTiles& tiles,
                         const Progress& progress) {
     if (!tiles.tiles.empty()) {
         tiles_.write(tiles.tiles.data(), tiles.tiles.size() * sizeof(glm::ivec2));
-        tiles_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+        tiles_.bind(GL_SHADER_STORAGE_BUFFER, kLightTilesBuffer);
     }
-    layers_.bindImage(0, GL_WRITE_ONLY);
+    layers_.bindImage(kLightImage, GL_WRITE_ONLY);
     const int slices = static_cast<int>(tiles.firstOf.size()) - 1;
     for (int layer = 0; layer < slices; ++layer) {
         if (layer % kBandSlices == 0 && !goOn(progress, 0.0)) throw Cancelled{};
         const int first = tiles.firstOf[static_cast<std::size_t>(layer)];
         const int end = tiles.firstOf[static_cast<std::size_t>(layer) + 1];
         copy(layer, layer + 1);  // light passes unchanged where there is nothing
-        program.setInt(0, layer);
+        program.setInt(kLightLayerLocation, layer);
         program.dispatchGroups(end - first, first);
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                         GL_TEXTURE_UPDATE_BARRIER_BIT);

@@ -8,8 +8,7 @@
 
 namespace neph::render {
 
-/// Texels along the edge of a tile; the work group of the light pass.
-inline constexpr int kLightTile = 16;
+#include "shaders/shared/light_layout.glsl"
 
 /// Tiles of the slices of one batch, one slice after the other.
 struct LightTiles {

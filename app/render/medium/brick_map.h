@@ -4,20 +4,15 @@
 #include "app/gl/objects.h"
 #include "app/render/light/slice_plan.h"
 #include "core/grid/grid.h"
+#include "core/grid/species.h"
 
 namespace neph::render {
 
-/// Code in the map for the largest extinction in and around a brick: 2^((level - kLevelOfOne) /
-/// kLevelsPerOctave) per metre, rounded up; 0 is nothing. As shaders/medium/bricks.glsl reads it.
-inline constexpr int kLevelOfOne = 240, kLevelsPerOctave = 8;
-
-/// Voxels along the edge of a brick, the unit in which emptiness is known: small, so that few
-/// samples fall where nothing is.
-inline constexpr int kBrickVoxels = 4;
+#include "shaders/shared/medium_layout.glsl"
 
 struct BrickMap {
-    /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level of
-    /// the largest extinction in the brick and its neighbours.
+    /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level
+    /// (kLevelOfOne) of the largest extinction in the brick and its neighbours.
     gl::Texture map;
     SliceBox occupied;  ///< in grid space; empty (lower == upper) when nothing is there
     glm::dvec3 brickM{1.0};

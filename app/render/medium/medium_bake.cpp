@@ -16,23 +16,24 @@ void bakeExtinction(const VolumeTextures& volume, gl::ProgramCache& programs, Me
     const gl::Program& program = programs.get("medium/bake.comp", defines(out));
     for (int s = 0; s < kSpeciesCount; ++s) {
         const auto i = static_cast<std::size_t>(s);
-        volume.held[i].bind(static_cast<GLuint>(s));
-        program.setFloat(s, out.plan.extinctionPerHeld[i] * volume.perTexel[i]);
-        program.setInt(kSpeciesCount + s, out.plan.classOf[i]);
+        volume.held[i].bind(static_cast<GLuint>(kHeldUnit + s));
+        program.setFloat(kExtinctionPerHeldLocation + s,
+                         out.plan.extinctionPerHeld[i] * volume.perTexel[i]);
+        program.setInt(kClassOfLocation + s, out.plan.classOf[i]);
     }
-    out.first.bindImage(0, GL_WRITE_ONLY);
-    if (out.second) out.second.bindImage(1, GL_WRITE_ONLY);
+    out.first.bindImage(kMedium0Image, GL_WRITE_ONLY);
+    if (out.second) out.second.bindImage(kMedium1Image, GL_WRITE_ONLY);
     program.dispatch(volume.grid.size);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 void bakeSkylight(const VolumeTextures& volume, gl::ProgramCache& programs, MediumTextures& out) {
     const gl::Program& program = programs.get("medium/bake_skylight.comp", defines(out));
-    (out.second ? out.second : out.first).bindImage(0, GL_READ_WRITE);
-    if (out.second) out.first.bind(0);
-    program.setFloat(0, static_cast<float>(volume.grid.spacingM.z));
-    program.setFloat(1, kSkylightAsymmetry);
-    program.setFloat(2, kGroundShare);
+    (out.second ? out.second : out.first).bindImage(kSkylightImage, GL_READ_WRITE);
+    if (out.second) out.first.bind(kMedium0Unit);
+    program.setFloat(kSkylightLayerLocation, static_cast<float>(volume.grid.spacingM.z));
+    program.setFloat(kSkylightAsymmetryLocation, kSkylightAsymmetry);
+    program.setFloat(kSkylightGroundLocation, kGroundShare);
     program.dispatch({volume.grid.size.x, volume.grid.size.y, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
@@ -48,7 +49,7 @@ gl::Texture makeMediumTexture(glm::ivec3 size) {
 void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::ProgramCache& programs,
                 MediumTextures& out) {
     const bool sameSize = out.first && out.first.size() == volume.grid.size;
-    const bool needsSecond = plan.classes.size() > 3;
+    const bool needsSecond = plan.classes.size() > kClassesBesideSkylight;
     if (!sameSize) out = {};
     out.plan = plan;
     if (!out.first) out.first = makeMediumTexture(volume.grid.size);
@@ -57,12 +58,11 @@ void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::Progra
     }
     bakeExtinction(volume, programs, out);
     bakeSkylight(volume, programs, out);
-    out.first.bind(0);
-    if (out.second) out.second.bind(1);
+    out.first.bind(kMedium0Unit);
+    if (out.second) out.second.bind(kMedium1Unit);
     const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
-    maxima.bindImage(0, GL_WRITE_ONLY);
+    maxima.bindImage(kBrickMaximumImage, GL_WRITE_ONLY);
     const gl::Program& program = programs.get("medium/brick_maximum.comp", defines(out));
-    program.setInt(0, kBrickVoxels);
     program.dispatch(maxima.size());
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);

@@ -23,7 +23,7 @@ namespace {
 gl::Texture make(GLenum format, glm::ivec3 size, int levels) {
     gl::Texture noise = gl::Texture::make3D(format, size, levels);
     noise.setRepeat();
-    noise.bindImage(0, GL_WRITE_ONLY);
+    noise.bindImage(kNoiseImage, GL_WRITE_ONLY);
     return noise;
 }
 

@@ -3,13 +3,11 @@
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
+#include "core/grid/species.h"
 
 namespace neph::render {
 
-/// Texels a side of the tile.
-inline constexpr int kNoiseSize = 128;
-/// Levels of the stacked noise: down to 4 texels a side, less than one for the largest features.
-inline constexpr int kNoiseLevels = 6;
+#include "shaders/shared/medium_layout.glsl"
 
 /// Each is made when it is first wanted, as a pass of its own.
 class NoiseTextures {

@@ -5,16 +5,16 @@
 
 namespace neph::render {
 
+#include "shaders/shared/medium_layout.glsl"
+
 class PhaseTexture {
   public:
     /// Makes the tables anew where look or plan ask for others.
     void update(const Look& look, const MediumPlan& plan);
-    void bind() const { tables_.bind(kUnit); }
+    void bind() const { tables_.bind(kPhasesUnit); }
     std::size_t bytes() const { return tables_.bytes(); }
 
   private:
-    static constexpr GLuint kUnit = 8;  // as phases.glsl has it
-
     gl::Texture tables_;  ///< RGBA32F, a row a class
     Look look_;           ///< the look and plan that they were made of
     MediumPlan plan_;

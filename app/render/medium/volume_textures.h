@@ -8,8 +8,7 @@
 
 namespace neph::render {
 
-/// Voxels along the edge of a block, the unit in which the bakes visit the volume.
-inline constexpr int kBlockVoxels = 8;
+#include "shaders/shared/medium_layout.glsl"
 
 /// Mass contents or extinctions as R16F, each species scaled so that its largest value is near the
 /// top of the range: 11 bits of precision over nine decades. Absent species have one empty voxel.

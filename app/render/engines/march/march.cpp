@@ -16,9 +16,17 @@
 #include "core/optics/blue_noise.h"
 
 namespace neph::render {
+
+#include "shaders/shared/march_layout.glsl"
+
+namespace block {
+#include "shaders/shared/march_blocks.glsl"
+}
+
 namespace {
 
-constexpr int kBandRows = 32;  // between two questions to `progress`; whole groups of the shader
+// Between two questions to `progress`; whole groups of the shader.
+constexpr int kBandRows = 4 * kMarchEyeGroup;
 // Size of a light texel in voxels, and in a draft.
 constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
 // Steps shorter than this many voxels can show detail finer than a voxel.
@@ -102,12 +110,10 @@ DetailKinds kindsOf(const MediumPlan& plan) {
 std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMedium& medium,
                                     bool floor) {
     std::vector<std::string> names = defines(inputs.look, medium);
-    names.push_back(fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize));
     names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
     names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
     if (!isNoisy(medium.plan)) return names;
     const DetailKinds kinds = kindsOf(medium.plan);
-    names.push_back(fmt::format("NOISE_SIZE {}.0", kNoiseSize));
     names.push_back(fmt::format("KINDS {}", kinds.first.size()));
     names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.of, ", ")));
     names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.first, ", ")));
@@ -208,13 +214,13 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));
-    block_.bind(GL_UNIFORM_BUFFER, 0);
-    medium.extinction.bind(0);
-    medium.first.bind(1);
-    medium.bricks.map.bind(2);
-    if (const gl::Texture* noise = stackedNoise(medium.plan, context)) noise->bind(3);
-    light_.bind(4);
-    if (medium.second) medium.second.bind(5);
+    block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
+    medium.extinction.bind(kMarchExtinctionUnit);
+    medium.first.bind(kMarchMixture0Unit);
+    medium.bricks.map.bind(kBricksUnit);
+    if (const gl::Texture* noise = stackedNoise(medium.plan, context)) noise->bind(kNoiseUnit);
+    light_.bind(kLightUnit);
+    if (medium.second) medium.second.bind(kMarchMixture1Unit);
 }
 
 /// Carries sunlight through the medium and leaves it there, at every voxel. The medium holds the
@@ -255,8 +261,8 @@ void MarchEngine::lightToMedium(const std::vector<glm::ivec4>& blocks, const Pac
                                 gl::ProgramCache& programs) {
     if (blocks.empty()) return;
     blocks_.write(blocks.data(), blocks.size() * sizeof(glm::ivec4));
-    blocks_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    medium.extinction.bindImage(0, GL_READ_WRITE);
+    blocks_.bind(GL_SHADER_STORAGE_BUFFER, kMarchBlocksBuffer);
+    medium.extinction.bindImage(kMarchExtinctionImage, GL_READ_WRITE);
     programs.get("march/light_to_medium.comp").dispatchGroups(static_cast<int>(blocks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -265,13 +271,13 @@ void MarchEngine::march(const FrameRequest& frame, const gl::Program& program,
                         const Progress& progress) {
     const glm::ivec2 sizePx = frame.inputs.sizePx;
     if (!blueNoise_) blueNoise_ = uploadBlueNoise();
-    blueNoise_.bind(6);
+    blueNoise_.bind(kMarchBlueNoiseUnit);
     phases_.bind();
-    frame.linear.bindImage(0, GL_READ_WRITE);
-    program.setFloat(1, 1.0f / static_cast<float>(frame.sample + 1));
+    frame.linear.bindImage(kMarchLinearImage, GL_READ_WRITE);
+    program.setFloat(kMarchBlendLocation, 1.0f / static_cast<float>(frame.sample + 1));
     for (int row = 0; row < sizePx.y; row += kBandRows) {
         if (!goOn(progress, static_cast<double>(row) / sizePx.y)) throw Cancelled{};
-        program.setInt(0, row);
+        program.setInt(kMarchFirstRowLocation, row);
         program.dispatch({sizePx.x, std::min(kBandRows, sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -279,13 +285,13 @@ void MarchEngine::march(const FrameRequest& frame, const gl::Program& program,
 
 /// Has the eye pass count its samples.
 void MarchEngine::openCounts(glm::ivec2 sizePx) {
-    const std::array<GLuint, 4> zeros{};
-    counts_.write(zeros.data(), sizeof(zeros));
-    counts_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    const block::CountBlock zeros{};
+    counts_.write(&zeros, sizeof(zeros));
+    counts_.bind(GL_SHADER_STORAGE_BUFFER, kMarchCountsBuffer);
     if (taken_.size() != glm::ivec3(sizePx, 1)) {
         taken_ = gl::Texture::make2D(GL_R32UI, sizePx);
     }
-    taken_.bindImage(1, GL_WRITE_ONLY);
+    taken_.bindImage(kMarchTakenImage, GL_WRITE_ONLY);
 }
 
 bool MarchEngine::floor(const FrameRequest& frame, RenderContext& context) {
@@ -297,8 +303,8 @@ bool MarchEngine::floor(const FrameRequest& frame, RenderContext& context) {
         floor_.setLinear();
         glClearTexImage(floor_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     }
-    floor_.bind(7);
-    taken_.bindImage(1, GL_READ_ONLY);
+    floor_.bind(kMarchFloorUnit);
+    taken_.bindImage(kMarchTakenImage, GL_READ_ONLY);
     march(frame, context.programs.get("march/eye.comp", eyeDefines(frame.inputs, medium, true)),
           {});
     return true;
@@ -306,9 +312,9 @@ bool MarchEngine::floor(const FrameRequest& frame, RenderContext& context) {
 
 /// Waits for the eye pass.
 SampleCounts MarchEngine::counts() const {
-    std::array<GLuint, 4> values{};
-    glGetNamedBufferSubData(counts_.name(), 0, sizeof(values), values.data());
-    return {values[0], values[1], values[2], values[3]};
+    block::CountBlock counted{};
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof(counted), &counted);
+    return {counted.rays, counted.taken, counted.skipped, counted.terminated};
 }
 
 void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {

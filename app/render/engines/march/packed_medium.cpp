@@ -13,11 +13,16 @@
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph::render {
+
+#include "shaders/shared/march_layout.glsl"
+
 namespace {
 
 // What would dim a ray through the whole domain by less is not there: half a step of 8 bits, and
 // no cloud is as long.
 constexpr double kInvisibleDepth = 2e-3;
+
+static_assert(kSpeciesCount <= 2 * kClassesBesideSkylight, "two mixture textures hold all classes");
 
 void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
     const glm::ivec3 cells = (volume.grid.size + 1) / 2;
@@ -59,8 +64,9 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visi
                 const gl::Program& program) {
     for (std::size_t i = 0; i < visible.species.size(); ++i) {
         const auto s = static_cast<std::size_t>(visible.species[i]);
-        volume.held[s].bind(static_cast<GLuint>(i));
-        program.setFloat(static_cast<int>(i), plan.extinctionPerHeld[s] * volume.perTexel[s]);
+        volume.held[s].bind(static_cast<GLuint>(kHeldUnit + static_cast<int>(i)));
+        program.setFloat(kPackExtinctionPerTexelLocation + static_cast<int>(i),
+                         plan.extinctionPerHeld[s] * volume.perTexel[s]);
     }
 }
 
@@ -77,16 +83,17 @@ std::vector<Detail> detailsOf(const Look& look, const Visible& visible) {
 void setDetail(const VolumeTextures& volume, const std::vector<Detail>& details,
                const DetailKinds& kinds, const gl::Program& program) {
     for (std::size_t i = 0; i < details.size(); ++i) {
-        program.setFloat(30 + static_cast<int>(i), details[i].amount);
+        program.setFloat(kPackAmountLocation + static_cast<int>(i), details[i].amount);
     }
     for (std::size_t k = 0; k < kinds.first.size(); ++k) {
         const Detail& detail = details[static_cast<std::size_t>(kinds.first[k])];
         const float tileM = glsl::kDetailFeaturesPerTile * detail.scaleM;
         const bool billow = detail.character == NoiseCharacter::billow;
-        program.setFloat(36 + static_cast<int>(k), static_cast<float>(kNoiseSize) / tileM);
-        program.setFloat(42 + static_cast<int>(k), billow ? 0.0f : 1.0f);
+        program.setFloat(kPackTexelsPerMLocation + static_cast<int>(k),
+                         static_cast<float>(kNoiseSize) / tileM);
+        program.setFloat(kPackCharacterLocation + static_cast<int>(k), billow ? 0.0f : 1.0f);
     }
-    program.setVec3(48, glm::vec3(volume.grid.spacingM));
+    program.setVec3(kPackVoxelLocation, glm::vec3(volume.grid.spacingM));
 }
 
 void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,
@@ -98,8 +105,6 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
     std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
                                    fmt::format("DETAIL {}", detailed ? 1 : 0)};
     if (detailed) {
-        names.push_back(fmt::format("NOISE_SIZE {}", kNoiseSize));
-        names.push_back(fmt::format("NOISE_LEVELS {}", kNoiseLevels));
         names.push_back(fmt::format("KINDS {}", kinds.first.size()));
         names.push_back(fmt::format("KIND_OF_SPECIES int[]({})", fmt::join(kinds.of, ", ")));
     }
@@ -107,10 +112,10 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
     setSpecies(volume, out.plan, visible, program);
     if (detailed) {
         setDetail(volume, details, kinds, program);
-        noise->bind(6);
+        noise->bind(kBesideHeldUnit);
     }
-    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    out.extinction.bindImage(0, GL_READ_WRITE);
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, kMarchBlocksBuffer);
+    out.extinction.bindImage(kMarchExtinctionImage, GL_READ_WRITE);
     program.dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
@@ -123,12 +128,12 @@ void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, Packe
                       fmt::format("SPECIES {}", visible.species.size()),
                       fmt::format("CLASS_OF_SPECIES int[]({})", fmt::join(visible.classes, ", "))});
     setSpecies(volume, out.plan, visible, program);
-    program.setFloat(12, static_cast<float>(volume.grid.spacingM.z));
-    program.setFloat(13, kSkylightAsymmetry);
-    program.setFloat(14, kGroundShare);
-    out.extinction.bind(6);
-    out.first.bindImage(0, GL_WRITE_ONLY);
-    if (out.second) out.second.bindImage(1, GL_WRITE_ONLY);
+    program.setFloat(kPackLayerLocation, static_cast<float>(volume.grid.spacingM.z));
+    program.setFloat(kPackAsymmetryLocation, kSkylightAsymmetry);
+    program.setFloat(kPackGroundLocation, kGroundShare);
+    out.extinction.bind(kBesideHeldUnit);
+    out.first.bindImage(kPackMixture0Image, GL_WRITE_ONLY);
+    if (out.second) out.second.bindImage(kPackMixture1Image, GL_WRITE_ONLY);
     program.dispatch({out.first.size().x, out.first.size().y, 1});
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -141,15 +146,12 @@ void packMedium(const VolumeTextures& volume, const Look& look, const gl::Textur
         glClearTexImage(out.extinction.name(), 0, GL_RG, GL_FLOAT, nullptr);
     }
     repackMedium(volume, look, PackedDetail::voxels, noise, programs, out);
-    out.extinction.bind(0);
+    out.extinction.bind(kMarchExtinctionUnit);
     const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
     glClearTexImage(maxima.name(), 0, GL_RED, GL_FLOAT, nullptr);
-    maxima.bindImage(0, GL_WRITE_ONLY);
-    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    programs
-        .get("march/brick_maximum.comp", {fmt::format("BLOCK_VOXELS {}", kBlockVoxels),
-                                          fmt::format("BRICK_VOXELS {}", kBrickVoxels)})
-        .dispatchGroups(static_cast<int>(volume.blocks.size()));
+    maxima.bindImage(kBrickMaximumImage, GL_WRITE_ONLY);
+    volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, kMarchBlocksBuffer);
+    programs.get("march/brick_maximum.comp").dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
 }
@@ -160,7 +162,7 @@ void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail d
     plain.noise = false;
     const MediumPlan plan =
         planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings);
-    makeTextures(volume, plan.classes.size() > 3, out);
+    makeTextures(volume, plan.classes.size() > kClassesBesideSkylight, out);
     out.look = planMedium(look, volume.holdings);
     out.plan = plan;
     out.detail = detail;

@@ -36,7 +36,7 @@ Texels largestOf(const Texels& texels, int reach, int step) {
     return out;
 }
 
-/// As shaders/reference/cells.comp has it.
+/// Levels of maxima. shaders/reference/cells.comp
 gl::Texture noiseBound(const gl::Texture& noise) {
     Texels texels(noise.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -57,12 +57,14 @@ void setDetail(const MediumPlan& plan, glm::dvec3 voxelM, int texels, const gl::
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         const MediumClass& c = plan.classes[i];
         const auto at = static_cast<int>(i);
-        program.setFloat(1 + at, c.noiseAmount);
+        program.setFloat(kBoundAmountLocation + at, c.noiseAmount);
         program.setFloat(
-            9 + at, static_cast<float>(texels) / (glsl::kDetailFeaturesPerTile * c.noiseScaleM));
-        program.setFloat(17 + at, c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
+            kBoundTexelsPerMLocation + at,
+            static_cast<float>(texels) / (glsl::kDetailFeaturesPerTile * c.noiseScaleM));
+        program.setFloat(kBoundCharacterLocation + at,
+                         c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
     }
-    program.setVec3(25, glm::vec3(voxelM));
+    program.setVec3(kBoundVoxelLocation, glm::vec3(voxelM));
 }
 
 Array3f boundsOf(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels,
@@ -71,16 +73,16 @@ Array3f boundsOf(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels
     const gl::Texture bounds =
         gl::Texture::make3D(GL_R32F, (medium.first.size() + cellVoxels) / cellVoxels);
     const gl::Program& program = programs.get("reference/cells.comp", mediumDefines(medium));
-    medium.first.bind(0);
-    if (medium.second) medium.second.bind(1);
+    medium.first.bind(kMedium0Unit);
+    if (medium.second) medium.second.bind(kMedium1Unit);
     gl::Texture detail;
     if (isNoisy(medium.plan)) {
         detail = noiseBound(*noise);
-        detail.bind(6);
+        detail.bind(kNoiseBoundUnit);
         setDetail(medium.plan, voxelM, noise->size().x, program);
     }
-    bounds.bindImage(0, GL_WRITE_ONLY);
-    program.setInt(0, cellVoxels);
+    bounds.bindImage(kBoundImage, GL_WRITE_ONLY);
+    program.setInt(kBoundCellVoxelsLocation, cellVoxels);
     program.dispatch(bounds.size());
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     return readBack(bounds);
@@ -126,9 +128,7 @@ std::vector<std::string> mediumDefines(const MediumTextures& medium) {
     // An array has at least one element.
     return {fmt::format("CLASSES {}", std::max<std::size_t>(medium.plan.classes.size(), 1)),
             fmt::format("CLASS_TEXTURES {}", medium.textureCount()),
-            fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0),
-            fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize),
-            fmt::format("SCATTERING_INTERVALS {}", kScatteringIntervals)};
+            fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0)};
 }
 
 }  // namespace neph::render

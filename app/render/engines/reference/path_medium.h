@@ -13,7 +13,7 @@
 namespace neph::render {
 
 struct PathMedium {
-    gl::Texture cells;  ///< RG32F, as shaders/reference/medium.glsl has them
+    gl::Texture cells;  ///< RG32F; shaders/reference/medium.glsl
     ScatteringTables tables;
     glm::dvec3 cellM{1.0}, voxelM{1.0};
     int lobeClass = 0;  ///< with the highest forward peak

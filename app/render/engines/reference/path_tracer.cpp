@@ -18,7 +18,7 @@ namespace {
 // Enough to fill the machine: a processor takes eight at a time and thread, a GPU some hundred
 // thousand in all.
 constexpr int kLanesInSoftware = 1024, kLanesOnGpu = 131072;
-constexpr std::size_t kLaneBytes = (10 + 8 * 4) * 16;  // as shaders/reference/state.glsl has them
+constexpr std::size_t kLaneBytes = kLaneWords * sizeof(glm::uvec4);
 // A dispatch is to take so long, that the window stays fluid and no watchdog wakes.
 const glm::ivec3 kMostSunDepth{64, 64, 64};  // texels of the depth towards the sun
 constexpr double kDispatchMs = 8.0;
@@ -54,10 +54,10 @@ gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
     std::vector<std::string> defines = mediumDefines(medium);
     std::replace(defines.begin(), defines.end(), std::string("NOISE 1"), std::string("NOISE 0"));
     const gl::Program& program = programs.get("reference/sun_depth.comp", defines);
-    block.bind(GL_UNIFORM_BUFFER, 0);
-    medium.first.bind(0);
-    if (medium.second) medium.second.bind(1);
-    depth.bindImage(0, GL_WRITE_ONLY);
+    block.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
+    medium.first.bind(kMedium0Unit);
+    if (medium.second) medium.second.bind(kMedium1Unit);
+    depth.bindImage(kSunDepthImage, GL_WRITE_ONLY);
     program.dispatch(size);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     return depth;
@@ -102,42 +102,41 @@ void PathTracer::prepare(const MediumTextures& medium, gl::ProgramCache& program
 const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathMedium& paths,
                                        const gl::Texture* noise, gl::ProgramCache& programs) {
     std::vector<std::string> defines = mediumDefines(medium);
-    defines.push_back(fmt::format("PASSES {}", kPassesAtOnce));
     defines.push_back(fmt::format("PERIODIC {}", setup_.periodic ? 1 : 0));
     defines.push_back(fmt::format("DETECTORS {}", setup_.detectors != nullptr ? 1 : 0));
     defines.push_back(fmt::format("LOBE_CLASS {}", paths.lobeClass));
     const gl::Program& program = programs.get("reference/trace.comp", defines);
-    program.setInt(0, lanes_);
-    program.setInt(2, pathsAPass());
-    program.setInt(3, static_cast<int>(firstTicket_));
-    program.setInt(4, kPassesAtOnce);
-    program.setInt(5, firstPass_);
-    program.setInt(6, setup_.seed);
-    program.setInt(7, setup_.maxScatterings);
-    program.setVec3(8, glm::vec3(paths.cellM));
-    program.setVec3(9, glm::vec3(paths.voxelM));
+    program.setInt(kTraceLanesLocation, lanes_);
+    program.setInt(kTracePathsLocation, pathsAPass());
+    program.setInt(kTraceFirstTicketLocation, static_cast<int>(firstTicket_));
+    program.setInt(kTraceFirstPassLocation, firstPass_);
+    program.setInt(kTraceSeedLocation, setup_.seed);
+    program.setInt(kTraceMaxScatteringsLocation, setup_.maxScatterings);
+    program.setVec3(kTraceCellLocation, glm::vec3(paths.cellM));
+    program.setVec3(kTraceVoxelLocation, glm::vec3(paths.voxelM));
     const double sine = std::sin(0.5 * setup_.sunRadiusRad);
-    program.setFloat(10, static_cast<float>(2.0 * sine * sine));
-    program.setFloat(11, kRouletteFrom);
-    block_.bind(GL_UNIFORM_BUFFER, 0);
-    medium.first.bind(0);
-    if (medium.second) medium.second.bind(1);
-    if (noise) noise->bind(3);
-    paths.cells.bind(5);
-    paths.tables.phases.bind(8);
-    paths.tables.scattering.bind(9);
-    sunDepth_.bind(10);
-    lanesBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 3);
-    countersBuffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
-    results_.bind(GL_SHADER_STORAGE_BUFFER, 5);
-    if (setup_.detectors != nullptr) setup_.detectors->bind(GL_SHADER_STORAGE_BUFFER, 6);
+    program.setFloat(kTraceDiscLocation, static_cast<float>(2.0 * sine * sine));
+    program.setFloat(kTraceRouletteLocation, kRouletteFrom);
+    block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
+    medium.first.bind(kMedium0Unit);
+    if (medium.second) medium.second.bind(kMedium1Unit);
+    if (noise) noise->bind(kNoiseUnit);
+    paths.cells.bind(kCellsUnit);
+    paths.tables.phases.bind(kPhasesUnit);
+    paths.tables.scattering.bind(kScatteringUnit);
+    sunDepth_.bind(kSunDepthUnit);
+    lanesBuffer_.bind(GL_SHADER_STORAGE_BUFFER, kLanesBuffer);
+    countersBuffer_.bind(GL_SHADER_STORAGE_BUFFER, kCountersBuffer);
+    results_.bind(GL_SHADER_STORAGE_BUFFER, kResultsBuffer);
+    if (setup_.detectors != nullptr)
+        setup_.detectors->bind(GL_SHADER_STORAGE_BUFFER, kDetectorsBuffer);
     return program;
 }
 
 /// One dispatch; leaves the machine idle, and the counts in `counters_`.
 void PathTracer::carry(const gl::Program& program) {
     const auto start = std::chrono::steady_clock::now();
-    program.setInt(1, rounds_);
+    program.setInt(kTraceRoundsLocation, rounds_);
     program.dispatch({lanes_, 1, 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(countersBuffer_.name(), 0, sizeof(counters_), &counters_);
@@ -157,16 +156,16 @@ void PathTracer::gather(gl::ProgramCache& programs, const gl::Texture& mean) {
     const int slot = firstPass_ % kPassesAtOnce;
     const auto half = static_cast<std::size_t>(firstPass_ % 2);
     const gl::Program& program = programs.get("reference/gather.comp");
-    program.setInt(0, slot * pathsAPass());
-    program.setFloat(1, 1.0f / static_cast<float>(firstPass_ + 1));
-    results_.bind(GL_SHADER_STORAGE_BUFFER, 5);
-    halves_[half].bindImage(0, GL_READ_WRITE);
-    squares_.bindImage(1, GL_READ_WRITE);
-    halves_[1 - half].bindImage(2, GL_READ_ONLY);
-    mean.bindImage(3, GL_WRITE_ONLY);
+    program.setInt(kGatherFirstResultLocation, slot * pathsAPass());
+    program.setFloat(kGatherPerPathLocation, 1.0f / static_cast<float>(firstPass_ + 1));
+    results_.bind(GL_SHADER_STORAGE_BUFFER, kResultsBuffer);
+    halves_[half].bindImage(kGatherHalfImage, GL_READ_WRITE);
+    squares_.bindImage(kGatherSquaresImage, GL_READ_WRITE);
+    halves_[1 - half].bindImage(kGatherOtherImage, GL_READ_ONLY);
+    mean.bindImage(kGatherMeanImage, GL_WRITE_ONLY);
     program.dispatch({sizePx(), 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    counters_.finished[static_cast<std::size_t>(slot)] = 0;
+    counters_.finished[slot] = 0;
     countersBuffer_.write(&counters_, sizeof(counters_));
     firstTicket_ += static_cast<std::uint32_t>(pathsAPass());
     ++firstPass_;
@@ -177,8 +176,7 @@ void PathTracer::pass(const MediumTextures& medium, const PathMedium& paths,
                       const Progress& progress) {
     if (lanes_ == 0) prepare(medium, programs);
     const gl::Program& program = tracing(medium, paths, noise, programs);
-    const std::uint32_t& finished =
-        counters_.finished[static_cast<std::size_t>(firstPass_ % kPassesAtOnce)];
+    const std::uint32_t& finished = counters_.finished[firstPass_ % kPassesAtOnce];
     while (finished < static_cast<std::uint32_t>(pathsAPass())) {
         if (!goOn(progress, static_cast<double>(finished) / pathsAPass())) throw Cancelled{};
         carry(program);
@@ -192,11 +190,11 @@ double PathTracer::relativeError(gl::ProgramCache& programs) {
     std::vector<glm::vec2> sums(rows);
     if (rows_.bytes() < rows * sizeof(glm::vec2)) fill(rows_, rows * sizeof(glm::vec2));
     const gl::Program& program = programs.get("reference/error.comp");
-    program.setFloat(0, static_cast<float>(firstPass_));
-    halves_[0].bindImage(0, GL_READ_ONLY);
-    squares_.bindImage(1, GL_READ_ONLY);
-    halves_[1].bindImage(2, GL_READ_ONLY);
-    rows_.bind(GL_SHADER_STORAGE_BUFFER, 7);
+    program.setFloat(kErrorPathsLocation, static_cast<float>(firstPass_));
+    halves_[0].bindImage(kErrorHalfAImage, GL_READ_ONLY);
+    squares_.bindImage(kErrorSquaresImage, GL_READ_ONLY);
+    halves_[1].bindImage(kErrorHalfBImage, GL_READ_ONLY);
+    rows_.bind(GL_SHADER_STORAGE_BUFFER, kErrorRowsBuffer);
     program.dispatch({sizePx().y, 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glGetNamedBufferSubData(rows_.name(), 0, static_cast<GLsizeiptr>(rows * sizeof(glm::vec2)),

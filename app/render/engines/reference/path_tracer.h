@@ -16,6 +16,9 @@
 #include "core/base/progress.h"
 
 namespace neph::render {
+namespace block {
+#include "shaders/shared/reference_blocks.glsl"
+}
 
 /// Angular radius of the sun's disc at its mean distance, rad.
 inline constexpr double kSunRadiusRad = 0.004675;
@@ -64,11 +67,6 @@ class PathTracer {
     std::size_t bytes() const;
 
   private:
-    static constexpr int kPassesAtOnce = 4;
-    struct Counters {
-        std::uint32_t tickets = 0, collisions = 0, scatterings = 0, faults = 0;
-        std::array<std::uint32_t, kPassesAtOnce> finished{};
-    };
     glm::ivec2 sizePx() const { return {setup_.block.picture.x, setup_.block.picture.y}; }
     int pathsAPass() const { return sizePx().x * sizePx().y; }
     void prepare(const MediumTextures& medium, gl::ProgramCache& programs);
@@ -82,7 +80,7 @@ class PathTracer {
     int rounds_ = 0;     ///< of each lane in one dispatch
     int firstPass_ = 0;  ///< the oldest that is not whole
     std::uint32_t firstTicket_ = 0;
-    Counters counters_;
+    block::CounterBlock counters_{};
     TraceCounts counts_;
     gl::Buffer block_, lanesBuffer_, countersBuffer_, results_, rows_;
     std::array<gl::Texture, 2> halves_;

@@ -131,20 +131,23 @@ std::optional<FrameLayers> ReferenceEngine::layers(const FrameInputs& inputs,
     const FrameBlock block = blockOf(inputs, volume.grid, medium);
     gl::Buffer uniforms, depths;
     uniforms.write(&block, sizeof(block));
-    uniforms.bind(GL_UNIFORM_BUFFER, 0);
+    uniforms.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     std::vector<float> values(count * kSpeciesCount);
     depths.write(values.data(), values.size() * sizeof(float));
-    depths.bind(GL_SHADER_STORAGE_BUFFER, 6);
+    depths.bind(GL_SHADER_STORAGE_BUFFER, kDepthsBuffer);
     for (int s = 0; s < kSpeciesCount; ++s) {
         const auto i = static_cast<std::size_t>(s);
-        volume.held[i].bind(static_cast<GLuint>(s));
-        program.setFloat(s, medium.plan.extinctionPerHeld[i] * volume.perTexel[i]);
-        program.setInt(kSpeciesCount + s, medium.plan.classOf[i]);
+        volume.held[i].bind(static_cast<GLuint>(kHeldUnit + s));
+        program.setFloat(kExtinctionPerHeldLocation + s,
+                         medium.plan.extinctionPerHeld[i] * volume.perTexel[i]);
+        program.setInt(kClassOfLocation + s, medium.plan.classOf[i]);
     }
-    if (const gl::Texture* noise = filteredNoise(medium.plan, context)) noise->bind(6);
+    if (const gl::Texture* noise = filteredNoise(medium.plan, context))
+        noise->bind(kBesideHeldUnit);
     const glm::dvec3 voxelM = volume.grid.spacingM;
     program.setFloat(
-        12, static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z})));
+        kDepthsStepLocation,
+        static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z})));
     program.dispatch({size, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glGetNamedBufferSubData(depths.name(), 0,

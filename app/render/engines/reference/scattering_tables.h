@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "app/gl/objects.h"
+#include "core/grid/species.h"
 #include "core/optics/phase.h"
 
 namespace neph::render {
 
-/// Equally probable intervals of a table to draw from. Weights make up for what an interval does
-/// not resolve; with so many their variance is about 2e-4 a scattering for droplets, the worst.
-inline constexpr int kScatteringIntervals = 4096;
+#include "shaders/shared/reference_layout.glsl"
 
 /// The table scaled so that it integrates to 1 over the sphere at each wavelength as the shaders
 /// interpolate it. A share of 1e-4 too much would make 10 % of a path of a thousand scatterings.

@@ -16,11 +16,6 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr int kPathsAPass = 1 << 15;  // enough to keep all lanes busy
 constexpr int kMaxRows = 4096;        // of a texture: OpenGL 4.5 promises 16384, llvmpipe less
 
-/// As shaders/reference/from_detector.glsl has it.
-struct DetectorBlock {
-    glm::vec4 lowerM, upperM, direction;
-};
-
 glm::vec4 v4(glm::dvec3 v, double w = 0.0) {
     return {glm::vec3(v), static_cast<float>(w)};
 }
@@ -37,14 +32,14 @@ double mostAbsorptionPerM(const MeterScene& scene) {
 }
 
 gl::Buffer listOf(const MeterScene& scene, std::span<const Detector> detectors) {
-    std::vector<DetectorBlock> blocks;
+    std::vector<block::DetectorBlock> blocks;
     const double most = std::max(mostAbsorptionPerM(scene), 1e-30);
     for (const Detector& d : detectors) {
         blocks.push_back({v4(d.lowerM, static_cast<int>(d.kind)), v4(d.upperM),
                           v4(glm::normalize(d.direction), most)});
     }
     gl::Buffer list;
-    list.write(blocks.data(), blocks.size() * sizeof(DetectorBlock));
+    list.write(blocks.data(), blocks.size() * sizeof(block::DetectorBlock));
     return list;
 }
 
@@ -65,7 +60,7 @@ double scaleOf(const MeterScene& scene, DetectorKind kind) {
 MediumTextures textureOf(const MeterScene& scene) {
     MediumTextures medium;
     const std::size_t count = scene.fields.size();
-    const std::size_t textures = count > 3 ? 2 : 1;
+    const std::size_t textures = count > kClassesBesideSkylight ? 2 : 1;
     const auto voxels = static_cast<std::size_t>(scene.size.x) *
                         static_cast<std::size_t>(scene.size.y) *
                         static_cast<std::size_t>(scene.size.z);
@@ -184,11 +179,11 @@ std::vector<float> TraceMeter::sampledCosines(const PhaseSpec& phase, int count,
     std::vector<float> cosines(static_cast<std::size_t>(count));
     gl::Buffer buffer;
     buffer.write(cosines.data(), cosines.size() * sizeof(float));
-    buffer.bind(GL_SHADER_STORAGE_BUFFER, 6);
-    tables.phases.bind(8);
-    tables.scattering.bind(9);
-    program.setInt(0, count);
-    program.setInt(1, static_cast<int>(seed));
+    buffer.bind(GL_SHADER_STORAGE_BUFFER, kCosinesBuffer);
+    tables.phases.bind(kPhasesUnit);
+    tables.scattering.bind(kScatteringUnit);
+    program.setInt(kCosinesCountLocation, count);
+    program.setInt(kCosinesSeedLocation, static_cast<int>(seed));
     program.dispatch({count, 1, 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(

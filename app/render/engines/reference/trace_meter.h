@@ -21,10 +21,12 @@
 namespace neph::render {
 
 enum class DetectorKind : int {
-    radiance,     ///< that arrives at the detector's points from `direction`; no direct sunlight
-    flux,         ///< irradiance of a plane that faces `direction`
-    diffuseFlux,  ///< the same without direct sunlight
-    absorption    ///< power that is absorbed in a unit of volume: 4π β_abs times mean radiance
+    radiance = block::kRadianceDetector,        ///< that arrives at the detector's points from
+                                                ///< `direction`; no direct sunlight
+    flux = block::kFluxDetector,                ///< irradiance of a plane that faces `direction`
+    diffuseFlux = block::kDiffuseFluxDetector,  ///< the same without direct sunlight
+    absorption = block::kAbsorptionDetector     ///< power that is absorbed in a unit of volume: 4π
+                                                ///< β_abs times mean radiance
 };
 
 /// Reads the mean over points that are spread evenly in a box, which may be a plane, a line or a

@@ -13,19 +13,22 @@
 #include "app/render/frame/frame_block.h"
 
 namespace neph::render {
+
+#include "shaders/shared/display_layout.glsl"
+#include "shaders/shared/slicing_layout.glsl"
+
 namespace {
 
 // Bound on the light layers held at a time.
 constexpr std::size_t kLightBytes = std::size_t{128} << 20;
 // Between two questions to `progress`, a few milliseconds on the slowest machine. Rows are whole
 // groups of the shader.
-constexpr int kBandRows = 32;
+constexpr int kBandRows = 4 * kSlicingEyeGroup;
 
 std::vector<std::string> defines(const Look& look, const MediumTextures& medium) {
     std::vector<std::string> names =
         lightDefines(look, medium.plan, look.lightForm == LightForm::consistent);
     names.push_back(fmt::format("CLASS_TEXTURES {}", medium.textureCount()));
-    names.push_back(fmt::format("PHASE_TABLE_SIZE {}", kPhaseTableSize));
     names.push_back("PACKED 0");
     names.push_back("LIGHT_FORMAT r32f");
     return names;
@@ -59,10 +62,10 @@ void SlicingEngine::resize(glm::ivec2 sizePx) {
 void SlicingEngine::marchEye(const FrameInputs& inputs, const gl::Program& program,
                              const Progress& progress) {
     phases_.bind();
-    eye_.bindImage(0, GL_READ_WRITE);
+    eye_.bindImage(kSlicingEyeImage, GL_READ_WRITE);
     for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
         if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};
-        program.setInt(0, row);
+        program.setInt(kSlicingFirstRowLocation, row);
         program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -86,17 +89,17 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
     resize(inputs.sizePx);
     phases_.update(inputs.look, medium.plan);
 
-    medium.first.bind(0);
-    if (medium.second) medium.second.bind(1);
-    medium.bricks.map.bind(2);
-    if (const gl::Texture* noise = filteredNoise(medium.plan, context)) noise->bind(3);
-    light_.bind(4);
+    medium.first.bind(kMedium0Unit);
+    if (medium.second) medium.second.bind(kMedium1Unit);
+    medium.bricks.map.bind(kBricksUnit);
+    if (const gl::Texture* noise = filteredNoise(medium.plan, context)) noise->bind(kNoiseUnit);
+    light_.bind(kLightUnit);
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     const auto upload = [&](int first, int slices) {
         block.slices.y = first;
         block.slices.z = slices;
         block_.write(&block, sizeof(block));
-        block_.bind(GL_UNIFORM_BUFFER, 0);
+        block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     };
     upload(0, 0);
     const glm::vec4 nothingYet{0.0f, 0.0f, 0.0f, 1.0f};
@@ -125,9 +128,9 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
     }
     context.timer.pass("background");
     const gl::Program& background = programs.get("display/background.comp");
-    background.setInt(0, std::max(lastLayer, 0));
-    eye_.bindImage(0, GL_READ_ONLY);
-    frame.linear.bindImage(1, GL_WRITE_ONLY);
+    background.setInt(kBackgroundLayerLocation, std::max(lastLayer, 0));
+    eye_.bindImage(kBackgroundEyeImage, GL_READ_ONLY);
+    frame.linear.bindImage(kBackgroundLinearImage, GL_WRITE_ONLY);
     background.dispatch({inputs.sizePx, 1});
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }

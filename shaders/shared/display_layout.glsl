@@ -1,0 +1,22 @@
+// display_layout.glsl: image units and locations of the passes between an engine's radiance and the
+// display. C++: in namespace neph::render.
+#pragma once
+
+// background.comp
+const int kBackgroundEyeImage = 0;
+const int kBackgroundLinearImage = 1;
+const int kBackgroundLayerLocation = 0;
+
+// average.comp
+const int kAverageRaysImage = 0;
+const int kAverageLinearImage = 1;
+const int kAverageSideLocation = 0;
+
+// resolve.comp
+const int kResolveLinearImage = 0;
+const int kResolveDisplayImage = 1;
+const int kResolveGainLocation = 0;
+const int kResolveCurveLocation = 1;
+const int kResolveLeftLocation = 2;
+const int kResolveLowerLocation = 3;
+const int kResolveTransparentLocation = 4;

@@ -1,0 +1,40 @@
+// march_layout.glsl: texture and image units, buffers and locations of the passes of the march.
+// C++: in namespace neph::render.
+#pragma once
+#include "medium_layout.glsl"
+
+// The medium of the march, and what the eye reads besides: beside the units of medium_layout.glsl
+// and light_layout.glsl.
+const int kMarchExtinctionUnit = 0;
+const int kMarchMixture0Unit = 1;
+const int kMarchMixture1Unit = 5;
+const int kMarchBlueNoiseUnit = 6;
+const int kMarchFloorUnit = 7;
+
+// eye.comp. Its work groups are squares.
+const int kMarchEyeGroup = 8;
+const int kMarchLinearImage = 0;
+const int kMarchTakenImage = 1;
+const int kMarchCountsBuffer = 2;
+const int kMarchFirstRowLocation = 0;
+const int kMarchBlendLocation = 1;
+
+// Passes by the list of blocks.
+const int kMarchBlocksBuffer = 0;
+const int kMarchExtinctionImage = 0;
+
+// pack_extinction.comp and pack_mixture.comp
+const int kPackExtinctionPerTexelLocation = 0;
+
+// pack_extinction.comp
+const int kPackAmountLocation = kPackExtinctionPerTexelLocation + kSpeciesCount;
+const int kPackTexelsPerMLocation = kPackAmountLocation + kSpeciesCount;
+const int kPackCharacterLocation = kPackTexelsPerMLocation + kSpeciesCount;
+const int kPackVoxelLocation = kPackCharacterLocation + kSpeciesCount;
+
+// pack_mixture.comp
+const int kPackMixture0Image = 0;
+const int kPackMixture1Image = 1;
+const int kPackLayerLocation = kPackExtinctionPerTexelLocation + kSpeciesCount;
+const int kPackAsymmetryLocation = kPackLayerLocation + 1;
+const int kPackGroundLocation = kPackAsymmetryLocation + 1;
