@@ -99,7 +99,8 @@ void addRender(CLI::App& app, RenderOptions& options) {
         ->capture_default_str();
     command
         .add_option("--engine", options.engine,
-                    "Instead of view.engine: march, slicing or reference")
+                    fmt::format("Instead of view.engine: {}",
+                                fmt::join(eachEngine(&EngineTraits::id), ", ")))
         ->type_name("NAME");
     command
         .add_option("--quality", options.quality, "Steps a voxel, march; instead of view.quality")
@@ -238,7 +239,7 @@ void addBench(CLI::App& app, BenchOptions& options) {
         ->allow_extra_args(false)
         ->capture_default_str();
     command.add_option("--engine", options.engine, "Whose frames; changes, growth: the first")
-        ->check(CLI::IsMember({"march", "slicing", "both"}))
+        ->check(CLI::IsMember(benchEngines()))
         ->capture_default_str();
     command.add_option("--steps", options.steps, "Or slices, of modes and of growth's first grid")
         ->check(CLI::Range(16, 2048))

@@ -13,14 +13,8 @@
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
-#include "app/render/engines/march/march.h"
-#include "app/render/engines/march/packed_medium.h"
-#include "app/render/engines/reference/reference.h"
-#include "app/render/engines/slicing/slicing.h"
-#include "app/render/frame/frame_block.h"
 #include "app/render/frame/rows.h"
-#include "app/render/medium/medium_bake.h"
-#include "app/render/medium/noise_texture.h"
+#include "app/render/integrators.h"
 #include "core/base/error.h"
 
 namespace neph::render {
@@ -30,35 +24,33 @@ namespace neph::render {
 struct Renderer::Impl {
     explicit Impl(std::filesystem::path shaderDir) : programs(std::move(shaderDir)) {}
 
+    /// The image that `linear` and `display` show.
+    struct Shown {
+        FrameInputs inputs;
+        int sample = 0;  ///< of the last frame that was added to it
+    };
+
     gl::ProgramCache programs;
     std::optional<VolumeTextures> volume;
-    MediumTextures medium;     ///< of slicing and reference; made when it is first wanted
-    PackedMedium packed;       ///< of the march; likewise
-    gl::Texture noise;         ///< of slicing and reference
-    gl::Texture stackedNoise;  ///< of the march
-    gl::Texture rays;          ///< where pixels are the mean of several
+    HeldMedium medium;
+    NoiseTextures noise;
+    gl::Texture rays;  ///< where pixels are the mean of several
     gl::Texture linear, display;
-    SlicingEngine slicing;
-    MarchEngine march;
-    ReferenceEngine reference;
-    bool referenceStale = true;  ///< has not taken in `medium`
+    Engine engine{};
+    std::unique_ptr<Integrator> integrator;  ///< of `engine`; made when it is first wanted
     gl::PassTimer timer;
-    std::optional<FrameInputs> last;  ///< what `linear` shows; none when it must be redone
-    std::optional<Look> lit;          ///< what the light in `packed` was carried for
-    bool mediumStale = true;
-    bool lightIsDraft = false;
+    std::optional<Shown> shown;  ///< none when it must be redone
+    std::uint64_t images = 0;    ///< that were begun
     std::vector<std::string> messages;
 
-    Stage stageFor(const FrameInputs& inputs) const;
-    void bake(const FrameInputs& inputs, FrameStats& stats);
-    const gl::Texture* stacked() const { return stackedNoise ? &stackedNoise : nullptr; }
-    void repack(const FrameInputs& inputs, PackedDetail wanted, FrameStats& stats);
-    void draw(const FrameInputs& inputs, Stage stage, const gl::Texture& to,
-              const Progress& progress, FrameStats& stats);
-    void drawRays(const FrameInputs& inputs, Stage stage, const Progress& progress,
-                  FrameStats& stats);
+    RenderContext context(const Progress& progress, FrameStats& stats) {
+        return {*volume, medium, noise, programs, timer, progress, stats, messages};
+    }
+    void use(Engine wanted);
+    std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
+    FrameStats frame(const FrameInputs& inputs, int sample, Stage stage, const Progress& progress);
+    void draw(const FrameInputs& inputs, int sample, Stage stage, RenderContext& context);
     void resolve(const FrameInputs& inputs);
-    void describe(const FrameInputs& inputs, Stage stage, FrameStats& stats);
 };
 
 namespace {
@@ -71,6 +63,12 @@ bool sameView(const Camera& a, const Camera& b) {
 bool samePixels(const FrameInputs& a, const FrameInputs& b) {
     return a.sizePx == b.sizePx && a.part == b.part && a.supersample == b.supersample &&
            a.backdrop == b.backdrop;
+}
+
+/// Whether frames of the one can be added to an image of the other.
+[[maybe_unused]] bool sameImage(const FrameInputs& a, const FrameInputs& b) {
+    return firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve &&
+           sameView(a.camera, b.camera) && samePixels(a, b) && a.planes == b.planes;
 }
 
 /// Has `texture` hold a picture of this size.
@@ -109,103 +107,41 @@ void checkSize(glm::ivec2 sizePx) {
 
 }  // namespace
 
-/// The earliest stage to redo. Slices lie halfway between eye and light, so there a moved camera
-/// needs new light too.
-Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
-    if (mediumStale) return Stage::medium;
-    const bool slices = inputs.look.engine == Engine::slicing;
-    const bool marches = inputs.look.engine == Engine::march;
-    const bool finer = marches && lightIsDraft && !inputs.draftLight;
-    // A picture that gave way leaves the march's light as it was.
-    if (!last && lit && marches) {
-        return std::min(finer ? Stage::light : Stage::eye,
-                        firstDifference(*lit, inputs.look).value_or(Stage::eye));
-    }
-    if (!last) return Stage::medium;
-    const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
-    if (finer) return std::min(Stage::light, changed);
-    const bool moved = !sameView(last->camera, inputs.camera) || last->planes != inputs.planes;
-    if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);
-    const bool other = last->sample != inputs.sample || (inputs.profile && !last->profile) ||
-                       !samePixels(*last, inputs);
-    return other ? std::min(Stage::eye, changed) : changed;
+/// Memory of the engine that is left is given back before the other takes any.
+void Renderer::Impl::use(Engine wanted) {
+    if (integrator && engine == wanted) return;
+    shown.reset();
+    integrator.reset();
+    integrator = makeIntegrator(wanted);
+    engine = wanted;
 }
 
-void Renderer::Impl::bake(const FrameInputs& inputs, FrameStats& stats) {
-    const MediumPlan plan = planMedium(inputs.look, volume->holdings);
-    const bool marches = inputs.look.engine == Engine::march;
-    gl::Texture& detail = marches ? stackedNoise : noise;
-    if (isNoisy(plan) && !detail) {
-        timer.pass("noise");
-        detail = marches ? bakeStackedNoise(programs) : bakeNoise(programs);
+/// The earliest stage that has to be redone for what is different from the image that is shown.
+std::optional<Stage> Renderer::Impl::changeTo(const FrameInputs& inputs, int sample) const {
+    if (!shown) return {};
+    const FrameInputs& last = shown->inputs;
+    Stage first = firstDifference(last.look, inputs.look).value_or(Stage::resolve);
+    const auto redo = [&first](Stage stage) { first = std::min(first, stage); };
+    if (!sameView(last.camera, inputs.camera) || last.planes != inputs.planes) {
+        redo(traitsOf(engine).lightFollowsCamera ? Stage::light : Stage::eye);
     }
-    const bool made =
-        marches ? static_cast<bool>(packed.extinction) : static_cast<bool>(medium.first);
-    if (!mediumStale && made && plan == (marches ? packed.look : medium.plan)) return;
-    timer.pass("bake medium");
-    lit.reset();
-    // The other medium would be stale, and two would be held for nothing.
-    reference = {};
-    referenceStale = true;
-    if (!marches) {
-        packed = {};
-        bakeMedium(*volume, plan, programs, medium);
-    } else {
-        medium = {};
-        packMedium(*volume, inputs.look, stacked(), programs, packed);
-    }
-    mediumStale = false;
-    stats.bakedMedium = true;
-}
-
-/// Has the march's medium hold the detail that is wanted.
-void Renderer::Impl::repack(const FrameInputs& inputs, PackedDetail wanted, FrameStats& stats) {
-    if (packed.detail == wanted) return;
-    timer.pass("bake detail");
-    repackMedium(*volume, inputs.look, wanted, stacked(), programs, packed);
-    stats.bakedMedium = true;
-}
-
-void Renderer::Impl::draw(const FrameInputs& inputs, Stage stage, const gl::Texture& to,
-                          const Progress& progress, FrameStats& stats) {
-    if (inputs.look.engine == Engine::slicing) {
-        slicing.render(inputs, *volume, medium, noise ? &noise : nullptr, programs, to,
-                       stage == Stage::eye, progress, timer);
-        return;
-    }
-    if (inputs.look.engine == Engine::reference) {
-        timer.pass("paths");
-        if (std::exchange(referenceStale, false)) {
-            reference.prepare(medium, volume->grid, noise ? &noise : nullptr, programs);
-        }
-        reference.render(inputs, volume->grid, medium, noise ? &noise : nullptr, programs, to,
-                         progress);
-        return;
-    }
-    if (stage <= Stage::light) {
-        lit.reset();
-        repack(inputs, PackedDetail::voxels, stats);
-        march.light(inputs, *volume, packed, programs, progress, timer);
-        lit = inputs.look;
-        lightIsDraft = inputs.draftLight;
-    }
-    repack(inputs, MarchEngine::detailFor(inputs, volume->grid, packed), stats);
-    timer.pass("eye");
-    march.eye(inputs, volume->grid, packed, stacked(), programs, to, progress);
+    if (sample > 0 || shown->sample > 0) redo(Stage::eye);
+    if ((inputs.profile && !last.profile) || !samePixels(last, inputs)) redo(Stage::eye);
+    return first;
 }
 
 /// Draws into `linear`.
-void Renderer::Impl::drawRays(const FrameInputs& inputs, Stage stage, const Progress& progress,
-                              FrameStats& stats) {
+void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
+                          RenderContext& context) {
     fit(linear, GL_RGBA32F, inputs.sizePx);
     if (inputs.supersample == 1) {
         rays = {};
-        draw(inputs, stage, linear, progress, stats);
+        integrator->render({inputs, stage, sample, linear}, context);
         return;
     }
     const FrameInputs finer = raysOf(inputs);
     fit(rays, GL_RGBA32F, finer.sizePx);
-    draw(finer, stage, rays, progress, stats);
+    integrator->render({finer, stage, sample, rays}, context);
     const gl::Program& program = programs.get("display/average.comp");
     program.setInt(kAverageSideLocation, inputs.supersample);
     rays.bindImage(kAverageRaysImage, GL_READ_ONLY);
@@ -228,28 +164,36 @@ void Renderer::Impl::resolve(const FrameInputs& inputs) {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void Renderer::Impl::describe(const FrameInputs& inputs, Stage stage, FrameStats& stats) {
-    const bool slices = inputs.look.engine == Engine::slicing;
-    const bool traces = inputs.look.engine == Engine::reference;
+/// Redoes `stage` and those after it.
+FrameStats Renderer::Impl::frame(const FrameInputs& inputs, int sample, Stage stage,
+                                 const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    FrameStats stats;
     stats.redone = stage;
-    if (traces) {
-        stats.reference = reference.progress(programs);
-        if (stats.reference.samples == 1 && stats.reference.faults > 0) {
-            messages.push_back(
-                fmt::format("{} paths of the reference brought no number and count as dark",
-                            stats.reference.faults));
+    RenderContext working = context(progress, stats);
+    timer.start(inputs.profile);
+    if (stage <= Stage::medium) integrator->prepare(inputs.look, working);
+    if (stage <= Stage::eye) {
+        draw(inputs, sample, stage, working);
+        stats.marchedEye = true;
+    }
+    if (display.size() != glm::ivec3(inputs.sizePx, 1)) {
+        display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
+        display.setLinear();
+    }
+    timer.pass("resolve");
+    resolve(inputs);
+    shown = {inputs, sample};
+    glFinish();
+    integrator->describe(inputs, working);
+    if (inputs.profile) {
+        for (const auto& [name, milliseconds] : timer.finish()) {
+            stats.passes.push_back({name, milliseconds});
         }
-        stats.marchedLight = false;
-    } else {
-        const SlicePlan& plan = slices ? slicing.plan() : march.plan();
-        stats.planes = slices ? plan.count : march.steps();
-        stats.lightSize = {plan.lightSizePx, plan.count};
     }
-    if (!inputs.profile) return;
-    for (const auto& [name, milliseconds] : timer.finish()) {
-        stats.passes.push_back({name, milliseconds});
-    }
-    if (!slices && !traces && stats.marchedEye) stats.samples = march.counts();
+    stats.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return stats;
 }
 
 Renderer::Renderer(const std::filesystem::path& shaderDir)
@@ -270,36 +214,42 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
                      .expected = fmt::format("at most {} cells a side", most)});
     }
     impl_->volume = uploadVolume(volume);
-    impl_->mediumStale = true;
+    impl_->medium.invalidate();
 }
 
 FrameStats Renderer::render(const FrameInputs& inputs, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    Accumulation alone;
+    return render(inputs, alone, progress);
+}
+
+FrameStats Renderer::render(const FrameInputs& inputs, Accumulation& image,
+                            const Progress& progress) {
     checkSize(inputs.sizePx * inputs.supersample);
-    FrameStats stats;
-    const Stage stage = impl_->stageFor(inputs);
-    assert(inputs.sample == 0 || stage > Stage::light);
-    // Until this frame is whole; a further sample that gives way leaves the ones before.
-    if (inputs.sample == 0) impl_->last.reset();
-    impl_->timer.start(inputs.profile);
-    if (stage <= Stage::medium) impl_->bake(inputs, stats);
-    if (stage <= Stage::eye) {
-        impl_->drawRays(inputs, stage, progress, stats);
-        stats.marchedLight = stage <= Stage::light;
-        stats.marchedEye = true;
+    impl_->use(inputs.look.engine);
+    const int sample = image.samples_;
+    const std::optional<Stage> changed = impl_->changeTo(inputs, sample);
+    const Stage stage =
+        impl_->medium.stale() ? Stage::medium : impl_->integrator->stageFor(inputs, changed);
+    if (sample == 0) {
+        // Until this frame is whole; a further sample that gives way leaves the ones before.
+        impl_->shown.reset();
+        image.image_ = ++impl_->images;
+    } else {
+        assert(image.image_ == impl_->images && "another image has taken its place");
+        assert(stage == Stage::eye && sameImage(impl_->shown->inputs, inputs));
     }
-    if (impl_->display.size() != glm::ivec3(inputs.sizePx, 1)) {
-        impl_->display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
-        impl_->display.setLinear();
-    }
-    impl_->timer.pass("resolve");
-    impl_->resolve(inputs);
-    impl_->last = inputs;
-    glFinish();
-    impl_->describe(inputs, stage, stats);
-    stats.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const FrameStats stats = impl_->frame(inputs, sample, stage, progress);
+    ++image.samples_;
     return stats;
+}
+
+FrameStats Renderer::retone(const Look& look) {
+    assert(impl_->shown && "there is an image");
+    FrameInputs inputs = impl_->shown->inputs;
+    assert(firstDifference(inputs.look, look).value_or(Stage::resolve) == Stage::resolve);
+    inputs.look = look;
+    inputs.profile = false;
+    return impl_->frame(inputs, impl_->shown->sample, Stage::resolve, {});
 }
 
 unsigned Renderer::displayTexture() const {
@@ -308,7 +258,7 @@ unsigned Renderer::displayTexture() const {
 
 ImageF Renderer::readLinear() const {
     ImageF image;
-    image.size = impl_->last ? impl_->last->sizePx : glm::ivec2(0);
+    image.size = impl_->shown ? impl_->shown->inputs.sizePx : glm::ivec2(0);
     const auto width = static_cast<std::size_t>(image.size.x);
     std::vector<glm::vec4> rows(width * static_cast<std::size_t>(image.size.y));
     if (rows.empty()) return image;
@@ -320,7 +270,7 @@ ImageF Renderer::readLinear() const {
 
 Image8 Renderer::readDisplay() const {
     Image8 image;
-    image.size = impl_->last ? impl_->last->sizePx : glm::ivec2(0);
+    image.size = impl_->shown ? impl_->shown->inputs.sizePx : glm::ivec2(0);
     const std::size_t stride = 4 * static_cast<std::size_t>(image.size.x);
     std::vector<std::uint8_t> rows(stride * static_cast<std::size_t>(image.size.y));
     if (rows.empty()) return image;
@@ -331,15 +281,17 @@ Image8 Renderer::readDisplay() const {
     return image;
 }
 
-ReferenceLayers Renderer::readReference() const {
-    if (!impl_->last || impl_->last->look.engine != Engine::reference) return {};
-    return impl_->reference.layers(raysOf(*impl_->last), *impl_->volume, impl_->medium,
-                                   impl_->noise ? &impl_->noise : nullptr, impl_->programs);
+std::optional<FrameLayers> Renderer::readLayers() const {
+    if (!impl_->shown) return {};
+    FrameStats unused;
+    const Progress none;
+    RenderContext context = impl_->context(none, unused);
+    return impl_->integrator->layers(raysOf(impl_->shown->inputs), context);
 }
 
 std::array<ImageF, 2> Renderer::readHalves() const {
-    if (!impl_->last || impl_->last->look.engine != Engine::reference) return {};
-    return impl_->reference.halves(raysOf(*impl_->last).sizePx);
+    if (!impl_->shown) return {};
+    return impl_->integrator->halves(raysOf(impl_->shown->inputs).sizePx);
 }
 
 int Renderer::largestSidePx() const {
@@ -350,30 +302,30 @@ std::string Renderer::deviceName() const {
     return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
-double Renderer::floorMilliseconds(const FrameInputs& inputs) {
-    FrameInputs profiled = inputs;
-    profiled.profile = true;
-    profiled.look.engine = Engine::march;
-    render(profiled);
-    impl_->last.reset();
+std::optional<double> Renderer::floorMilliseconds() {
+    assert(impl_->shown && impl_->shown->inputs.profile && "the last frame was profiled");
+    const FrameInputs inputs = raysOf(impl_->shown->inputs);
+    const gl::Texture& to = impl_->rays ? impl_->rays : impl_->linear;
+    FrameStats unused;
+    const Progress none;
+    RenderContext context = impl_->context(none, unused);
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    impl_->march.floor(profiled, impl_->volume->grid, impl_->packed, impl_->programs,
-                       impl_->linear);
+    if (!impl_->integrator->floor({inputs, Stage::eye, 0, to}, context)) return {};
+    impl_->shown.reset();
     glFinish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
 }
 
 std::vector<MemoryUse> Renderer::memory() const {
-    const std::size_t light = impl_->march.lightBytes();
+    const Integrator* engine = impl_->integrator.get();
     return {{"species", impl_->volume->bytes()},
-            {"medium", impl_->packed.bytes() + impl_->medium.bytes()},
-            {"light", light},
-            {"noise", impl_->noise.bytes() + impl_->stackedNoise.bytes()},
+            {"medium", impl_->medium.bytes()},
+            {"light", engine ? engine->lightBytes() : 0},
+            {"noise", impl_->noise.bytes()},
             {"pictures", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
-                             impl_->slicing.bytes() + impl_->march.bytes() - light +
-                             impl_->reference.bytes()}};
+                             (engine ? engine->otherBytes() : 0)}};
 }
 
 std::size_t Renderer::gpuBytes() const {
@@ -392,9 +344,8 @@ void Renderer::reloadChangedShaders() {
         impl_->messages.push_back(std::move(problem));
     }
     if (impl_->programs.generation() == before) return;
-    impl_->mediumStale = true;
+    impl_->medium.invalidate();
     impl_->noise = {};
-    impl_->stackedNoise = {};
 }
 
 }  // namespace neph::render

@@ -7,11 +7,13 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/render/engines/reference/reference_layers.h"
+#include "app/render/frame/accumulation.h"
 #include "app/render/frame/frame_inputs.h"
+#include "app/render/frame/frame_layers.h"
 #include "core/base/progress.h"
 #include "core/grid/species.h"
 #include "core/image/image.h"
@@ -37,10 +39,20 @@ class Renderer {
     /// thrown and the display texture keeps the last whole picture.
     FrameStats render(const FrameInputs& inputs, const Progress& progress = {});
 
-    /// Draws the picture of `inputs` with the march, then its rays and exactly its samples once
-    /// more with a single trilinear fetch of RGBA16 each: the floor that its eye pass is measured
-    /// against. Returns the wall time of the second, ms. The next render() begins anew.
-    double floorMilliseconds(const FrameInputs& inputs);
+    /// The same, as one more sample of `image`: the first starts it, those after it have the same
+    /// inputs but for tones and `profile`. A frame that is cancelled does not count and may be
+    /// asked for again.
+    FrameStats render(const FrameInputs& inputs, Accumulation& image,
+                      const Progress& progress = {});
+
+    /// Shows the last image, and whatever was added to it, with the tones of `look`, which is its
+    /// own but for them.
+    FrameStats retone(const Look& look);
+
+    /// Repeats the rays and exactly the samples of the last frame, which was profiled, with a
+    /// single trilinear fetch of RGBA16 each: the floor that its eye pass is measured against.
+    /// Wall time, ms; none where the engine cannot. What is shown is to be rendered again.
+    std::optional<double> floorMilliseconds();
 
     /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the picture);
     /// 0 before the first.
@@ -53,10 +65,9 @@ class Renderer {
     /// light, which is 1 where there is a backdrop.
     Image8 readDisplay() const;
 
-    /// What the reference knows of the last frame besides, a value a ray; empty where another
-    /// engine drew it.
-    ReferenceLayers readReference() const;
-    /// The halves alone, which are read at once.
+    /// What the engine knows of the last frame besides, one value per ray; none of most engines.
+    std::optional<FrameLayers> readLayers() const;
+    /// Its halves alone, which are read at once; empty where there are none.
     std::array<ImageF, 2> readHalves() const;
 
     /// The largest picture that can be rendered at once, rays a side.

@@ -79,20 +79,19 @@ std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {
 
 ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs& inputs,
                       const render::Renderer& renderer) {
-    const Parameter& engine = parameter("view.engine");
-    const bool marches = inputs.look.engine == Engine::march;
-    const bool traces = inputs.look.engine == Engine::reference;
+    const EngineTraits& traits = traitsOf(inputs.look.engine);
+    const bool converges = traits.sampling == Sampling::converges;
     ui::Profile profile;
-    profile.engine = screenText(engine, valueOf(inputs.look, engine));
+    profile.engine = traits.label;
     profile.device = renderer.deviceName();
     profile.picture = {{"picture", fmt::format("{} x {} px", inputs.sizePx.x, inputs.sizePx.y),
-                        traces ? fmt::format("{} a pixel", stats.reference.samples)
-                               : fmt::format("{} {}", stats.planes, marches ? "steps" : "planes")},
+                        converges ? fmt::format("{} a pixel", stats.reference.samples)
+                                  : countText(stats.planes, traits.unit)},
                        {"frame", fmt::format("{:.2f} ms", stats.milliseconds),
                         fmt::format("{:.1f} fps", 1000.0 / std::max(stats.milliseconds, 1e-3))}};
     profile.passes = passRows(stats);
-    if (marches && stats.marchedEye) profile.samples = sampleRows(stats.samples);
-    if (traces) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);
+    if (stats.samples) profile.samples = sampleRows(*stats.samples);
+    if (converges) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);
     profile.memory = memoryRows(renderer);
     profile.redone = redoneText(stats);
     return profile;
@@ -114,10 +113,13 @@ std::string profileText(const ui::Profile& profile) {
 
 void addSample(render::FrameStats& all, const render::FrameStats& sample) {
     all.milliseconds += sample.milliseconds;
-    all.samples.rays += sample.samples.rays;
-    all.samples.taken += sample.samples.taken;
-    all.samples.skipped += sample.samples.skipped;
-    all.samples.terminated += sample.samples.terminated;
+    if (sample.samples) {
+        if (!all.samples) all.samples.emplace();
+        all.samples->rays += sample.samples->rays;
+        all.samples->taken += sample.samples->taken;
+        all.samples->skipped += sample.samples->skipped;
+        all.samples->terminated += sample.samples->terminated;
+    }
     for (const render::PassTime& pass : sample.passes) {
         const auto same = std::find_if(all.passes.begin(), all.passes.end(),
                                        [&](const auto& known) { return known.name == pass.name; });

@@ -124,6 +124,29 @@ std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& 
     return next;
 }
 
+std::array<QualityControl, kEngineCount> qualityOfEachEngine() {
+    std::array<QualityControl, kEngineCount> qualities;
+    for (const EngineTraits& engine : kEngines) {
+        // A first frame of unknown cost is to be a small one.
+        if (engine.sampling != Sampling::converges) continue;
+        qualities[static_cast<std::size_t>(engine.engine)] = QualityControl(kLeastShare);
+    }
+    return qualities;
+}
+
+void thin(Look& look, const Draft& draft) {
+    switch (traitsOf(look.engine).fineness) {
+        case Fineness::none:
+            return;
+        case Fineness::stepsPerVoxel:
+            look.quality *= static_cast<float>(draft.detail);
+            return;
+        case Fineness::planes:
+            look.planes = planesOf(draft, look.planes);
+            return;
+    }
+}
+
 int planesOf(const Draft& draft, int planes) {
     return draft.detail < 1.0 ? scaled(planes, draft.detail, kMinPlanes) : planes;
 }

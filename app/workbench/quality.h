@@ -1,9 +1,9 @@
 // quality.h: how finely to draw while the user is at work, so that the picture follows the hand.
 //
 // In motion a frame is to take no longer than it may, panels and window included. At rest the
-// picture is refined, in steps where the machine is slow, so that it shows a better one soon; the
-// march then averages kSamples pictures, and the reference adds paths. Work is the share of pixels
-// x steps of the full picture.
+// picture is refined, in steps where the machine is slow, so that it shows a better one soon;
+// an engine that averages then adds up to kSamples frames, and one that converges as many as it
+// needs. Work is the share of pixels x steps of the full picture.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -28,18 +28,12 @@ inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever
 inline constexpr double kLeastShare = 0.004;
 inline constexpr int kSamples = 16;  // averaged at rest; more show no difference
 
-/// Least share of planes or steps in motion. With fewer steps the march is grainy, which is worse
-/// to look at than fewer pixels; fewer slices are not. Paths have no steps to thin.
-constexpr double leastDetailOf(Engine engine) {
-    return engine == Engine::march ? 0.5 : engine == Engine::reference ? 1.0 : 0.0;
-}
-
 /// One picture to draw.
 struct Draft {
     glm::ivec2 sizePx{0};
     double detail = 1.0;  ///< share of the look's planes, or of its steps
     int step = 0;         ///< 0 in motion, then as kRefinements, kFullStep in full
-    int sample = 0;       ///< as FrameInputs::sample
+    int sample = 0;       ///< frames of the same image before it
     bool operator==(const Draft&) const = default;
 };
 
@@ -86,11 +80,18 @@ class QualityControl {
 std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& wanted,
                                bool averages);
 
-/// The same with the reference, `restS` after the last change, where a full picture takes `fullMs`:
-/// as in motion, then four times the pixels each, so that there is soon something to see however
-/// slow paths are; in full one path a pixel after the other, as long as there is to be `more`.
+/// The same for an engine that converges, `restS` after the last change, where a full picture takes
+/// `fullMs`: as in motion, then four times the pixels each, so that there is soon something to see
+/// however slow paths are; in full one path a pixel after the other, as long as there is to be
+/// `more`.
 std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& moving,
                                 glm::ivec2 windowPx, double restS, double fullMs, bool more);
+
+/// One per engine: what they cost differs a thousandfold.
+std::array<QualityControl, kEngineCount> qualityOfEachEngine();
+
+/// Lowers whichever parameter says how finely `look` is drawn to the detail of the draft.
+void thin(Look& look, const Draft& draft);
 
 /// Slices of a draft, of `planes` in full. Odd, as sizes are: software drivers compile shaders anew
 /// for textures whose sides are powers of two.

@@ -10,12 +10,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Paths in motion that take longer are left for what the hand did meanwhile.
+// A frame in motion of an engine that converges is left for what the hand did meanwhile where it
+// takes longer.
 constexpr std::chrono::seconds kLongestInMotion{1};
 
-/// Whether paths that were traced for the one are as good for the other.
-bool samePaths(const Document& a, const Document& b) {
-    return a.camera == b.camera && a.time == b.time && a.look.engine == Engine::reference &&
+bool converges(const Look& look) {
+    return traitsOf(look.engine).sampling == Sampling::converges;
+}
+
+/// Whether samples that were gathered for the one are as good for the other.
+bool sameSamples(const Document& a, const Document& b) {
+    return a.camera == b.camera && a.time == b.time && converges(a.look) &&
            firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve;
 }
 
@@ -37,7 +42,7 @@ void Slot::takeData() {
 void Slot::noteChanges() {
     if (session.document == seen_) return;
     changed_ = Clock::now();
-    if (drawn_ && drawn_->step == ui::kFullStep && samePaths(session.document, seen_)) {
+    if (drawn_ && drawn_->step == ui::kFullStep && sameSamples(session.document, seen_)) {
         retone_ = true;
     } else {
         drawn_.reset();
@@ -50,7 +55,7 @@ double Slot::restS() const {
 }
 
 bool Slot::averages(bool moving) const {
-    return !moving && session.document.look.engine == Engine::march;
+    return !moving && traitsOf(session.document.look.engine).sampling == Sampling::averages;
 }
 
 /// With a target that was changed since the picture was drawn, too.
@@ -65,7 +70,7 @@ Slot::Waiting Slot::waiting(bool moving) const {
     if (!drawn_ || retone_) return Waiting::now;
     if (drawn_->step < ui::kFullStep) return Waiting::rest;
     const bool further =
-        traces() ? addsPaths(moving) : averages(moving) && drawn_->sample + 1 < ui::kSamples;
+        converges() ? addsPaths(moving) : averages(moving) && drawn_->sample + 1 < ui::kSamples;
     return further ? Waiting::now : Waiting::no;
 }
 
@@ -73,14 +78,9 @@ render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& re
     render::FrameInputs inputs;
     inputs.look = session.document.look;
     inputs.sizePx = draft.sizePx;
-    inputs.sample = draft.sample;
     inputs.draftLight = draft.step == 0;
     inputs.profile = request.profile;
-    if (inputs.look.engine == Engine::slicing) {
-        inputs.planes = ui::planesOf(draft, inputs.look.planes);
-    } else {
-        inputs.look.quality *= static_cast<float>(draft.detail);
-    }
+    ui::thin(inputs.look, draft);
     inputs.camera = placeCamera(session.document.camera, session.shown()->grid,
                                 static_cast<double>(request.placePx.x) / request.placePx.y);
     return inputs;
@@ -91,12 +91,13 @@ std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
                                                const DrawRequest& request) {
     const Clock::time_point start = Clock::now();
     double panelsMs = 0.0;
+    if (draft.sample == 0) image_ = {};
     try {
         // A frame in motion is short and always comes through; a refinement gives way to the hand.
-        render::FrameStats stats = renderer_.render(inputs, [&](double) {
+        render::FrameStats stats = renderer_.render(inputs, image_, [&](double) {
             panelsMs += request.panels();
             const bool slow =
-                inputs.look.engine == Engine::reference && Clock::now() - start > kLongestInMotion;
+                neph::converges(inputs.look) && Clock::now() - start > kLongestInMotion;
             if (draft.step == 0 && !slow) return true;
             return !(changedSinceLastLook() || request.giveWay());
         });
@@ -115,8 +116,8 @@ std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
     const double rest = request.moving ? 0.0 : restS();
     ui::QualityControl& quality = qualityOf(engine);
     quality.setFrameMs(request.frameMs);
-    const double leastDetail = ui::leastDetailOf(engine);
-    if (engine == Engine::reference) {
+    const double leastDetail = traitsOf(engine).leastDetail;
+    if (converges()) {
         return ui::nextTraced(drawn_, quality.draft(0.0, placePx_, leastDetail), placePx_, rest,
                               quality.fullMs(), addsPaths(request.moving));
     }
@@ -130,8 +131,9 @@ void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
     ui::QualityControl& quality = qualityOf(look.engine);
     const render::ReferenceProgress& traced = stats.reference;
     // What the camera does not change is no measure of how finely to draw while it moves.
-    const bool prepared = stats.bakedMedium || (look.engine == Engine::march && stats.marchedLight);
-    if (look.engine == Engine::reference) {
+    const bool prepared =
+        stats.bakedMedium || (stats.marchedLight && !traitsOf(look.engine).lightFollowsCamera);
+    if (neph::converges(look)) {
         // Later paths were begun with those before; a pass may have been taken up again.
         const bool first = stats.marchedEye && drawn.sample == 0;
         if (first) quality.measured(drawn, 1e3 * traced.seconds, placePx_);
@@ -165,14 +167,15 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     const bool retones = retone_;
     const std::optional<ui::Draft> wanted = next(request);
     if (!wanted) return false;
-    render::FrameInputs inputs = inputsOf(*wanted, request);
-    inputs.profile &= !retones;  // which would have it drawn anew
+    const render::FrameInputs inputs = inputsOf(*wanted, request);
     // Until the data of another time are there the picture is of the time before.
     const int time = session.shows(session.document.time) ? session.document.time : report.time;
-    const std::optional<render::FrameStats> stats = render(*wanted, inputs, request);
+    const std::optional<render::FrameStats> stats =
+        retones ? renderer_.retone(inputs.look) : render(*wanted, inputs, request);
     if (!stats) return false;
     tell(*wanted, inputs.look, time, *stats);
-    if (inputs.profile) ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
+    if (inputs.profile && !retones)
+        ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = wanted;
     if (!retones) ++pictures_;
     for (std::string& message : renderer_.takeMessages()) {

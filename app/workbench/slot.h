@@ -55,10 +55,13 @@ class Slot {
     unsigned texture() const { return renderer_.displayTexture(); }
     /// Counts the pictures; one that has but other tones is none.
     std::uint64_t pictures() const { return pictures_; }
-    bool traces() const { return session.document.look.engine == Engine::reference; }
+    /// Whether frames are added until the error is small enough.
+    bool converges() const {
+        return traitsOf(session.document.look.engine).sampling == Sampling::converges;
+    }
     /// Whether the picture is of the document, and in full.
     bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }
-    /// The picture in linear light, and its halves where the reference drew it.
+    /// The picture in linear light, and its halves where the engine has them.
     ImageF linear() const { return renderer_.readLinear(); }
     ui::LinearHalves halves() const { return renderer_.readHalves(); }
     bool changedSinceLastLook() const { return session.document != seen_; }
@@ -81,11 +84,10 @@ class Slot {
                                              const DrawRequest& request);
 
     render::Renderer renderer_{resourcePath("shaders")};
-    // Of each engine: they differ a thousandfold.
-    std::array<ui::QualityControl, 3> qualities_{ui::QualityControl{}, ui::QualityControl{},
-                                                 ui::QualityControl{ui::kLeastShare}};
+    std::array<ui::QualityControl, kEngineCount> qualities_ = ui::qualityOfEachEngine();
     Document seen_;  // as of the last look
     glm::ivec2 placePx_{0};
+    render::Accumulation image_;
     std::optional<ui::Draft> drawn_;  // none: to be drawn again
     bool retone_ = false;             // what is drawn is good but for its tones
     std::uint64_t pictures_ = 0;

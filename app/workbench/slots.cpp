@@ -57,7 +57,7 @@ ui::PairState Slots::pair() const {
     state.b = b.pictures();
     state.whole = a.whole() && b.whole() && a.report.sizePx == b.report.sizePx;
     state.settled = state.whole && rests(a) && rests(b);
-    if (b.traces()) state.traced = b.report.reference;
+    if (b.converges()) state.traced = b.report.reference;
     return state;
 }
 
@@ -73,7 +73,7 @@ void Slots::traceInB() {
     slots_[1].reset();
     needSecond();
     Session& traced = slots_[1]->session;
-    traced.document.look.engine = Engine::reference;
+    traced.document.look.engine = groundTruth();
     traced.history.restart(traced.document);
     compare_.mode = CompareMode::split;
     compare_.linkedCameras = compare_.linkedTimes = compare_.figures = true;

@@ -43,10 +43,6 @@ constexpr std::array kEntries{
     Entry{"light.phase_display", "logarithmic",
           "Cut at the peak and normalised, logarithmic, as [Riley03] fig. 10."},
     Entry{"light.phase_display", "physical", "The true value times 4 pi."},
-    Entry{"view.engine", "march", "Light once for every view; rays of steps that fit the data."},
-    Entry{"view.engine", "slicing", "The method of [Riley03]: light anew for every view."},
-    Entry{"view.engine", "reference",
-          "Paths of light, scattered as often as it takes: slow, and right. docs/accuracy.md"},
     Entry{"view.tone_map", "linear", "Clipped where it is too bright."},
     Entry{"view.tone_map", "filmic", "Toe and shoulder as film has them. [Narkowicz15]"},
     Entry{".noise_character", "billow", "Rounded heaps, as convective cloud has."},
@@ -57,7 +53,9 @@ constexpr std::array kEntries{
 
 std::string_view choiceHelp(const Parameter& row, int choice) {
     if (row.kind != ParameterKind::choice) return {};
-    const std::string_view id = row.choices[static_cast<std::size_t>(choice)];
+    const auto index = static_cast<std::size_t>(choice);
+    if (row.id == "view.engine") return kEngines[index].help;
+    const std::string_view id = row.choices[index];
     for (const Entry& entry : kEntries) {
         if (entry.choice == id && row.id.ends_with(entry.of)) return entry.help;
     }

@@ -14,18 +14,11 @@
 #include <variant>
 
 #include "core/grid/species.h"
+#include "core/look/engines.h"
 #include "core/optics/noise.h"
 #include "core/optics/phase.h"
 
 namespace neph {
-
-enum class Engine : int { march, slicing, reference };
-
-/// Engines as a set of bits.
-constexpr unsigned bitOf(Engine engine) {
-    return 1u << static_cast<unsigned>(engine);
-}
-inline constexpr unsigned kAllEngines = 7u;
 
 enum class Transport : int { lowAlbedo, translucent };
 enum class PhaseMode : int { uniform, perField };
@@ -92,7 +85,7 @@ struct Look {
     bool groundVisible = true;
     glm::vec3 groundColour{0.13f, 0.12f, 0.065f};
 
-    Engine engine = Engine::march;
+    Engine engine{};
     float quality = 1.0f;  ///< steps a voxel of the march
     int planes = 256;
     float targetError = 0.02f;  ///< relative standard error at which the reference rests

@@ -1,4 +1,6 @@
 // look_table.cpp: the rows of the look table. A long table is data: one row, one parameter.
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -9,10 +11,9 @@
 namespace neph {
 namespace {
 
-constexpr std::array<std::string_view, 3> kEngineIds{"march", "slicing", "reference"};
-constexpr std::array<std::string_view, 3> kEngineLabels{"March", "Half-angle slicing", "Reference"};
-// Whose light comes from one direction, and is made to look like more; the reference follows all.
-constexpr unsigned kSunlit = bitOf(Engine::march) | bitOf(Engine::slicing);
+constexpr auto kEngineIds = eachEngine(&EngineTraits::id);
+constexpr auto kEngineLabels = eachEngine(&EngineTraits::label);
+constexpr unsigned kSingleScattering = enginesWith(&EngineTraits::singleScattering, true);
 constexpr std::array<std::string_view, 2> kTransportIds{"low_albedo", "translucent"};
 constexpr std::array<std::string_view, 2> kTransportLabels{"Low albedo", "Translucent"};
 constexpr std::array<std::string_view, 2> kPhaseModeIds{"uniform", "per_field"};
@@ -166,7 +167,7 @@ void addModes(Rows& rows) {
                 kTransportLabels,
                 "How sunlight reaches a sample: Beer-Lambert alone, or with forward scattering "
                 "(Eq. 12, 14-17).")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.choice("phase", "Phase", offsetof(Look, phaseMode), Stage::medium, kPhaseModeIds,
                 kPhaseModeLabels,
                 "One phase function for all fields, or each field its own weighted by scattering "
@@ -191,15 +192,15 @@ void addLight(Rows& rows) {
                 kLightFormIds, kLightFormLabels,
                 "Eq. 14-17 as printed, which depend on the number of planes, or the form that does "
                 "not, which the march always uses. docs/physics.md §1")
-        .engines = bitOf(Engine::slicing);
+        .engines = enginesWith(&EngineTraits::printedLight, true);
     rows.number("forward_angle", "Forward angle", "deg", offsetof(Look, forwardAngleDeg),
                 {0.0, 60.0}, Stage::light,
                 "Full opening of the arc that counts as forward scattered, theta_f of Eq. 15-16.")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.number("forward_g", "Forward g", "1", offsetof(Look, forwardG), {0.0, 0.999}, Stage::light,
                 "Cornette-Shanks g whose cumulative gives the forward share; 0.979 puts 90 % "
                 "within 10 degrees, as [Riley03] fig. 7.")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.number("equal_extinction", "Equal extinction", "m2 kg-1",
                 offsetof(Look, equalExtinctionM2PerKg), {0.01, 1000.0, true}, Stage::medium,
                 "Mass extinction of every field when mode.extinction is equal.");
@@ -207,11 +208,11 @@ void addLight(Rows& rows) {
                 kDisplayIds, kDisplayLabels,
                 "Phase normalised by its range with the peak cut, on a linear or logarithmic scale "
                 "as [Riley03] fig. 10; or the true value x 4 pi.")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.number("phase_truncation", "Peak cut at", "deg", offsetof(Look, phaseTruncationDeg),
                 {0.1, 60.0, true}, Stage::eye,
                 "The phase function is cut at its value at this angle when it is normalised.")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.phase("uniform_phase", offsetof(Look, uniformPhase));
 }
 
@@ -235,39 +236,44 @@ void addSunAndSky(Rows& rows) {
     rows.number("sky.skylight", "Skylight", "1", offsetof(Look, skylight), {0.0, 2.0}, Stage::eye,
                 "Share of the sky's radiance that lights the cloud, dimmed by what lies above and "
                 "below. Not in [Riley03]. docs/physics.md §5")
-        .engines = kSunlit;
+        .engines = kSingleScattering;
     rows.toggle("ground.visible", "Ground", offsetof(Look, groundVisible), Stage::eye,
                 "A plane at height 0; off shows the sky below the horizon too.");
     rows.colour("ground.colour", "Ground colour", offsetof(Look, groundColour), Stage::eye,
                 "Linear RGB radiance of the ground in full light.");
 }
 
+/// "March: light is computed once ... Half-angle slicing: ..."
+std::string enginesHelp() {
+    std::string help;
+    for (const EngineTraits& engine : kEngines) {
+        help += fmt::format("{}{}: {}", help.empty() ? "" : " ", engine.label, engine.help);
+    }
+    return help;
+}
+
 void addView(Rows& rows) {
     rows.begin("View", "view.", 0);
-    rows.choice(
-        "engine", "Engine", offsetof(Look, engine), Stage::medium, kEngineIds, kEngineLabels,
-        "March: light once for every view, then rays of steps that fit the data. Half-angle "
-        "slicing: the method of [Riley03], light anew for every view. Reference: a path tracer "
-        "that "
-        "neglects nothing, slow, to judge the others by.");
+    rows.choice("engine", "Engine", offsetof(Look, engine), Stage::medium, kEngineIds,
+                kEngineLabels, enginesHelp());
     rows.number("quality", "Quality", "1", offsetof(Look, quality), {0.25, 8.0, true}, Stage::eye,
                 "Steps of the march for each voxel that a ray crosses; fewer where little is, more "
                 "where much is. The error falls with its square. docs/performance.md")
-        .engines = bitOf(Engine::march);
+        .engines = enginesWith(&EngineTraits::fineness, Fineness::stepsPerVoxel);
     rows.integer("planes", "Planes", "1", offsetof(Look, planes), {16, 2048, true}, Stage::light,
                  "Number of slices through the occupied part of the volume.")
-        .engines = bitOf(Engine::slicing);
+        .engines = enginesWith(&EngineTraits::fineness, Fineness::planes);
     Parameter& error =
         rows.number("target_error", "Target error", "1", offsetof(Look, targetError),
                     {0.0005, 0.5, true}, Stage::resolve,
                     "The reference adds paths until its relative standard error over the picture "
                     "is this small. docs/accuracy.md");
-    error.engines = bitOf(Engine::reference);
+    error.engines = enginesWith(&EngineTraits::sampling, Sampling::converges);
     error.displayUnit = "%";
     error.displayScale = 100.0;
     rows.integer("seed", "Seed", "1", offsetof(Look, seed), {0, 1000000}, Stage::eye,
                  "Of the reference's random numbers: the same seed gives the same picture.")
-        .engines = bitOf(Engine::reference);
+        .engines = enginesWith(&EngineTraits::sampling, Sampling::converges);
     rows.number("exposure", "Exposure", "EV", offsetof(Look, exposureEv), {-10.0, 10.0},
                 Stage::resolve, "Scene-referred gain, 2^EV, before the film curve.");
     rows.choice("tone_map", "Film curve", offsetof(Look, toneMap), Stage::resolve, kToneMapIds,

@@ -106,7 +106,8 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         if (slices) inputs.planes = kPlanes;
         inputs.camera = placeCamera(*loaded.preset.camera, volumes.volume().grid,
                                     static_cast<double>(kSizePx.x) / kSizePx.y);
-        for (; inputs.sample < (slices ? 1 : kSamples); ++inputs.sample) renderer.render(inputs);
+        render::Accumulation drawn;
+        while (drawn.samples() < (slices ? 1 : kSamples)) renderer.render(inputs, drawn);
         const Image8 image = renderer.readDisplay();
         const fs::path golden = kSource / "tests/golden" / (name + ".png");
         ++seen;

@@ -67,19 +67,20 @@ TEST_CASE("A further sample that gave way can be asked for again, and the pictur
     render::FrameInputs inputs = marchFrame(volume);
     inputs.look.quality = 0.25f;  // so that samples differ
     const auto average = [&](bool givesWay) {
-        for (inputs.sample = 0; inputs.sample < 8; ++inputs.sample) {
-            if (givesWay && inputs.sample == 5) {
-                CHECK_THROWS_AS(renderer.render(inputs, afterTheFirstBand()), Cancelled);
+        render::Accumulation image;
+        while (image.samples() < 8) {
+            if (givesWay && image.samples() == 5) {
+                CHECK_THROWS_AS(renderer.render(inputs, image, afterTheFirstBand()), Cancelled);
+                CHECK(image.samples() == 5);
             }
-            CHECK(renderer.render(inputs).marchedLight == false);
+            CHECK(renderer.render(inputs, image).marchedLight == false);
         }
         return renderer.readLinear();
     };
-    renderer.render(inputs);
-    inputs.sample = 1;
-    renderer.render(inputs);  // so that the first of the samples below is drawn anew
+    render::Accumulation before;
+    renderer.render(inputs, before);
+    renderer.render(inputs, before);  // so that the first of the samples below is drawn again
     const ImageF through = average(false), given = average(true);
-    inputs.sample = 0;
     renderer.render(inputs);
     const double ofOne = meanDifference(renderer.readLinear(), through);
     CHECK(ofOne > 0.0);

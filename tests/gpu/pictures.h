@@ -23,9 +23,11 @@ inline ImageF renderOn(const SpeciesVolume& volume, const render::FrameInputs& i
 }
 
 /// The mean of `samples` pictures of the march.
-inline ImageF averageOn(const SpeciesVolume& volume, render::FrameInputs inputs, int samples) {
+inline ImageF averageOn(const SpeciesVolume& volume, const render::FrameInputs& inputs,
+                        int samples) {
     renderer().setVolume(volume);
-    for (inputs.sample = 0; inputs.sample < samples; ++inputs.sample) renderer().render(inputs);
+    render::Accumulation image;
+    while (image.samples() < samples) renderer().render(inputs, image);
     return renderer().readLinear();
 }
 

@@ -214,7 +214,7 @@ TEST_CASE("In motion the first picture of paths is as small as any, however slow
     for (const double fullMs : {1e2, 1e4, 1e6}) {
         CAPTURE(fullMs);
         ui::QualityControl quality(ui::kLeastShare);
-        const double leastDetail = ui::leastDetailOf(Engine::reference);
+        const double leastDetail = traitsOf(Engine::reference).leastDetail;
         const ui::Draft first = quality.draft(0.0, kWindowPx, leastDetail);
         CHECK(first.sizePx.x <= 81);  // a sixteenth of the width
         CHECK(first.detail == 1.0);

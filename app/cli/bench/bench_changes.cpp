@@ -104,7 +104,7 @@ Json measureChanges(const Run& run) {
     const render::FrameInputs draft = screen.draft();
     fmt::print(stderr, "\nchanges: first picture {} of {} steps, full {}, {} cells, {}\n",
                textOf(draft.sizePx), draft.planes, textOf(screen.full().sizePx),
-               textOf(screen.grid().size), nameOf(screen.full().look.engine));
+               textOf(screen.grid().size), traitsOf(screen.full().look.engine).id);
     fmt::print(stderr, "{:<14} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8}\n", "change", "first ms",
                "min", "max", "full ms", "min", "max");
     Json rows = Json::array();
@@ -115,7 +115,7 @@ Json measureChanges(const Run& run) {
                    cell(full["median_ms"]), cell(full["min_ms"]), cell(full["max_ms"]));
         rows.push_back({{"change", kind.id}, {"first", first}, {"full", full}});
     }
-    return {{"engine", nameOf(screen.full().look.engine)},
+    return {{"engine", traitsOf(screen.full().look.engine).id},
             {"grid", toJson(screen.grid().size)},
             {"first_size", toJson(draft.sizePx)},
             {"first_steps", draft.planes},

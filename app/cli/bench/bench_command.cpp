@@ -159,6 +159,14 @@ void write(const BenchOptions& options, const Json& result) {
 
 }  // namespace
 
+std::vector<std::string> benchEngines() {
+    std::vector<std::string> names{"all"};
+    for (const EngineTraits& engine : kEngines) {
+        if (engine.sampling != Sampling::converges) names.emplace_back(engine.id);
+    }
+    return names;
+}
+
 int runBench(const BenchOptions& options) {
     if (!options.json.empty()) checkReplaceable(options.json);
     const auto start = Clock::now();

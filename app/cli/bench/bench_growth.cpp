@@ -63,7 +63,7 @@ RegularGrid measureGrid(const Run& run, const GridRequest& request, int steps, J
     for (const Row& orbit : orbits) {
         const bool first = rows.size() < kModes.size();
         const Json before = first ? Json() : rows[rows.size() - kModes.size()];
-        Json row{{"engine", nameOf(engine)},
+        Json row{{"engine", traitsOf(engine).id},
                  {"mode", orbit.mode->id},
                  {"grid", toJson(grid.size)},
                  {"size", toJson(plan.sizePx)},

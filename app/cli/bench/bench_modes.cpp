@@ -15,7 +15,7 @@ namespace {
 constexpr glm::ivec2 kSizePx{300};  // [Riley03] §5
 
 Json rowJson(const Row& row, const OrbitPlan& plan, const Row& simplest) {
-    Json json{{"engine", nameOf(row.engine)},
+    Json json{{"engine", traitsOf(row.engine).id},
               {"mode", row.mode->id},
               {"grid", toJson(plan.grid.size)},
               {"size", toJson(plan.sizePx)},

@@ -2,32 +2,11 @@
 #include "app/cli/bench/bench_orbit.h"
 
 #include <algorithm>
-#include <set>
-#include <utility>
-
-#include "core/look/medium.h"
 
 namespace neph::bench {
 namespace {
 
-constexpr double kTexelsOfTrilinear = 8.0, kTexelsOfBilinear = 4.0;
-constexpr double kFloorBytes = kTexelsOfTrilinear * 8.0;  // RGBA16
-
-/// What one sample of the medium fetches, as kBandwidthText says.
-double bytesPerSample(const Row& row, const Look& look,
-                      const std::array<Holding, kSpeciesCount>& holdings) {
-    const MediumPlan plan = planMedium(look, holdings);
-    std::set<std::pair<float, NoiseCharacter>> kinds;
-    for (const MediumClass& c : plan.classes) {
-        if (c.noiseAmount > 0.0f) kinds.insert({c.noiseScaleM, c.noiseCharacter});
-    }
-    const auto noises = static_cast<double>(kinds.size());
-    const double textures = plan.classes.size() > 3 ? 2.0 : 1.0;
-    if (row.engine == Engine::march) {
-        return kTexelsOfTrilinear * 4.0 * (1.0 + textures / 4.0) + (noises > 0.0 ? 4.0 : 0.0);
-    }
-    return kTexelsOfTrilinear * (16.0 * textures + 4.0 * noises) + kTexelsOfBilinear * 4.0;
-}
+constexpr double kFloorBytes = 8.0 * 8.0;  // of the texels of a trilinear fetch, RGBA16
 
 double azimuthOf(const BenchOptions& options, double frame) {
     return 360.0 * frame / options.frames;
@@ -52,16 +31,16 @@ void takeTurn(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
     render::FrameInputs profiled = inputsAt(0.5);
     profiled.profile = true;
     const render::FrameStats profile = renderer.render(profiled);
-    std::optional<double> floorMs;
-    if (row.engine == Engine::march) floorMs = renderer.floorMilliseconds(profiled);
+    const std::optional<double> floorMs = renderer.floorMilliseconds();
     if (frame < 0) return;
     row.frameMs.push_back(stats.milliseconds);
     if (stats.bakedMedium || stats.marchedLight) ++row.framesWithLight;
     push(row.eyeMs, eyeMilliseconds(profile));
     push(row.floorMs, floorMs);
-    if (profile.samples.taken == 0) return;
-    row.samples.push_back(static_cast<double>(profile.samples.taken));
-    row.rays.push_back(static_cast<double>(profile.samples.rays));
+    row.bytesPerSample = profile.bytesPerSample;
+    if (!profile.samples || profile.samples->taken == 0) return;
+    row.samples.push_back(static_cast<double>(profile.samples->taken));
+    row.rays.push_back(static_cast<double>(profile.samples->rays));
 }
 
 }  // namespace
@@ -77,11 +56,6 @@ void orbitAll(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
               std::span<Row> rows) {
     for (int frame = -kWarmUp; frame < run.options.frames; ++frame) {
         for (Row& row : rows) takeTurn(run, plan, renderer, frame, row);
-    }
-    for (Row& row : rows) {
-        Look look = run.look;
-        setMode(look, *row.mode, row.engine);
-        row.bytesPerSample = bytesPerSample(row, look, run.volume.holdings());
     }
 }
 

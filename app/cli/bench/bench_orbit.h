@@ -27,7 +27,7 @@ struct OrbitPlan {
 };
 
 struct Row {
-    Engine engine = Engine::march;
+    Engine engine{};
     const Mode* mode = nullptr;
     std::vector<double> frameMs{}, eyeMs{}, floorMs{}, samples{}, rays{};
     double bytesPerSample = 0.0;  ///< fetched, caches not considered

@@ -20,13 +20,11 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
     render::Renderer renderer(resourcePath("shaders"));
     renderer.setVolume(run.volume);
     render::FrameInputs inputs = run.inputs(run.volume.grid, sizePx, 0.0);
-    inputs.look.engine = Engine::reference;
-    const render::ReferenceProgress first = renderer.render(inputs).reference;
+    inputs.look.engine = groundTruth();
+    render::Accumulation image;
+    const render::ReferenceProgress first = renderer.render(inputs, image).reference;
     render::ReferenceProgress last;
-    while (inputs.sample < run.options.frames) {
-        ++inputs.sample;
-        last = renderer.render(inputs).reference;
-    }
+    while (image.samples() <= run.options.frames) last = renderer.render(inputs, image).reference;
     const double seconds = last.seconds - first.seconds;
     const double paths = static_cast<double>(sizePx.x) * sizePx.y * (last.samples - first.samples);
     const auto collisions = static_cast<double>(last.collisions - first.collisions);

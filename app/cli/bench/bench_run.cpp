@@ -61,8 +61,13 @@ std::vector<GridRequest> Run::grids() const {
 }
 
 std::vector<Engine> Run::engines() const {
-    if (options.engine == "both") return {Engine::march, Engine::slicing};
-    return {options.engine == nameOf(Engine::march) ? Engine::march : Engine::slicing};
+    std::vector<Engine> engines;
+    for (const EngineTraits& engine : kEngines) {
+        if (engine.sampling == Sampling::converges) continue;
+        if (options.engine == "all" || options.engine == engine.id)
+            engines.push_back(engine.engine);
+    }
+    return engines;
 }
 
 render::FrameInputs Run::inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const {
@@ -119,10 +124,6 @@ std::string textOf(glm::ivec3 size) {
 
 std::string cell(const Json& number, int decimals) {
     return number.is_number() ? fmt::format("{:.{}f}", number.get<double>(), decimals) : "-";
-}
-
-std::string_view nameOf(Engine engine) {
-    return parameter("view.engine").choices[static_cast<std::size_t>(engine)];
 }
 
 std::optional<double> eyeMilliseconds(const render::FrameStats& stats) {

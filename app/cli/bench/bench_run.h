@@ -60,7 +60,7 @@ struct Run {
     /// Sizes asked for, or the section's own.
     std::vector<glm::ivec2> sizesOr(glm::ivec2 own) const;
     std::vector<GridRequest> grids() const;
-    /// March, slicing or both, as asked for.
+    /// As asked for.
     std::vector<Engine> engines() const;
     /// Look and pose as they are; the camera turned by `turnDeg`.
     render::FrameInputs inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const;
@@ -84,8 +84,6 @@ std::string textOf(glm::ivec2 size);
 std::string textOf(glm::ivec3 size);
 /// For tables: a number of that many decimals, "-" where there is none.
 std::string cell(const Json& number, int decimals = 1);
-
-std::string_view nameOf(Engine engine);
 
 /// Time of the eye pass on the GPU in a profiled frame; none where the engine does not say.
 std::optional<double> eyeMilliseconds(const render::FrameStats& stats);

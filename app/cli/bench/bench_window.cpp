@@ -41,12 +41,12 @@ class Window {
     /// Draws what the workbench would draw after `restS` seconds without a change, if anything.
     void draw(double turnDeg, double restS) {
         if (restS == 0.0) drawn_.reset();
-        const ui::Draft wanted = quality_.draft(restS, sizePx_, ui::leastDetailOf(look_.engine));
+        const ui::Draft wanted = quality_.draft(restS, sizePx_, traitsOf(look_.engine).leastDetail);
         const auto next = ui::nextDraft(drawn_, wanted, false);
         if (!next) return;
         const render::FrameStats stats = renderer_.render(inputsOf(*next, turnDeg));
         const bool prepared =
-            stats.bakedMedium || (look_.engine == Engine::march && stats.marchedLight);
+            stats.bakedMedium || (stats.marchedLight && !traitsOf(look_.engine).lightFollowsCamera);
         if (!prepared) quality_.measured(*next, stats.milliseconds, sizePx_);
         drawn_ = next;
         steps_ = stats.planes;
@@ -59,11 +59,7 @@ class Window {
         render::FrameInputs inputs = run_.inputs(volume_.grid, draft.sizePx, turnDeg);
         inputs.camera.aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         inputs.look = look_;
-        if (look_.engine == Engine::slicing) {
-            inputs.planes = ui::planesOf(draft, look_.planes);
-        } else {
-            inputs.look.quality *= static_cast<float>(draft.detail);
-        }
+        ui::thin(inputs.look, draft);
         return inputs;
     }
 
@@ -104,7 +100,7 @@ Json measureEngine(const Run& run, glm::ivec2 sizePx, Engine engine) {
         steps.push_back(window.steps());
     }
     const double fps = kOrbitFrames / secondsSince(start);
-    Json json{{"engine", nameOf(engine)},
+    Json json{{"engine", traitsOf(engine).id},
               {"size", toJson(sizePx)},
               {"frames", kOrbitFrames},
               {"fps", fps},

@@ -95,8 +95,8 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     picture.name = engine.name;
     picture.device = side_->renderer().deviceName();
     picture.made = fmt::format("{}, {}", workText(drawn, bands.stats()), picture.device);
-    const int traced = bands.stats().reference.samples;
-    picture.samples = drawn.inputs.look.engine == Engine::reference ? traced : drawn.samples;
+    const bool converges = traitsOf(drawn.inputs.look.engine).sampling == Sampling::converges;
+    picture.samples = converges ? bands.stats().reference.samples : drawn.samples;
     picture.seconds = bands.stats().milliseconds / kMsPerS;
     if (!image.layers.empty()) {
         std::vector<std::vector<float>> channels;

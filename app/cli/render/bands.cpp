@@ -61,8 +61,8 @@ render::ReferenceProgress together(const render::ReferenceProgress& a,
             .seconds = a.seconds + b.seconds};
 }
 
-/// Puts what the reference knows of a tile into a band.
-void pasteLayers(const render::ReferenceLayers& known, int x, int widthPx,
+/// Puts what the engine knows of a tile into a band.
+void pasteLayers(const render::FrameLayers& known, int x, int widthPx,
                  std::vector<ImageLayer>& band) {
     std::vector<ImageLayer> tile = channelsOf(known);
     for (std::size_t i = 0; i < tile.size(); ++i) {
@@ -75,21 +75,18 @@ void pasteLayers(const render::ReferenceLayers& known, int x, int widthPx,
 }  // namespace
 
 std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
-    const Look& look = side.inputs.look;
+    const EngineTraits& engine = traitsOf(side.inputs.look.engine);
     const std::string rays = side.inputs.supersample == 1
                                  ? std::string()
                                  : fmt::format(", {0} x {0} rays a pixel", side.inputs.supersample);
-    if (look.engine == Engine::slicing)
-        return fmt::format("slicing, {} planes", look.planes) + rays;
-    if (look.engine == Engine::reference) {
-        const int paths = stats.reference.samples;
-        return fmt::format("reference, {} path{} a ray, error {:.2f} %", paths,
-                           paths == 1 ? "" : "s", 100.0 * stats.reference.relativeError) +
-               rays;
+    if (engine.sampling == Sampling::converges) {
+        return fmt::format("{}, {} a ray, error {:.2f} %{}", engine.id,
+                           countText(stats.reference.samples, engine.unit),
+                           100.0 * stats.reference.relativeError, rays);
     }
-    return fmt::format("march, {} steps, {} sample{}", stats.planes, side.samples,
-                       side.samples == 1 ? "" : "s") +
-           rays;
+    std::string work = fmt::format("{}, {}", engine.id, countText(stats.planes, engine.unit));
+    if (engine.sampling == Sampling::averages) work += ", " + countText(side.samples, "sample");
+    return work + rays;
 }
 
 Bands::Bands(std::vector<DrawnSide> sides, Progress progress)
@@ -99,8 +96,8 @@ Bands::Bands(std::vector<DrawnSide> sides, Progress progress)
       tilePx_(render::tileSize(sizePx_, sides_.front().inputs.supersample,
                                sides_.front().renderer->largestSidePx(), render::kMostTileRays)) {}
 
-/// All samples of one tile, or as many of the reference as its error needs, which falls with the
-/// square root of their number.
+/// All samples of one tile, or as many as the error needs, which falls with the square root of
+/// their number.
 void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     render::FrameInputs inputs = side.inputs;
     inputs.part = render::PicturePart{sizePx_, lowerPx};
@@ -110,13 +107,14 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     const double before = static_cast<double>(donePx_) / static_cast<double>(count(sizePx_));
     const render::ReferenceProgress others = stats_.reference;
     double needed = side.samples;
-    for (; inputs.sample < side.samples; ++inputs.sample) {
+    render::Accumulation image;
+    while (image.samples() < side.samples) {
         const auto within = [&](double share) {
             return goOn(progress_,
-                        before + tileShare * std::min((inputs.sample + share) / needed, 1.0));
+                        before + tileShare * std::min((image.samples() + share) / needed, 1.0));
         };
-        const render::FrameStats stats = side.renderer->render(inputs, within);
-        if (tiles_ == 0 && inputs.sample == 0) {
+        const render::FrameStats stats = side.renderer->render(inputs, image, within);
+        if (tiles_ == 0 && image.samples() == 1) {
             stats_ = stats;
         } else {
             addSample(stats_, stats);
@@ -148,7 +146,7 @@ Image Bands::next(std::vector<ImageLayer>* layers) {
             }();
             paste(tile, x, band);
             if (layers != nullptr) {
-                pasteLayers(side.renderer->readReference(), x, sizePx_.x, *layers);
+                pasteLayers(side.renderer->readLayers().value(), x, sizePx_.x, *layers);
             }
         }
     }
@@ -172,7 +170,7 @@ ImageF Bands::nextLinear() {
 
 bool Bands::layered() const {
     const render::FrameInputs& inputs = sides_.front().inputs;
-    return sides_.size() == 1 && inputs.look.engine == Engine::reference && inputs.supersample == 1;
+    return sides_.size() == 1 && traitsOf(inputs.look.engine).layers && inputs.supersample == 1;
 }
 
 std::vector<std::string> Bands::layerNames() const {

@@ -18,9 +18,9 @@ namespace neph {
 /// What a part of the picture shows.
 struct DrawnSide {
     render::Renderer* renderer = nullptr;  ///< holds the volume
-    render::FrameInputs inputs;            ///< of the whole picture; `sample` is left at 0
+    render::FrameInputs inputs;            ///< of the whole picture
     int samples = 1;                       ///< of each tile
-    double targetError = 0.0;  ///< relative standard error at which a tile of the reference is done
+    double targetError = 0.0;  ///< relative standard error at which a tile is done; 0: none
     int fromPx = 0, toPx = 0;  ///< its columns; the second is outside
 };
 
@@ -36,7 +36,7 @@ class Bands {
     /// The next rows; call until all `sizePx().y` are there. Throws Cancelled.
     Image8 nextDisplay();
     ImageF nextLinear();
-    /// With what the reference knows besides, where it draws the whole picture, one ray a pixel.
+    /// With what the engine knows besides, where it draws the whole picture, one ray per pixel.
     LayeredImage nextLayered();
     /// Names of the layers that there are then.
     std::vector<std::string> layerNames() const;

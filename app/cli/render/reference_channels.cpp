@@ -57,7 +57,7 @@ std::optional<Halves> halvesFrom(const std::vector<std::vector<float>>& channels
     return halves;
 }
 
-std::vector<ImageLayer> channelsOf(const render::ReferenceLayers& layers) {
+std::vector<ImageLayer> channelsOf(const render::FrameLayers& layers) {
     std::vector<ImageLayer> channels;
     const std::size_t pixels = layers.halfA.pixels.size();
     addColours(channels, "A", pixels, [&](std::size_t i) { return layers.halfA.pixels[i]; });

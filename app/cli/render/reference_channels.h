@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/image_io/exr.h"
-#include "app/render/engines/reference/reference_layers.h"
+#include "app/render/frame/frame_layers.h"
 
 namespace neph {
 
@@ -28,6 +28,6 @@ struct Halves {
 std::optional<Halves> halvesFrom(const std::vector<std::vector<float>>& channels, glm::ivec2 size);
 
 /// The channels of a picture, or of a part of it. A species that there is not has no optical depth.
-std::vector<ImageLayer> channelsOf(const render::ReferenceLayers& layers);
+std::vector<ImageLayer> channelsOf(const render::FrameLayers& layers);
 
 }  // namespace neph

@@ -15,7 +15,6 @@ namespace neph {
 namespace {
 
 constexpr int kMaxSidePx = 65535;
-constexpr int kMarchSamples = 8;
 constexpr int kMaxSamples = 65536;
 constexpr int kMaxSupersample = 4;
 constexpr double kMinFps = 0.1, kMaxFps = 240.0;
@@ -57,8 +56,11 @@ FileKind kindOf(const std::filesystem::path& out) {
 }
 
 SamplePlan planSamples(const RenderOptions& options, const Look& look) {
-    if (look.engine == Engine::slicing) return {};
-    if (look.engine == Engine::march) return {options.samples.value_or(kMarchSamples), 0.0};
+    const EngineTraits& engine = traitsOf(look.engine);
+    if (engine.sampling == Sampling::once) return {};
+    if (engine.sampling == Sampling::averages) {
+        return {options.samples.value_or(engine.samples), 0.0};
+    }
     const bool untilError = !options.samples || !options.error.empty();
     return {options.samples.value_or(kMaxSamples),
             untilError ? static_cast<double>(look.targetError) : 0.0};

@@ -26,7 +26,7 @@
 namespace neph {
 namespace {
 
-// Of the march, more do not show at this size; of the reference, more take too long.
+// More do not show at this size, or take too long.
 constexpr int kSamples = 4;
 
 struct Wanted {
@@ -94,8 +94,9 @@ Image8 Storm::pictureOf(const Preset& preset, glm::ivec2 sizePx) {
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,
                                 static_cast<double>(sizePx.x) / sizePx.y);
-    const int samples = preset.look.engine == Engine::slicing ? 1 : kSamples;
-    for (; inputs.sample < samples; ++inputs.sample) renderer_.render(inputs, goesOn_);
+    const int samples = traitsOf(preset.look.engine).sampling == Sampling::once ? 1 : kSamples;
+    render::Accumulation image;
+    while (image.samples() < samples) renderer_.render(inputs, image, goesOn_);
     return renderer_.readDisplay();
 }
 

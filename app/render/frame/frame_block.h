@@ -18,7 +18,7 @@ using namespace glm;
 }  // namespace block
 using block::FrameBlock;
 
-/// All but what is an engine's own: `slices.yz` and `march`.
+/// All but what is an engine's own: `slices.yz`, `sampling.x` and `march`.
 FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
                           const BrickMap& bricks, const MediumPlan& medium,
                           const SlicePlan& slices);

@@ -29,14 +29,10 @@ struct FrameInputs {
     /// Interactive frames may ask for fewer. A given number fixes the step; else the march adapts
     /// it to the data.
     int planes = 0;
-    /// 0: a picture of its own. n > 0: the march samples at other places than before and averages
-    /// with the n pictures before, which must have had the same inputs but for their numbers. The
-    /// reference adds one more path a pixel.
-    int sample = 0;
     /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
     /// first picture after a change. The march computes it in full for the next picture without.
     bool draftLight = false;
-    bool profile = false;  ///< fill in FrameStats::passes and ::samples, which costs a little
+    bool profile = false;  ///< fill in what FrameStats has for it alone, which costs a little
 };
 
 /// Time of one pass on the GPU.
@@ -59,7 +55,7 @@ struct SampleCounts {
     std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
 };
 
-/// How far the reference has come with a picture.
+/// How far an engine that converges has come with an image.
 struct ReferenceProgress {
     int samples = 0;  ///< paths a pixel
     /// Relative standard error: root mean variance of the pixels over their mean; infinite before
@@ -74,15 +70,16 @@ struct ReferenceProgress {
 /// What the last frame did, for the status line, the profile and `bench`.
 struct FrameStats {
     Stage redone = Stage::resolve;  ///< earliest stage that was redone, with all after it
-    bool bakedMedium = false;       ///< or put other detail into it, as the march does
+    bool bakedMedium = false;       ///< or put other detail into it
     bool marchedLight = false;
     bool marchedEye = false;
-    int planes = 0;                ///< slices, or steps along the diagonal
-    glm::ivec3 lightSize{0};       ///< texels across and layers of the light
-    double milliseconds = 0.0;     ///< wall time with the GPU finished
-    std::vector<PassTime> passes;  ///< in the order they ran; only when profiled
-    SampleCounts samples;          ///< only when profiled
-    ReferenceProgress reference;   ///< of that engine alone
+    int planes = 0;                       ///< slices, or steps along the diagonal
+    glm::ivec3 lightSize{0};              ///< texels across and layers of the light
+    double milliseconds = 0.0;            ///< wall time with the GPU finished
+    std::vector<PassTime> passes;         ///< in the order they ran; only when profiled
+    std::optional<SampleCounts> samples;  ///< of engines that count them; only when profiled
+    double bytesPerSample = 0.0;  ///< fetched, caches not considered; 0: not known; likewise
+    ReferenceProgress reference;  ///< of engines that converge
 };
 
 }  // namespace neph::render

@@ -93,16 +93,14 @@ std::string halved(const std::string& texels, glm::ivec3 size) {
     return out;
 }
 
-}  // namespace
-
-gl::Texture bakeNoise(gl::ProgramCache& programs) {
+gl::Texture bakeFiltered(gl::ProgramCache& programs) {
     gl::Texture noise = make(GL_RG16, glm::ivec3(kNoiseSize), 1);
     bake(programs, {"STACKED 0"});
     noise.setLinear();
     return noise;
 }
 
-gl::Texture bakeStackedNoise(gl::ProgramCache& programs) {
+gl::Texture bakeStacked(gl::ProgramCache& programs) {
     gl::Texture noise = make(GL_R8, {kNoiseSize, kNoiseSize, 2 * kNoiseSize}, kNoiseLevels);
     std::string texels = stackedTexels(programs, noise);
     for (int level = 0; level < kNoiseLevels; ++level) {
@@ -110,6 +108,24 @@ gl::Texture bakeStackedNoise(gl::ProgramCache& programs) {
         noise.upload(GL_RED, GL_UNSIGNED_BYTE, texels.data(), level);
     }
     return noise;
+}
+
+}  // namespace
+
+const gl::Texture& NoiseTextures::filtered(gl::ProgramCache& programs, gl::PassTimer& timer) {
+    if (!filtered_) {
+        timer.pass("noise");
+        filtered_ = bakeFiltered(programs);
+    }
+    return filtered_;
+}
+
+const gl::Texture& NoiseTextures::stacked(gl::ProgramCache& programs, gl::PassTimer& timer) {
+    if (!stacked_) {
+        timer.pass("noise");
+        stacked_ = bakeStacked(programs);
+    }
+    return stacked_;
 }
 
 }  // namespace neph::render

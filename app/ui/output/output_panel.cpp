@@ -104,7 +104,7 @@ void drawSize(const Ui& ui, ExportSettings& settings) {
 
 void drawQuality(const Ui& ui, ExportSettings& settings) {
     const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
-    if (ui.session().document.look.engine == Engine::march) {
+    if (traitsOf(ui.session().document.look.engine).sampling == Sampling::averages) {
         label("Samples");
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",

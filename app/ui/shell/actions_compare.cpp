@@ -69,7 +69,7 @@ const std::array kActions{
            .run = [](Ui& ui) { ui.compare.trace = true; },
            .enabled =
                [](const Ui& ui) {
-                   const bool traced = ui.session().document.look.engine == Engine::reference;
+                   const bool traced = ui.session().document.look.engine == groundTruth();
                    return ui.compare.second || !traced;
                },
            .separated = true},

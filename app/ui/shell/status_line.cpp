@@ -14,24 +14,17 @@ namespace {
 
 constexpr float kLeastMessageEms = 14.0f;
 
-std::string plural(int count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// "march, 512 steps, 16 samples", "slicing, 320 planes, draft".
 std::string workText(const FrameReport& report) {
+    const EngineTraits& engine = traitsOf(report.engine);
     std::string work;
-    switch (report.engine) {
-        case Engine::march:
-            work = fmt::format("march, {}, {}", plural(report.planes, "step"),
-                               plural(report.samples, "sample"));
-            break;
-        case Engine::slicing:
-            work = "slicing, " + plural(report.planes, "plane");
-            break;
-        case Engine::reference:
-            work = "Reference, " + pathsText(report.reference);
-            break;
+    if (engine.sampling == Sampling::converges) {
+        work = fmt::format("{}, {}", engine.label, pathsText(report.reference));
+    } else {
+        work = fmt::format("{}, {}", engine.id, countText(report.planes, engine.unit));
+    }
+    if (engine.sampling == Sampling::averages) {
+        work += ", " + countText(report.samples, "sample");
     }
     return work + (report.full ? "" : ", draft");
 }
@@ -56,7 +49,7 @@ std::vector<std::string> frameTexts(const Ui& ui) {
     if (report.sizePx.x == 0) return {memoryText(ui), report.device};
     const std::string size = fmt::format("{} \u00d7 {} px", report.sizePx.x, report.sizePx.y);
     // How long a pass took is no measure of anything.
-    if (report.engine == Engine::reference) {
+    if (traitsOf(report.engine).sampling == Sampling::converges) {
         return {workText(report), size, memoryText(ui), report.device};
     }
     return {timeText(ui), size, workText(report), memoryText(ui), report.device};

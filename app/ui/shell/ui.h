@@ -37,7 +37,7 @@ namespace neph::ui {
 /// The picture on screen, for the status line.
 struct FrameReport {
     double milliseconds = 0.0;
-    Engine engine = Engine::march;
+    Engine engine{};
     int planes = 0;   ///< slices, or steps of the march along the diagonal
     int samples = 0;  ///< pictures that were averaged
     glm::ivec2 sizePx{0};

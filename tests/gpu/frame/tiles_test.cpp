@@ -28,9 +28,8 @@ ImageF drawTiled(const SpeciesVolume& volume, render::FrameInputs inputs, int sa
     for (glm::ivec2& at = inputs.part->lowerPx; at.y < whole.size.y; at.y += kTilePx.y) {
         for (at.x = 0; at.x < whole.size.x; at.x += kTilePx.x) {
             inputs.sizePx = glm::min(kTilePx, whole.size - at);
-            for (inputs.sample = 0; inputs.sample < samples; ++inputs.sample) {
-                renderer().render(inputs);
-            }
+            render::Accumulation image;
+            while (image.samples() < samples) renderer().render(inputs, image);
             const ImageF tile = renderer().readLinear();
             REQUIRE(tile.size == inputs.sizePx);
             for (int y = 0; y < tile.size.y; ++y) {

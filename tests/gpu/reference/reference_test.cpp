@@ -21,12 +21,11 @@ render::FrameInputs traced(const SpeciesVolume& volume, const Look& base,
     return inputs;
 }
 
-render::FrameStats trace(render::FrameInputs inputs, int paths) {
-    render::FrameStats stats;
-    for (inputs.sample = 0; inputs.sample < paths; ++inputs.sample) {
-        stats = renderer().render(inputs);
-    }
-    return stats;
+/// An image of so many paths per pixel.
+render::Accumulation trace(const render::FrameInputs& inputs, int paths) {
+    render::Accumulation image;
+    while (image.samples() < paths) renderer().render(inputs, image);
+    return image;
 }
 
 ImageF tracedOn(const SpeciesVolume& volume, const render::FrameInputs& inputs, int paths) {
@@ -76,15 +75,14 @@ TEST_CASE("A pass that gave way goes on where it was") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF wanted = tracedOn(volume, inputs, 4);
-    trace(inputs, 3);
-    inputs.sample = 3;
+    render::Accumulation image = trace(inputs, 3);
     int asked = 0;
     const auto giveWay = [&asked](double) { return ++asked < 2; };
     try {
-        renderer().render(inputs, giveWay);
+        renderer().render(inputs, image, giveWay);
     } catch (const Cancelled&) {
     }
-    CHECK(renderer().render(inputs).reference.samples == 4);
+    CHECK(renderer().render(inputs, image).reference.samples == 4);
     CHECK(worstDifference(renderer().readLinear(), wanted) == 0.0f);
 }
 
@@ -92,9 +90,8 @@ TEST_CASE("Exposure leaves the paths alone") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF linear = tracedOn(volume, inputs, 2);
-    inputs.sample = 1;
     inputs.look.exposureEv += 1.0f;
-    const render::FrameStats stats = renderer().render(inputs);
+    const render::FrameStats stats = renderer().retone(inputs.look);
     CHECK(static_cast<int>(stats.redone) == static_cast<int>(Stage::resolve));
     CHECK(worstDifference(renderer().readLinear(), linear) == 0.0f);
 }
@@ -151,7 +148,7 @@ TEST_CASE("Layers: halves that make up the mean, and depths that follow from the
     Look look = plainLook();
     render::FrameInputs inputs = traced(volume, look);
     const ImageF mean = tracedOn(volume, inputs, 9);
-    const render::ReferenceLayers layers = renderer().readReference();
+    const render::FrameLayers layers = renderer().readLayers().value();
     REQUIRE(layers.samples == 9);
     REQUIRE(layers.size == kSizePx);
     double met = 0.0, expected = 0.0;

@@ -35,6 +35,8 @@ constexpr double kFineSteps = 1.05;
 // voxel, as in flat domains, and more than what is little on any machine.
 constexpr int kLightBatch = 16;
 constexpr std::size_t kLittleBytes = std::size_t{512} << 10;
+// Of a trilinear fetch of RG16F; of the mixture, one in four samples.
+constexpr double kTrilinearBytes = 8.0 * 4.0, kNoiseBytes = 4.0;
 // Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
 constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
 
@@ -127,6 +129,28 @@ double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const Packe
                              : voxelM(grid) / static_cast<double>(inputs.look.quality);
 }
 
+/// How much of the detail the medium should hold for a picture: steps that are too long to show
+/// more than the voxels' need none of their own.
+PackedDetail detailFor(const FrameInputs& inputs, const RegularGrid& grid,
+                       const PackedMedium& medium) {
+    const bool fine = baseStepM(inputs, grid, medium) < kFineSteps * voxelM(grid);
+    return fine && isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels;
+}
+
+/// Null where there is no detail.
+const gl::Texture* stackedNoise(const MediumPlan& plan, RenderContext& context) {
+    return isNoisy(plan) ? &context.noise.stacked(context.programs, context.timer) : nullptr;
+}
+
+/// Has the medium hold the detail that is wanted.
+void repack(const Look& look, PackedDetail wanted, PackedMedium& medium, RenderContext& context) {
+    if (medium.detail == wanted) return;
+    context.timer.pass("bake detail");
+    repackMedium(context.volume, look, wanted, stackedNoise(medium.look, context), context.programs,
+                 medium);
+    context.stats.bakedMedium = true;
+}
+
 gl::Texture uploadBlueNoise() {
     gl::Texture texture = gl::Texture::make2D(GL_R32F, glm::ivec2(kBlueNoiseSize));
     texture.upload(GL_RED, GL_FLOAT, blueNoise().data());
@@ -135,14 +159,49 @@ gl::Texture uploadBlueNoise() {
 
 }  // namespace
 
-PackedDetail MarchEngine::detailFor(const FrameInputs& inputs, const RegularGrid& grid,
-                                    const PackedMedium& medium) {
-    const bool fine = baseStepM(inputs, grid, medium) < kFineSteps * voxelM(grid);
-    return fine && isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels;
+Stage MarchEngine::stageFor(const FrameInputs& inputs, std::optional<Stage> changed) const {
+    const bool finer = lightIsDraft_ && !inputs.draftLight;
+    if (changed) return finer ? std::min(Stage::light, *changed) : *changed;
+    if (!lit_) return Stage::medium;
+    return std::min(finer ? Stage::light : Stage::eye,
+                    firstDifference(*lit_, inputs.look).value_or(Stage::eye));
 }
 
-void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
-                       const PackedMedium& medium, const gl::Texture* noise, glm::ivec2 batch) {
+void MarchEngine::prepare(const Look& look, RenderContext& context) {
+    const MediumPlan plan = planMedium(look, context.volume.holdings);
+    const gl::Texture* noise = stackedNoise(plan, context);
+    context.medium.update<PackedMedium>(plan, [&](PackedMedium& medium) {
+        context.timer.pass("bake medium");
+        lit_.reset();
+        packMedium(context.volume, look, noise, context.programs, medium);
+        context.stats.bakedMedium = true;
+    });
+}
+
+void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
+    const FrameInputs& inputs = frame.inputs;
+    PackedMedium& medium = context.medium.as<PackedMedium>();
+    if (frame.from <= Stage::light) {
+        lit_.reset();
+        repack(inputs.look, PackedDetail::voxels, medium, context);
+        carryLight(frame, medium, context);
+        lit_ = inputs.look;
+        lightIsDraft_ = inputs.draftLight;
+        context.stats.marchedLight = true;
+    }
+    repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
+    context.timer.pass("eye");
+    phases_.update(inputs.look, medium.plan);
+    bind(frame, medium, context, {0, lastLayer_});
+    if (inputs.profile) openCounts(inputs.sizePx);
+    march(frame, context.programs.get("march/eye.comp", eyeDefines(inputs, medium, false)),
+          context.progress);
+}
+
+void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
+                       RenderContext& context, glm::ivec2 batch) {
+    const FrameInputs& inputs = frame.inputs;
+    const RegularGrid& grid = context.volume.grid;
     const double diagonalM = diagonalOf(boxOf(medium, grid));
     const bool fixed = inputs.planes > 0;
     const double stepM =
@@ -151,6 +210,7 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
+    block.sampling.x = frame.sample;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));
@@ -158,15 +218,18 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
     medium.extinction.bind(kMarchExtinctionUnit);
     medium.first.bind(kMarchMixture0Unit);
     medium.bricks.map.bind(kBricksUnit);
-    if (noise) noise->bind(kNoiseUnit);
+    if (const gl::Texture* noise = stackedNoise(medium.plan, context)) noise->bind(kNoiseUnit);
     light_.bind(kLightUnit);
     if (medium.second) medium.second.bind(kMarchMixture1Unit);
 }
 
-void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
-                        PackedMedium& medium, gl::ProgramCache& programs, const Progress& progress,
-                        gl::PassTimer& timer) {
-    timer.pass("light");
+/// Carries sunlight through the medium and leaves it there, at every voxel. The medium holds the
+/// voxels' detail.
+void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medium,
+                             RenderContext& context) {
+    context.timer.pass("light");
+    const FrameInputs& inputs = frame.inputs;
+    const VolumeTextures& volume = context.volume;
     const RegularGrid& grid = volume.grid;
     plan_ = planSunSlices(
         sunDirWorld(inputs.look), boxOf(medium, grid),
@@ -181,15 +244,14 @@ void MarchEngine::light(const FrameInputs& inputs, const VolumeTextures& volume,
     for (int first = 0; first < plan_.count; first += batch) {
         const int slices = std::min(batch, plan_.count - first);
         if (first > 0) light_.open(lastLayer_);
-        bind(inputs, grid, medium, nullptr, {first, slices});
-        timer.pass("light");
-        light_.march(
-            programs.get("light/slice_light.comp", names),
-            tilesOf(volume.blocks, volume.grid.spacingM * static_cast<double>(kBlockVoxels), plan_,
-                    first, slices),
-            progress);
-        timer.pass("light to medium");
-        lightToMedium(blocks.within(first, slices), medium, programs);
+        bind(frame, medium, context, {first, slices});
+        context.timer.pass("light");
+        light_.march(context.programs.get("light/slice_light.comp", names),
+                     tilesOf(volume.blocks, grid.spacingM * static_cast<double>(kBlockVoxels),
+                             plan_, first, slices),
+                     context.progress);
+        context.timer.pass("light to medium");
+        lightToMedium(blocks.within(first, slices), medium, context.programs);
         lastLayer_ = slices;
     }
 }
@@ -205,44 +267,37 @@ void MarchEngine::lightToMedium(const std::vector<glm::ivec4>& blocks, const Pac
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void MarchEngine::march(const FrameInputs& inputs, const gl::Program& program,
-                        const gl::Texture& linear, const Progress& progress) {
+void MarchEngine::march(const FrameRequest& frame, const gl::Program& program,
+                        const Progress& progress) {
+    const glm::ivec2 sizePx = frame.inputs.sizePx;
     if (!blueNoise_) blueNoise_ = uploadBlueNoise();
     blueNoise_.bind(kMarchBlueNoiseUnit);
     phases_.bind();
-    linear.bindImage(kMarchLinearImage, GL_READ_WRITE);
-    program.setFloat(kMarchBlendLocation, 1.0f / static_cast<float>(inputs.sample + 1));
-    for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
-        if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};
+    frame.linear.bindImage(kMarchLinearImage, GL_READ_WRITE);
+    program.setFloat(kMarchBlendLocation, 1.0f / static_cast<float>(frame.sample + 1));
+    for (int row = 0; row < sizePx.y; row += kBandRows) {
+        if (!goOn(progress, static_cast<double>(row) / sizePx.y)) throw Cancelled{};
         program.setInt(kMarchFirstRowLocation, row);
-        program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
+        program.dispatch({sizePx.x, std::min(kBandRows, sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void MarchEngine::eye(const FrameInputs& inputs, const RegularGrid& grid,
-                      const PackedMedium& medium, const gl::Texture* noise,
-                      gl::ProgramCache& programs, const gl::Texture& linear,
-                      const Progress& progress) {
-    phases_.update(inputs.look, medium.plan);
-    bind(inputs, grid, medium, noise, {0, lastLayer_});
-    if (inputs.profile) {
-        const block::CountBlock zeros{};
-        counts_.write(&zeros, sizeof(zeros));
-        counts_.bind(GL_SHADER_STORAGE_BUFFER, kMarchCountsBuffer);
-        if (taken_.size() != glm::ivec3(inputs.sizePx, 1)) {
-            taken_ = gl::Texture::make2D(GL_R32UI, inputs.sizePx);
-        }
-        taken_.bindImage(kMarchTakenImage, GL_WRITE_ONLY);
+/// Has the eye pass count its samples.
+void MarchEngine::openCounts(glm::ivec2 sizePx) {
+    const block::CountBlock zeros{};
+    counts_.write(&zeros, sizeof(zeros));
+    counts_.bind(GL_SHADER_STORAGE_BUFFER, kMarchCountsBuffer);
+    if (taken_.size() != glm::ivec3(sizePx, 1)) {
+        taken_ = gl::Texture::make2D(GL_R32UI, sizePx);
     }
-    march(inputs, programs.get("march/eye.comp", eyeDefines(inputs, medium, false)), linear,
-          progress);
+    taken_.bindImage(kMarchTakenImage, GL_WRITE_ONLY);
 }
 
-void MarchEngine::floor(const FrameInputs& inputs, const RegularGrid& grid,
-                        const PackedMedium& medium, gl::ProgramCache& programs,
-                        const gl::Texture& linear) {
-    bind(inputs, grid, medium, nullptr, {0, lastLayer_});
+bool MarchEngine::floor(const FrameRequest& frame, RenderContext& context) {
+    const RegularGrid& grid = context.volume.grid;
+    const PackedMedium& medium = context.medium.as<PackedMedium>();
+    bind(frame, medium, context, {0, lastLayer_});
     if (floor_.size() != grid.size) {
         floor_ = gl::Texture::make3D(GL_RGBA16, grid.size);
         floor_.setLinear();
@@ -250,17 +305,36 @@ void MarchEngine::floor(const FrameInputs& inputs, const RegularGrid& grid,
     }
     floor_.bind(kMarchFloorUnit);
     taken_.bindImage(kMarchTakenImage, GL_READ_ONLY);
-    march(inputs, programs.get("march/eye.comp", eyeDefines(inputs, medium, true)), linear, {});
+    march(frame, context.programs.get("march/eye.comp", eyeDefines(frame.inputs, medium, true)),
+          {});
+    return true;
 }
 
+/// Waits for the eye pass.
 SampleCounts MarchEngine::counts() const {
     block::CountBlock counted{};
     glGetNamedBufferSubData(counts_.name(), 0, sizeof(counted), &counted);
     return {counted.rays, counted.taken, counted.skipped, counted.terminated};
 }
 
-std::size_t MarchEngine::bytes() const {
-    return light_.bytes() + phases_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
+void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
+    context.stats.planes = steps_;
+    context.stats.lightSize = {plan_.lightSizePx, plan_.count};
+    if (!inputs.profile) return;
+    const MediumPlan& plan = context.medium.as<PackedMedium>().look;
+    const double mixtures = plan.classes.size() > 3 ? 2.0 : 1.0;
+    context.stats.bytesPerSample =
+        kTrilinearBytes * (1.0 + mixtures / 4.0) + (isNoisy(plan) ? kNoiseBytes : 0.0);
+    if (context.stats.marchedEye) context.stats.samples = counts();
+}
+
+std::size_t MarchEngine::otherBytes() const {
+    return phases_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
+}
+
+template <>
+std::unique_ptr<Integrator> makeIntegrator<Engine::march>() {
+    return std::make_unique<MarchEngine>();
 }
 
 }  // namespace neph::render

@@ -1,63 +1,48 @@
 // march.h: the engine of everyday use: light once for every view, then rays through a packed
 // medium. docs/performance.md
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "app/gl/objects.h"
-#include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
 #include "app/render/engines/march/packed_medium.h"
-#include "app/render/frame/frame_inputs.h"
+#include "app/render/frame/integrator.h"
 #include "app/render/light/light_layers.h"
 #include "app/render/light/slice_plan.h"
 #include "app/render/medium/phase_texture.h"
-#include "core/base/progress.h"
 
 namespace neph::render {
 
-class MarchEngine {
+class MarchEngine final : public Integrator {
   public:
-    /// How much of the detail the medium should hold for a picture: steps that are too long to show
-    /// more than the voxels' need none of their own.
-    static PackedDetail detailFor(const FrameInputs& inputs, const RegularGrid& grid,
-                                  const PackedMedium& medium);
-
-    /// Carries sunlight through the medium and leaves it there, at every voxel. Throws Cancelled.
-    /// The medium holds the voxels' detail.
-    void light(const FrameInputs& inputs, const VolumeTextures& volume, PackedMedium& medium,
-               gl::ProgramCache& programs, const Progress& progress, gl::PassTimer& timer);
-
-    /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
-    /// transmittance), or averages it with what is there where inputs.sample says so. Throws
-    /// Cancelled.
-    void eye(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
-             const gl::Texture* noise, gl::ProgramCache& programs, const gl::Texture& linear,
-             const Progress& progress);
-
-    /// The rays and samples of the last profiled picture, each a single fetch of RGBA16; the
-    /// picture in `linear` is nonsense afterwards.
-    void floor(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
-               gl::ProgramCache& programs, const gl::Texture& linear);
-
-    /// Of the last picture that was profiled; waits for it.
-    SampleCounts counts() const;
-    /// Steps along the diagonal of what is occupied.
-    int steps() const { return steps_; }
-    const SlicePlan& plan() const { return plan_; }
-    std::size_t lightBytes() const { return light_.bytes(); }
-    std::size_t bytes() const;
+    /// A frame that was cancelled leaves the light as it was; draft light is redone for the first
+    /// frame that asks for full light.
+    Stage stageFor(const FrameInputs& inputs, std::optional<Stage> changed) const override;
+    void prepare(const Look& look, RenderContext& context) override;
+    void render(const FrameRequest& frame, RenderContext& context) override;
+    void describe(const FrameInputs& inputs, RenderContext& context) override;
+    std::size_t lightBytes() const override { return light_.bytes(); }
+    std::size_t otherBytes() const override;
+    bool floor(const FrameRequest& frame, RenderContext& context) override;
 
   private:
-    void bind(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
-              const gl::Texture* noise, glm::ivec2 batch);
+    void carryLight(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context);
     void lightToMedium(const std::vector<glm::ivec4>& blocks, const PackedMedium& medium,
                        gl::ProgramCache& programs);
-    void march(const FrameInputs& inputs, const gl::Program& program, const gl::Texture& linear,
-               const Progress& progress);
+    void bind(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context,
+              glm::ivec2 batch);
+    void openCounts(glm::ivec2 sizePx);
+    void march(const FrameRequest& frame, const gl::Program& program, const Progress& progress);
+    SampleCounts counts() const;
 
-    SlicePlan plan_;
-    int steps_ = 0;
+    SlicePlan plan_;  ///< of the light
+    int steps_ = 0;   ///< along the diagonal of what is occupied
     LightLayers light_;
-    PhaseTexture phases_;
+    std::optional<Look> lit_;  ///< what the light in the medium was computed for
+    bool lightIsDraft_ = false;
     int lastLayer_ = 0;  ///< of the light that is held: what is left behind the last slice
+    PhaseTexture phases_;
     gl::Buffer block_, counts_, blocks_;
     gl::Texture blueNoise_;
     gl::Texture floor_;  ///< RGBA16; only to measure

@@ -27,7 +27,7 @@ struct PathMedium {
 int cellVoxelsFor(glm::ivec3 voxels);
 
 /// Waits for a read-back of the bounds, which are multiplied by `boundScale`, at least 1. `noise`:
-/// of bakeNoise, where the medium has detail.
+/// the filtered one, where the medium has detail.
 PathMedium makePathMedium(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels,
                           double boundScale, const gl::Texture* noise, gl::ProgramCache& programs);
 

@@ -53,16 +53,8 @@ std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
     return fromTop(out, static_cast<std::size_t>(size.x));
 }
 
-}  // namespace
-
-void ReferenceEngine::prepare(const MediumTextures& medium, const RegularGrid& grid,
-                              const gl::Texture* noise, gl::ProgramCache& programs) {
-    paths_ = {};  // the old one need not be held beside the new
-    paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, noise, programs);
-}
-
-FrameBlock ReferenceEngine::blockOf(const FrameInputs& inputs, const RegularGrid& grid,
-                                    const MediumTextures& medium) const {
+FrameBlock blockOf(const FrameInputs& inputs, const RegularGrid& grid,
+                   const MediumTextures& medium) {
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{});
     // The look has the radiance c of the ground in full light, an irradiance of 4π: a Lambert
     // surface of albedo c / 4.
@@ -70,26 +62,45 @@ FrameBlock ReferenceEngine::blockOf(const FrameInputs& inputs, const RegularGrid
     return block;
 }
 
-void ReferenceEngine::render(const FrameInputs& inputs, const RegularGrid& grid,
-                             const MediumTextures& medium, const gl::Texture* noise,
-                             gl::ProgramCache& programs, const gl::Texture& linear,
-                             const Progress& progress) {
-    if (inputs.sample == 0) {
+}  // namespace
+
+void ReferenceEngine::prepare(const Look& look, RenderContext& context) {
+    prepareClasses(look, context);
+}
+
+void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) {
+    context.timer.pass("paths");
+    const FrameInputs& inputs = frame.inputs;
+    const RegularGrid& grid = context.volume.grid;
+    const MediumTextures& medium = context.medium.as<MediumTextures>();
+    const gl::Texture* noise = filteredNoise(medium.plan, context);
+    if (pathsOf_ != context.medium.version()) {
+        paths_ = {};  // the old one need not be held beside the new
+        tracer_ = {};
+        paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, noise,
+                                context.programs);
+        pathsOf_ = context.medium.version();
+    }
+    if (frame.sample == 0) {
         // A first pass that gave way goes on.
         const TraceSetup setup{.block = blockOf(inputs, grid, medium), .seed = inputs.look.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }
-    tracer_.pass(medium, paths_, noise, programs, linear, progress);
+    tracer_.pass(medium, paths_, noise, context.programs, frame.linear, context.progress);
 }
 
-ReferenceProgress ReferenceEngine::progress(gl::ProgramCache& programs) {
+void ReferenceEngine::describe(const FrameInputs&, RenderContext& context) {
     const TraceCounts& counts = tracer_.counts();
-    return {.samples = tracer_.passes(),
-            .relativeError = tracer_.relativeError(programs),
-            .collisions = counts.collisions,
-            .scatterings = counts.scatterings,
-            .faults = counts.faults,
-            .seconds = counts.seconds};
+    context.stats.reference = {.samples = tracer_.passes(),
+                               .relativeError = tracer_.relativeError(context.programs),
+                               .collisions = counts.collisions,
+                               .scatterings = counts.scatterings,
+                               .faults = counts.faults,
+                               .seconds = counts.seconds};
+    if (tracer_.passes() == 1 && counts.faults > 0) {
+        context.messages.push_back(fmt::format(
+            "{} paths of the reference brought no number and count as dark", counts.faults));
+    }
 }
 
 std::array<ImageF, 2> ReferenceEngine::halves(glm::ivec2 sizePx) const {
@@ -98,14 +109,15 @@ std::array<ImageF, 2> ReferenceEngine::halves(glm::ivec2 sizePx) const {
     return meansOf(tracer_.readSums(), sizePx, paths);
 }
 
-ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeTextures& volume,
-                                        const MediumTextures& medium, const gl::Texture* noise,
-                                        gl::ProgramCache& programs) const {
+std::optional<FrameLayers> ReferenceEngine::layers(const FrameInputs& inputs,
+                                                   RenderContext& context) {
+    const VolumeTextures& volume = context.volume;
+    const MediumTextures& medium = context.medium.as<MediumTextures>();
     const glm::ivec2 size = inputs.sizePx;
     const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     const int paths = tracer_.passes();
     const TraceSums sums = tracer_.readSums();
-    ReferenceLayers layers;
+    FrameLayers layers;
     layers.size = size;
     layers.samples = paths;
     std::array<ImageF, 2> halves = meansOf(sums, size, paths);
@@ -114,7 +126,7 @@ ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeT
     layers.varianceOfMean = variances(sums, size, paths);
     layers.firstScatterM = firstDistances(sums, size);
 
-    const gl::Program& program = programs.get(
+    const gl::Program& program = context.programs.get(
         "reference/species_depths.comp", {fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0)});
     const FrameBlock block = blockOf(inputs, volume.grid, medium);
     gl::Buffer uniforms, depths;
@@ -130,7 +142,8 @@ ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeT
                          medium.plan.extinctionPerHeld[i] * volume.perTexel[i]);
         program.setInt(kClassOfLocation + s, medium.plan.classOf[i]);
     }
-    if (noise) noise->bind(kBesideHeldUnit);
+    if (const gl::Texture* noise = filteredNoise(medium.plan, context))
+        noise->bind(kBesideHeldUnit);
     const glm::dvec3 voxelM = volume.grid.spacingM;
     program.setFloat(
         kDepthsStepLocation,
@@ -150,6 +163,11 @@ ReferenceLayers ReferenceEngine::layers(const FrameInputs& inputs, const VolumeT
     }
     for (float& t : layers.transmittance) t = std::exp(-t);
     return layers;
+}
+
+template <>
+std::unique_ptr<Integrator> makeIntegrator<Engine::reference>() {
+    return std::make_unique<ReferenceEngine>();
 }
 
 }  // namespace neph::render

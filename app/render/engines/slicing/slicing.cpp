@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/render/frame/frame_block.h"
@@ -32,18 +34,28 @@ std::vector<std::string> defines(const Look& look, const MediumTextures& medium)
     return names;
 }
 
+/// Fetched, caches not considered: RGBA32F and RG16 from eight texels, light R32F from four.
+double bytesPerSample(const MediumPlan& plan) {
+    std::set<std::pair<float, NoiseCharacter>> noises;
+    for (const MediumClass& c : plan.classes) {
+        if (c.noiseAmount > 0.0f) noises.insert({c.noiseScaleM, c.noiseCharacter});
+    }
+    const double textures = plan.classes.size() > 3 ? 2.0 : 1.0;
+    return 8.0 * (16.0 * textures + 4.0 * static_cast<double>(noises.size())) + 4.0 * 4.0;
+}
+
 int planesOf(const FrameInputs& inputs) {
     return inputs.planes > 0 ? inputs.planes : inputs.look.planes;
 }
 
 }  // namespace
 
-void SlicingEngine::resize(const FrameInputs& inputs) {
+void SlicingEngine::resize(glm::ivec2 sizePx) {
     const int most = layersThatFit(plan_.lightSizePx, sizeof(float), kLightBytes) - 1;
     batch_ = std::clamp(plan_.count, 1, most);
     light_.resize(plan_.lightSizePx, batch_ + 1, GL_R32F);
-    if (eye_.size() != glm::ivec3(inputs.sizePx, 1)) {
-        eye_ = gl::Texture::make2D(GL_RGBA32F, inputs.sizePx);
+    if (eye_.size() != glm::ivec3(sizePx, 1)) {
+        eye_ = gl::Texture::make2D(GL_RGBA32F, sizePx);
     }
 }
 
@@ -59,23 +71,28 @@ void SlicingEngine::marchEye(const FrameInputs& inputs, const gl::Program& progr
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void SlicingEngine::render(const FrameInputs& inputs, const VolumeTextures& volume,
-                           const MediumTextures& medium, const gl::Texture* noise,
-                           gl::ProgramCache& programs, const gl::Texture& linear, bool lightIsValid,
-                           const Progress& progress, gl::PassTimer& timer) {
+void SlicingEngine::prepare(const Look& look, RenderContext& context) {
+    prepareClasses(look, context);
+}
+
+void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
+    const FrameInputs& inputs = frame.inputs;
+    const VolumeTextures& volume = context.volume;
+    const MediumTextures& medium = context.medium.as<MediumTextures>();
+    gl::ProgramCache& programs = context.programs;
     const RegularGrid& grid = volume.grid;
     const bool empty = medium.bricks.empty();
     const SliceBox box = empty ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
     const double voxelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
     plan_ = planSlices(inputs.camera, sunDirWorld(inputs.look), box, planesOf(inputs), voxelM);
     if (empty) plan_.count = 0;
-    resize(inputs);
+    resize(inputs.sizePx);
     phases_.update(inputs.look, medium.plan);
 
     medium.first.bind(kMedium0Unit);
     if (medium.second) medium.second.bind(kMedium1Unit);
     medium.bricks.map.bind(kBricksUnit);
-    if (noise) noise->bind(kNoiseUnit);
+    if (const gl::Texture* noise = filteredNoise(medium.plan, context)) noise->bind(kNoiseUnit);
     light_.bind(kLightUnit);
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     const auto upload = [&](int first, int slices) {
@@ -89,32 +106,45 @@ void SlicingEngine::render(const FrameInputs& inputs, const VolumeTextures& volu
     glClearTexImage(eye_.name(), 0, GL_RGBA, GL_FLOAT, &nothingYet);
 
     const auto names = defines(inputs.look, medium);
-    const bool keepLight =
-        lightIsValid && plan_.count <= batch_;  // of several batches only the last is held
+    // Of several batches only the last is held.
+    const bool keepLight = frame.from > Stage::light && plan_.count <= batch_;
+    context.stats.marchedLight = frame.from <= Stage::light;
     int lastLayer = -1;
     for (int first = 0; first < plan_.count; first += batch_) {
         const int slices = std::min(batch_, plan_.count - first);
         upload(first, slices);
-        timer.pass("light");
+        context.timer.pass("light");
         light_.open(lastLayer);
         if (!keepLight) {
             light_.march(
                 programs.get("light/slice_light.comp", names),
                 tilesOf(volume.blocks, volume.grid.spacingM * static_cast<double>(kBlockVoxels),
                         plan_, first, slices),
-                progress);
+                context.progress);
         }
-        timer.pass("eye");
-        marchEye(inputs, programs.get("slicing/eye.comp", names), progress);
+        context.timer.pass("eye");
+        marchEye(inputs, programs.get("slicing/eye.comp", names), context.progress);
         lastLayer = slices;
     }
-    timer.pass("background");
+    context.timer.pass("background");
     const gl::Program& background = programs.get("display/background.comp");
     background.setInt(kBackgroundLayerLocation, std::max(lastLayer, 0));
     eye_.bindImage(kBackgroundEyeImage, GL_READ_ONLY);
-    linear.bindImage(kBackgroundLinearImage, GL_WRITE_ONLY);
+    frame.linear.bindImage(kBackgroundLinearImage, GL_WRITE_ONLY);
     background.dispatch({inputs.sizePx, 1});
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void SlicingEngine::describe(const FrameInputs& inputs, RenderContext& context) {
+    context.stats.planes = plan_.count;
+    context.stats.lightSize = {plan_.lightSizePx, plan_.count};
+    if (!inputs.profile) return;
+    context.stats.bytesPerSample = bytesPerSample(context.medium.as<MediumTextures>().plan);
+}
+
+template <>
+std::unique_ptr<Integrator> makeIntegrator<Engine::slicing>() {
+    return std::make_unique<SlicingEngine>();
 }
 
 }  // namespace neph::render

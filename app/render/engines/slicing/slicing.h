@@ -5,32 +5,24 @@
 // shaders.
 #pragma once
 #include "app/gl/objects.h"
-#include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
-#include "app/render/frame/frame_inputs.h"
+#include "app/render/frame/integrator.h"
 #include "app/render/light/light_layers.h"
 #include "app/render/light/slice_plan.h"
-#include "app/render/medium/medium_bake.h"
 #include "app/render/medium/phase_texture.h"
-#include "core/base/progress.h"
 
 namespace neph::render {
 
-class SlicingEngine {
+class SlicingEngine final : public Integrator {
   public:
-    /// Renders the scene-referred picture with its background into `linear` (RGBA32F, A = 1 -
-    /// transmittance). `lightIsValid` says that nothing but what the eye sees has changed since the
-    /// last whole frame. Asks `progress` between bands of slices and of rows; throws Cancelled.
-    void render(const FrameInputs& inputs, const VolumeTextures& volume,
-                const MediumTextures& medium, const gl::Texture* noise, gl::ProgramCache& programs,
-                const gl::Texture& linear, bool lightIsValid, const Progress& progress,
-                gl::PassTimer& timer);
-
-    const SlicePlan& plan() const { return plan_; }
-    std::size_t bytes() const { return light_.bytes() + eye_.bytes() + phases_.bytes(); }
+    void prepare(const Look& look, RenderContext& context) override;
+    void render(const FrameRequest& frame, RenderContext& context) override;
+    void describe(const FrameInputs& inputs, RenderContext& context) override;
+    std::size_t lightBytes() const override { return light_.bytes(); }
+    std::size_t otherBytes() const override { return eye_.bytes() + phases_.bytes(); }
 
   private:
-    void resize(const FrameInputs& inputs);
+    void resize(glm::ivec2 sizePx);
     void marchEye(const FrameInputs& inputs, const gl::Program& program, const Progress& progress);
 
     SlicePlan plan_;

@@ -1,4 +1,4 @@
-// reference_layers.h: what the engine `reference` knows of a picture besides its colours.
+// frame_layers.h: what an engine may know of an image besides its colours.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -9,11 +9,11 @@
 
 namespace neph::render {
 
-/// Row 0 is the top row; a value a pixel.
-struct ReferenceLayers {
+/// Row 0 is the top row; one value per pixel.
+struct FrameLayers {
     glm::ivec2 size{0};
-    int samples = 0;      ///< paths a pixel, both halves together
-    ImageF halfA, halfB;  ///< means of the even and of the odd paths: independent of each other
+    int samples = 0;      ///< per pixel, both halves together
+    ImageF halfA, halfB;  ///< means of even and of odd samples: independent of each other
     std::vector<glm::vec3> varianceOfMean;  ///< square of the standard error
     std::vector<float> transmittance;       ///< of the ray through the pixel's middle
     std::vector<float> firstScatterM;  ///< mean distance from the eye to the first scattering of

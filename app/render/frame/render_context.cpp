@@ -1,0 +1,22 @@
+// render_context.cpp: what engines that read the same medium have in common.
+#include "app/render/frame/render_context.h"
+
+#include "app/render/frame/frame_block.h"
+
+namespace neph::render {
+
+void prepareClasses(const Look& look, RenderContext& context) {
+    const MediumPlan plan = planMedium(look, context.volume.holdings);
+    filteredNoise(plan, context);
+    context.medium.update<MediumTextures>(plan, [&](MediumTextures& medium) {
+        context.timer.pass("bake medium");
+        bakeMedium(context.volume, plan, context.programs, medium);
+        context.stats.bakedMedium = true;
+    });
+}
+
+const gl::Texture* filteredNoise(const MediumPlan& plan, RenderContext& context) {
+    return isNoisy(plan) ? &context.noise.filtered(context.programs, context.timer) : nullptr;
+}
+
+}  // namespace neph::render

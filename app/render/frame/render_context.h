@@ -1,0 +1,35 @@
+// render_context.h: what an engine works with and reports to, whatever it is.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/gl/pass_timer.h"
+#include "app/gl/program.h"
+#include "app/render/frame/frame_inputs.h"
+#include "app/render/medium/held_medium.h"
+#include "app/render/medium/medium_bake.h"
+#include "app/render/medium/noise_texture.h"
+#include "app/render/medium/volume_textures.h"
+#include "core/base/progress.h"
+
+namespace neph::render {
+
+struct RenderContext {
+    const VolumeTextures& volume;
+    HeldMedium& medium;
+    NoiseTextures& noise;
+    gl::ProgramCache& programs;
+    gl::PassTimer& timer;
+    const Progress& progress;            ///< to be asked every few milliseconds
+    FrameStats& stats;                   ///< to be filled in
+    std::vector<std::string>& messages;  ///< problems, for the user
+};
+
+/// Has the medium be MediumTextures as the look asks for, with the noise that they need: for
+/// engines that read one extinction per optical class.
+void prepareClasses(const Look& look, RenderContext& context);
+
+/// The noise that such engines read; null where the medium has no detail.
+const gl::Texture* filteredNoise(const MediumPlan& plan, RenderContext& context);
+
+}  // namespace neph::render
