@@ -12,7 +12,9 @@
 #include <optional>
 
 #include "app/render/renderer.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/compare/compare_errors.h"
+#include "app/ui/panel/frame_report.h"
+#include "app/ui/widgets/profile.h"
 #include "app/workbench/quality.h"
 #include "core/base/resources.h"
 #include "core/session/session.h"
