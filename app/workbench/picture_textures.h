@@ -4,7 +4,7 @@
 #include <map>
 
 #include "app/gl/objects.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/panel/services.h"
 #include "core/image/image.h"
 
 namespace neph {

@@ -80,7 +80,7 @@ std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {
 ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs& inputs,
                       const render::Renderer& renderer) {
     const EngineTraits& traits = traitsOf(inputs.look.engine);
-    const bool converges = traits.sampling == Sampling::converges;
+    const bool converges = traits.refinement == Refinement::converges;
     ui::Profile profile;
     profile.engine = traits.label;
     profile.device = renderer.deviceName();

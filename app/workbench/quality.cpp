@@ -128,7 +128,7 @@ std::array<QualityControl, kEngineCount> qualityOfEachEngine() {
     std::array<QualityControl, kEngineCount> qualities;
     for (const EngineTraits& engine : kEngines) {
         // A first frame of unknown cost is to be a small one.
-        if (engine.sampling != Sampling::converges) continue;
+        if (engine.refinement != Refinement::converges) continue;
         qualities[static_cast<std::size_t>(engine.engine)] = QualityControl(kLeastShare);
     }
     return qualities;

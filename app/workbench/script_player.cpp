@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "app/ui/shell/actions.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
@@ -31,7 +32,7 @@ std::optional<glm::vec2> pairOf(const std::string& text, char between) {
 }
 
 glm::vec2 pictureCentre(const ScriptWorld& world) {
-    const ui::PixelBox box = ui::pictureBox(world.ui);
+    const ui::PixelBox box = ui::pictureBox(world.ui.layout());
     const glm::vec2 centre = glm::vec2(box.lower + box.upper) / 2.0f;
     return {centre.x, world.windowPx.y - centre.y};
 }

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/shell/actions.h"
+#include "app/ui/shell/ui.h"
+#include "app/ui/widgets/chord.h"
 #include "app/workbench/script.h"
 
 namespace neph {

@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kLongestInMotion{1};
 
 bool converges(const Look& look) {
-    return traitsOf(look.engine).sampling == Sampling::converges;
+    return traitsOf(look.engine).refinement == Refinement::converges;
 }
 
 /// Whether samples that were gathered for the one are as good for the other.
@@ -55,7 +55,7 @@ double Slot::restS() const {
 }
 
 bool Slot::averages(bool moving) const {
-    return !moving && traitsOf(session.document.look.engine).sampling == Sampling::averages;
+    return !moving && traitsOf(session.document.look.engine).refinement == Refinement::averages;
 }
 
 /// With a target that was changed since the picture was drawn, too.

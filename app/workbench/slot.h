@@ -12,7 +12,9 @@
 #include <optional>
 
 #include "app/render/renderer.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/compare/compare_errors.h"
+#include "app/ui/panel/frame_report.h"
+#include "app/ui/widgets/profile.h"
 #include "app/workbench/quality.h"
 #include "core/base/resources.h"
 #include "core/session/session.h"
@@ -57,7 +59,7 @@ class Slot {
     std::uint64_t pictures() const { return pictures_; }
     /// Whether frames are added until the error is small enough.
     bool converges() const {
-        return traitsOf(session.document.look.engine).sampling == Sampling::converges;
+        return traitsOf(session.document.look.engine).refinement == Refinement::converges;
     }
     /// Whether the picture is of the document, and in full.
     bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "app/ui/compare/compare_state.h"
+#include "app/ui/panel/layout.h"
 #include "app/workbench/slot.h"
 #include "core/session/session_state.h"
 

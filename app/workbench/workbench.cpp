@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -15,7 +14,9 @@
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/output/output_run.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/context.h"
+#include "app/ui/shell/frame.h"
+#include "app/ui/shell/wishes.h"
 #include "app/ui/widgets/places.h"
 #include "app/workbench/picture_textures.h"
 #include "app/workbench/script_player.h"
@@ -85,7 +86,7 @@ class Workbench {
         return waits && slot.traces();
     }
     Session& session() { return slots_.active().session; }
-    bool moving() const { return interacting_ || ui_.animates; }
+    bool moving() const { return interacting_ || ui_.next.animates; }
 
     std::vector<std::string> readers_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
@@ -133,7 +134,7 @@ void Workbench::openFirst(const SceneOptions& options) {
     ui_.sessionDialogs.autosave = &autosave_;
     ui_.sessionDialogs.offersCrashed = options.files.empty() && !script_;
     if (options.files.size() == 1 && kindOfFile(options.files.front()) == FileKind::session) {
-        ui::openSessionFile(ui_, options.files.front());
+        ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, options.files.front());
     } else {
         framesFirst_ = options.preset.empty() && options.camera.empty();
         session().open(options.files, parseFirstTime(options.time), parseRegion(options.region));
@@ -144,7 +145,7 @@ void Workbench::openFirst(const SceneOptions& options) {
 void Workbench::frameFirst() {
     if (!framesFirst_ || !session().shown()) return;
     framesFirst_ = false;
-    ui::look(ui_, View::fit);
+    ui::look(session(), View::fit, ui::aspectOf(ui_.layout()));
     session().homeCamera = session().document.camera;
     session().history.restart(session().document);
 }
@@ -187,7 +188,7 @@ void Workbench::open(const std::vector<std::filesystem::path>& files) {
 /// What a picture in the making is left for: commands, and another place for it. What changes the
 /// document is noticed by the slot.
 bool Workbench::giveWay() const {
-    const ui::PixelBox now = ui::pictureBox(ui_);
+    const ui::PixelBox now = ui::pictureBox(ui_.layout());
     const bool placed = now.lower == place_.lower && now.upper == place_.upper;
     return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close ||
            ui_.compare.trace || !placed;
@@ -204,11 +205,11 @@ double Workbench::panelsTurn() {
     keepSession();  // a picture may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
     const auto start = Clock::now();
-    if (host_.inputWaits() || ui_.animates) {
+    if (host_.inputWaits() || ui_.next.animates) {
         eventful_ = start;
     } else {
         const double everyS = secondsSince(eventful_) < kLingerS ? ui::kLookS : kIdleWaitS;
-        if (secondsSince(panelsDrawn_) < std::min(ui_.againS, everyS)) return 0.0;
+        if (secondsSince(panelsDrawn_) < std::min(ui_.next.againS, everyS)) return 0.0;
     }
     drawPanels();
     return 1e3 * secondsSince(start);
@@ -232,7 +233,7 @@ bool Workbench::drawPicture(const ShownPicture& shown, std::size_t count) {
 /// One picture of each slot that is shown; then, when those are whole, of the one that is not, so
 /// that it is there at once when it is wanted.
 bool Workbench::drawPictures() {
-    place_ = ui::pictureBox(ui_);
+    place_ = ui::pictureBox(ui_.layout());
     const std::vector<ShownPicture> shown = slots_.shown(place_);
     bool drew = false;
     for (const ShownPicture& picture : shown) {
@@ -261,20 +262,19 @@ void Workbench::handOverPictures() {
     if (slots.size() < 2 || !ui_.errors.wants(slots_.pair(), Clock::now())) return;
     const Slot &a = *slots[0], &b = *slots[1];
     ui_.errors.start({a.linear(), b.linear(), a.halves(), b.halves()}, Clock::now());
-    ui_.again(0.0);  // what comes of it is asked for by panels
+    ui_.next.again(0.0);  // what comes of it is asked for by panels
 }
 
 void Workbench::drawPanels() {
     panelsDrawn_ = Clock::now();
     ui::clearPlaces();
     host_.beginFrame();
-    ui_.animates = false;
-    ui_.againS = std::numeric_limits<double>::infinity();
+    ui_.next = {};
     ui::draw(ui_);
     interacting_ = host_.interacting();
     Image8 image;
     std::vector<HostPicture> pictures;
-    for (const ShownPicture& shown : slots_.shown(ui::pictureBox(ui_))) {
+    for (const ShownPicture& shown : slots_.shown(ui::pictureBox(ui_.layout()))) {
         pictures.push_back(
             {shown.place, shown.slot->texture(), shown.slot->report.sizePx, shown.widthShare});
     }
@@ -290,7 +290,7 @@ void Workbench::noteChanges() {
     slots_.link();
     for (Slot* slot : slots_.all()) slot->noteChanges();
     // A camera that is led by a path is nobody's change.
-    if (!ui_.cameraTools.led) {
+    if (!ui_.playback.led) {
         session().history.settle(session().document, moving(), slots_.active().restS());
     }
     if (ui_.settings != remembered_) rememberSettings();
@@ -336,7 +336,7 @@ void Workbench::playScript() {
     const ScriptWorld world{ui_,
                             host_.sizePx(),
                             [this] {
-                                if (ui::exports(ui_) || ui_.errors.busy()) return false;
+                                if (ui::exports(ui_.output) || ui_.errors.busy()) return false;
                                 return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
                                     return !slot->session.loading() &&
                                            slot->waiting(false) == Slot::Waiting::no;
@@ -353,8 +353,8 @@ void Workbench::playScript() {
 }
 
 double Workbench::waitS() {
-    if (ui_.animates || script_) return 0.0;
-    const double again = std::max(0.0, ui_.againS - secondsSince(panelsDrawn_));
+    if (ui_.next.animates || script_) return 0.0;
+    const double again = std::max(0.0, ui_.next.againS - secondsSince(panelsDrawn_));
     double seconds = std::min(again, kIdleWaitS);
     for (Slot* slot : slots_.all()) {
         const Slot::Waiting waiting = putOff(*slot) ? Slot::Waiting::rest : slot->waiting(moving());
@@ -378,8 +378,8 @@ void Workbench::run() {
         const bool drew = drawPictures();
         handOverPictures();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.
-        if (script_ || drew || session().loading() || ui_.animates ||
-            secondsSince(panelsDrawn_) >= ui_.againS || secondsSince(eventful_) < kLingerS) {
+        if (script_ || drew || session().loading() || ui_.next.animates ||
+            secondsSince(panelsDrawn_) >= ui_.next.againS || secondsSince(eventful_) < kLingerS) {
             drawPanels();
         }
         noteChanges();

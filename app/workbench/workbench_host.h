@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/gl/context.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/panel/layout.h"
+#include "app/ui/widgets/chord.h"
 #include "app/workbench/script_player.h"
 #include "core/image/image.h"
 #include "core/session/settings.h"

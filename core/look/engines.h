@@ -17,7 +17,7 @@ enum class Engine : int {
 };
 
 /// What further frames of the same image bring.
-enum class Sampling {
+enum class Refinement {
     once,       ///< nothing: the first is the image
     averages,   ///< less grain; after some there is nothing to be seen
     converges,  ///< a smaller error, until it is small enough; the first alone is noise
@@ -31,7 +31,7 @@ struct EngineTraits {
     std::string_view id;     ///< in JSON, --set and the status line
     std::string_view label;  ///< on screen
     std::string_view help;   ///< one line
-    Sampling sampling = Sampling::once;
+    Refinement refinement = Refinement::once;
     int samples = 1;  ///< of an image unless the user says otherwise; not of what converges
     Fineness fineness = Fineness::none;
     std::string_view unit;     ///< what its work is counted in, singular: "step"

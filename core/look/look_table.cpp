@@ -268,12 +268,12 @@ void addView(Rows& rows) {
                     {0.0005, 0.5, true}, Stage::resolve,
                     "The reference adds paths until its relative standard error over the picture "
                     "is this small. docs/accuracy.md");
-    error.engines = enginesWith(&EngineTraits::sampling, Sampling::converges);
+    error.engines = enginesWith(&EngineTraits::refinement, Refinement::converges);
     error.displayUnit = "%";
     error.displayScale = 100.0;
     rows.integer("seed", "Seed", "1", offsetof(Look, seed), {0, 1000000}, Stage::eye,
                  "Of the reference's random numbers: the same seed gives the same picture.")
-        .engines = enginesWith(&EngineTraits::sampling, Sampling::converges);
+        .engines = enginesWith(&EngineTraits::refinement, Refinement::converges);
     rows.number("exposure", "Exposure", "EV", offsetof(Look, exposureEv), {-10.0, 10.0},
                 Stage::resolve, "Scene-referred gain, 2^EV, before the film curve.");
     rows.choice("tone_map", "Film curve", offsetof(Look, toneMap), Stage::resolve, kToneMapIds,

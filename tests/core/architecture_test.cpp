@@ -75,6 +75,14 @@ const Floors kCommands{
     {"app/cli"},
 };
 
+/// Rooms of panels know widgets and what every panel is given; the shell alone knows all panels.
+const Floors kPanels{{"app/ui/widgets"},
+                     {"app/ui/panel"},
+                     {"app/ui/fields", "app/ui/presets", "app/ui/compare", "app/ui/output",
+                      "app/ui/data", "app/ui/time"},
+                     {"app/ui/camera"},
+                     {"app/ui/shell"}};
+
 std::string roomOf(const std::string& path) {
     return path.substr(0, path.rfind('/'));
 }
@@ -109,6 +117,10 @@ TEST_CASE("Rooms of the renderer include only rooms on floors below them") {
 
 TEST_CASE("Rooms of the command line include only rooms on floors below them") {
     checkFloors("app/cli", kCommands);
+}
+
+TEST_CASE("Rooms of panels include only rooms on floors below them") {
+    checkFloors("app/ui", kPanels);
 }
 
 TEST_CASE("Core knows neither GL, ImGui, NetCDF nor the rooms above it") {

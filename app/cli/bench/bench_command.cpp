@@ -162,7 +162,7 @@ void write(const BenchOptions& options, const Json& result) {
 std::vector<std::string> benchEngines() {
     std::vector<std::string> names{"all"};
     for (const EngineTraits& engine : kEngines) {
-        if (engine.sampling != Sampling::converges) names.emplace_back(engine.id);
+        if (engine.refinement != Refinement::converges) names.emplace_back(engine.id);
     }
     return names;
 }

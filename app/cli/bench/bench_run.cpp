@@ -63,7 +63,7 @@ std::vector<GridRequest> Run::grids() const {
 std::vector<Engine> Run::engines() const {
     std::vector<Engine> engines;
     for (const EngineTraits& engine : kEngines) {
-        if (engine.sampling == Sampling::converges) continue;
+        if (engine.refinement == Refinement::converges) continue;
         if (options.engine == "all" || options.engine == engine.id)
             engines.push_back(engine.engine);
     }

@@ -95,7 +95,7 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     picture.name = engine.name;
     picture.device = side_->renderer().deviceName();
     picture.made = fmt::format("{}, {}", workText(drawn, bands.stats()), picture.device);
-    const bool converges = traitsOf(drawn.inputs.look.engine).sampling == Sampling::converges;
+    const bool converges = traitsOf(drawn.inputs.look.engine).refinement == Refinement::converges;
     picture.samples = converges ? bands.stats().reference.samples : drawn.samples;
     picture.seconds = bands.stats().milliseconds / kMsPerS;
     if (!image.layers.empty()) {

@@ -78,7 +78,7 @@ std::optional<double> parseOptionalNumber(const std::string& option, const std::
 }
 
 SamplePlan planSamples(const ComparisonOptions& options, const Look& look) {
-    if (traitsOf(look.engine).sampling == Sampling::averages) return {ui::kSamples, 0.0};
+    if (traitsOf(look.engine).refinement == Refinement::averages) return {ui::kSamples, 0.0};
     return planSamples(options.render, look);
 }
 

@@ -79,13 +79,13 @@ std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
     const std::string rays = side.inputs.supersample == 1
                                  ? std::string()
                                  : fmt::format(", {0} x {0} rays a pixel", side.inputs.supersample);
-    if (engine.sampling == Sampling::converges) {
+    if (engine.refinement == Refinement::converges) {
         return fmt::format("{}, {} a ray, error {:.2f} %{}", engine.id,
                            countText(stats.reference.samples, engine.unit),
                            100.0 * stats.reference.relativeError, rays);
     }
     std::string work = fmt::format("{}, {}", engine.id, countText(stats.planes, engine.unit));
-    if (engine.sampling == Sampling::averages) work += ", " + countText(side.samples, "sample");
+    if (engine.refinement == Refinement::averages) work += ", " + countText(side.samples, "sample");
     return work + rays;
 }
 

@@ -57,8 +57,8 @@ FileKind kindOf(const std::filesystem::path& out) {
 
 SamplePlan planSamples(const RenderOptions& options, const Look& look) {
     const EngineTraits& engine = traitsOf(look.engine);
-    if (engine.sampling == Sampling::once) return {};
-    if (engine.sampling == Sampling::averages) {
+    if (engine.refinement == Refinement::once) return {};
+    if (engine.refinement == Refinement::averages) {
         return {options.samples.value_or(engine.samples), 0.0};
     }
     const bool untilError = !options.samples || !options.error.empty();

@@ -94,7 +94,7 @@ Image8 Storm::pictureOf(const Preset& preset, glm::ivec2 sizePx) {
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,
                                 static_cast<double>(sizePx.x) / sizePx.y);
-    const int samples = traitsOf(preset.look.engine).sampling == Sampling::once ? 1 : kSamples;
+    const int samples = traitsOf(preset.look.engine).refinement == Refinement::once ? 1 : kSamples;
     render::Accumulation image;
     while (image.samples() < samples) renderer_.render(inputs, image, goesOn_);
     return renderer_.readDisplay();

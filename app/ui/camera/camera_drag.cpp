@@ -4,14 +4,14 @@
 // the wheel zooms to the cursor. In flight, or with the right button held, W A S D move the eye, E
 // and Q lift and lower it, and a drag looks around. Rates are shares of the picture's height, tuned
 // by eye.
+#include "app/ui/camera/camera_drag.h"
+
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/ui/camera/camera_view.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
 
 namespace neph::ui {
 namespace {
@@ -45,15 +45,13 @@ glm::vec3 flightKeys() {
 }
 
 /// Where the mouse is in the picture, in [-1, 1], y up.
-glm::dvec2 cursorNdc(const Ui& ui) {
-    const Area picture = layoutOf(ui).picture;
+glm::dvec2 cursorNdc(const Area& picture) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - picture.lower) / picture.size();
     return glm::clamp(glm::dvec2(2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y), -1.0, 1.0);
 }
 
-void moveByKeys(Ui& ui, const RegularGrid& grid) {
-    CameraTools& tools = ui.cameraTools;
+void moveByKeys(const PanelContext& context, CameraTools& tools, const RegularGrid& grid) {
     const glm::vec3 keys = flightKeys();
     const bool moves = (tools.flying || tools.fliesHeld) && keys != glm::vec3(0.0f);
     if (moves) {
@@ -63,16 +61,15 @@ void moveByKeys(Ui& ui, const RegularGrid& grid) {
         const double extentM = std::max(grid.extentM().x, grid.extentM().y);
         const double stepM =
             tools.flySpeed * extentM * seconds * (ImGui::GetIO().KeyShift ? kFaster : 1.0);
-        tools.outOfReach = !fly(ui.session().document.camera, grid, glm::dvec3(keys) * stepM);
-        ui.animates = true;
+        tools.outOfReach = !fly(context.session().document.camera, grid, glm::dvec3(keys) * stepM);
+        context.next.animates = true;
     }
     tools.moves = moves;
 }
 
 /// Shares of the picture's height that the mouse has moved.
-void moveByDrag(Ui& ui, const RegularGrid& grid, float dx, float dy) {
-    const CameraTools& tools = ui.cameraTools;
-    CameraPose& pose = ui.session().document.camera;
+void moveByDrag(CameraPose& pose, const CameraTools& tools, const RegularGrid& grid, float dx,
+                float dy) {
     const bool left = dragging(ImGuiMouseButton_Left), right = dragging(ImGuiMouseButton_Right);
     if (dragging(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift && !tools.flying)) {
         pan(pose, grid, {dx, -dy});
@@ -86,33 +83,35 @@ void moveByDrag(Ui& ui, const RegularGrid& grid, float dx, float dy) {
     }
 }
 
-void moveByWheel(Ui& ui, const RegularGrid& grid, float notches) {
-    CameraTools& tools = ui.cameraTools;
+void moveByWheel(const PanelContext& context, CameraTools& tools, const RegularGrid& grid,
+                 float notches) {
     if (tools.flying || tools.fliesHeld) {
         tools.flySpeed =
             std::clamp(tools.flySpeed * std::pow(kSpeedPerNotch, static_cast<double>(notches)),
                        kLeastSpeed, kMostSpeed);
     } else {
-        zoomTo(ui.session().document.camera, grid, cursorNdc(ui), aspectOf(ui),
+        const Layout layout = context.layout();
+        zoomTo(context.session().document.camera, grid, cursorNdc(layout.picture), aspectOf(layout),
                std::pow(kDollyPerNotch, notches));
     }
 }
 
 }  // namespace
 
-void moveCamera(Ui& ui) {
-    keepOwnCamera(ui);
+void moveCamera(const PanelContext& context, CameraTools& tools) {
     const ImGuiIO& io = ImGui::GetIO();
-    const RegularGrid grid = gridOf(ui.session());
-    CameraTools& tools = ui.cameraTools;
+    const RegularGrid grid = gridOf(context.session());
     const bool right = dragging(ImGuiMouseButton_Right);
     tools.fliesHeld = right && (tools.fliesHeld || flightKeys() != glm::vec3(0.0f));
-    moveByKeys(ui, grid);
-    const float height = static_cast<float>(pictureBox(ui).size().y) / io.DisplayFramebufferScale.y;
+    moveByKeys(context, tools, grid);
+    const float height =
+        static_cast<float>(pictureBox(context.layout()).size().y) / io.DisplayFramebufferScale.y;
     if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) {
-        moveByDrag(ui, grid, io.MouseDelta.x / height, io.MouseDelta.y / height);
+        moveByDrag(context.session().document.camera, tools, grid, io.MouseDelta.x / height,
+                   io.MouseDelta.y / height);
     }
-    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse) moveByWheel(ui, grid, io.MouseWheel);
+    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse)
+        moveByWheel(context, tools, grid, io.MouseWheel);
 }
 
 }  // namespace neph::ui

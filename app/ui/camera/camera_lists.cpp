@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/camera/camera_view.h"
-#include "app/ui/shell/actions.h"
+#include "app/ui/time/path_lead.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
@@ -83,16 +82,15 @@ Wish bookmarkRow(const Bookmark& bookmark, std::size_t row) {
     return wish;
 }
 
-void carryOut(Ui& ui, const Asked& asked) {
-    Document& document = ui.session().document;
+void carryOut(Document& document, CameraTools& tools, const Asked& asked) {
     std::vector<Bookmark>& bookmarks = document.bookmarks;
     Bookmark& bookmark = bookmarks[asked.row];
     if (asked.wish == Wish::go) document.camera = bookmark.pose;
     if (asked.wish == Wish::put) bookmark.pose = document.camera;
-    if (asked.wish == Wish::rename) beginRename(ui.cameraTools, bookmarks, asked.row);
+    if (asked.wish == Wish::rename) beginRename(tools, bookmarks, asked.row);
     if (asked.wish == Wish::remove) {
         bookmarks.erase(bookmarks.begin() + static_cast<std::ptrdiff_t>(asked.row));
-        ui.cameraTools.renaming = -1;
+        tools.renaming = -1;
     }
 }
 
@@ -120,48 +118,47 @@ Wish keyRow(CameraPath& path, std::size_t row) {
 }
 
 /// Goes to a key by letting the path lead there, so that its time is shown as well.
-void goToKey(Ui& ui, const PathKey& key) {
-    ui.playback.playing = false;
-    ui.playback.atS = key.atS;
-    leadAlongPath(ui);
+void goToKey(Session& session, Playback& playback, const PathKey& key) {
+    playback.playing = false;
+    playback.atS = key.atS;
+    leadAlongPath(session, playback);
 }
 
-void carryOutKey(Ui& ui, const Asked& asked) {
-    CameraPath& path = ui.session().document.path;
-    if (asked.wish == Wish::go) goToKey(ui, path.keys[asked.row]);
-    if (asked.wish == Wish::put) path.keys[asked.row].pose = ui.session().document.camera;
+void carryOutKey(Session& session, Playback& playback, const Asked& asked) {
+    CameraPath& path = session.document.path;
+    if (asked.wish == Wish::go) goToKey(session, playback, path.keys[asked.row]);
+    if (asked.wish == Wish::put) path.keys[asked.row].pose = session.document.camera;
     if (asked.wish == Wish::up) swapWithNext(path, asked.row - 1);
     if (asked.wish == Wish::down) swapWithNext(path, asked.row);
     if (asked.wish == Wish::remove) {
         path.keys.erase(path.keys.begin() + static_cast<std::ptrdiff_t>(asked.row));
     }
-    if (path.keys.empty()) ui.playback.alongPath = false;
+    if (path.keys.empty()) playback.alongPath = false;
 }
 
-void pastePath(Ui& ui) {
+void pastePath(Session& session) {
     const char* text = ImGui::GetClipboardText();
     try {
         std::vector<std::string> warnings;
-        ui.session().document.path =
-            parseCameraPath(text == nullptr ? "" : text, "clipboard", warnings);
+        session.document.path = parseCameraPath(text == nullptr ? "" : text, "clipboard", warnings);
         for (std::string& warning : warnings) {
-            ui.session().say(Message::Kind::warning, std::move(warning));
+            session.say(Message::Kind::warning, std::move(warning));
         }
     } catch (const Error& error) {
-        ui.session().say(Message::Kind::error, error.message());
+        session.say(Message::Kind::error, error.message());
     }
 }
 
 /// Duration, playing, and the path as text.
-void drawWhole(Ui& ui) {
-    CameraPath& path = ui.session().document.path;
+void drawWhole(const PanelContext& context, Playback& playback) {
+    CameraPath& path = context.session().document.path;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::BeginDisabled(path.keys.size() < 2);
-    const bool plays = ui.playback.playing && ui.playback.alongPath;
+    const bool plays = playback.playing && playback.alongPath;
     const float width = ImGui::CalcTextSize("Pause").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     if (ImGui::Button(plays ? "Pause" : "Play", {width, 0.0f})) {
-        ui.playback.alongPath = true;
-        runAction(ui, "time.play");
+        playback.alongPath = true;
+        context.actions.run("time.play");
     }
     place("path.play");
     tooltip(
@@ -180,59 +177,60 @@ void drawWhole(Ui& ui) {
     place("path.copy");
     tooltip("The path as JSON, as `render --path FILE` takes it");
     ImGui::SameLine(0.0f, inner);
-    if (ImGui::Button("Paste")) pastePath(ui);
+    if (ImGui::Button("Paste")) pastePath(context.session());
     place("path.paste");
     tooltip("A path from JSON in the clipboard");
     ImGui::Checkbox("With the data's times", &path.withTime);
     place("path.with_time");
     tooltip("From the first to the last time of the data while the path is played");
-    if (!ui.cameraTools.led) return;
+    if (!playback.led) return;
     ImGui::SameLine();
-    if (ImGui::Button("Leave")) ui.playback.alongPath = ui.playback.playing = false;
+    if (ImGui::Button("Leave")) playback.alongPath = playback.playing = false;
     place("path.leave");
     tooltip("Back to the camera as it was before");
 }
 
 }  // namespace
 
-void drawBookmarks(Ui& ui) {
+void drawBookmarks(const PanelContext& context, CameraTools& tools) {
     const bool open = ImGui::TreeNodeEx(
         "Bookmarks", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen);
     place("camera.bookmarks");
     if (!open) return;
-    std::vector<Bookmark>& bookmarks = ui.session().document.bookmarks;
+    Document& document = context.session().document;
+    std::vector<Bookmark>& bookmarks = document.bookmarks;
     Asked asked;
     for (std::size_t row = 0; row < bookmarks.size(); ++row) {
         ImGui::PushID(static_cast<int>(row));
-        if (ui.cameraTools.renaming == static_cast<int>(row)) {
-            renameRow(ui.cameraTools, bookmarks[row]);
+        if (tools.renaming == static_cast<int>(row)) {
+            renameRow(tools, bookmarks[row]);
         } else if (const Wish wish = bookmarkRow(bookmarks[row], row); wish != Wish::none) {
             asked = {row, wish};
         }
         ImGui::PopID();
     }
-    if (asked.wish != Wish::none) carryOut(ui, asked);
-    if (ImGui::Button("Add a bookmark  (B)", {-1.0f, 0.0f})) runAction(ui, "camera.bookmark");
+    if (asked.wish != Wish::none) carryOut(document, tools, asked);
+    if (ImGui::Button("Add a bookmark  (B)", {-1.0f, 0.0f})) context.actions.run("camera.bookmark");
     place("camera.bookmark");
     ImGui::TreePop();
 }
 
-void drawPath(Ui& ui) {
+void drawPath(const PanelContext& context, Playback& playback) {
     const bool open = ImGui::TreeNodeEx(
         "Path", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen);
     place("camera.path");
     if (!open) return;
-    CameraPath& path = ui.session().document.path;
+    CameraPath& path = context.session().document.path;
     Asked asked;
     for (std::size_t row = 0; row < path.keys.size(); ++row) {
         ImGui::PushID(static_cast<int>(row));
         if (const Wish wish = keyRow(path, row); wish != Wish::none) asked = {row, wish};
         ImGui::PopID();
     }
-    if (asked.wish != Wish::none) carryOutKey(ui, asked);
-    if (ImGui::Button("Add a key here  (K)", {-1.0f, 0.0f})) runAction(ui, "camera.path_key");
+    if (asked.wish != Wish::none) carryOutKey(context.session(), playback, asked);
+    if (ImGui::Button("Add a key here  (K)", {-1.0f, 0.0f})) context.actions.run("camera.path_key");
     place("camera.path_key");
-    drawWhole(ui);
+    drawWhole(context, playback);
     ImGui::TreePop();
 }
 

@@ -1,5 +1,7 @@
 // camera_overlays.cpp: scale bar, compass rose and height ruler over the picture, and how flight
 // goes. Light strokes on dark ones, so that they are seen before cloud and before sky.
+#include "app/ui/camera/camera_overlays.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,8 +11,6 @@
 #include <optional>
 
 #include "app/ui/camera/camera_view.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
 
 namespace neph::ui {
 namespace {
@@ -49,11 +49,11 @@ double roundAbove(double least) {
 /// Draws over the picture, and nowhere else.
 class Overlay {
   public:
-    explicit Overlay(const Ui& ui)
-        : area_(layoutOf(ui).picture),
-          grid_(gridOf(ui.session())),
-          pose_(ui.session().document.camera),
-          camera_(placeCamera(pose_, grid_, aspectOf(ui))) {
+    Overlay(const Session& session, const Layout& layout)
+        : area_(layout.picture),
+          grid_(gridOf(session)),
+          pose_(session.document.camera),
+          camera_(placeCamera(pose_, grid_, aspectOf(layout))) {
         list_->PushClipRect({area_.lower.x, area_.lower.y}, {area_.upper.x, area_.upper.y});
     }
     ~Overlay() { list_->PopClipRect(); }
@@ -229,13 +229,14 @@ void Overlay::flight(const CameraTools& tools) const {
 
 }  // namespace
 
-void drawCameraOverlays(Ui& ui) {
-    if (ui.session().shown() == nullptr || layoutOf(ui).picture.empty()) return;
-    const Overlay overlay(ui);
-    if (ui.settings.heightRuler) overlay.heightRuler();
-    if (ui.settings.scaleBar) overlay.scaleBar();
-    if (ui.settings.compass) overlay.compass();
-    if (ui.cameraTools.flying || ui.cameraTools.fliesHeld) overlay.flight(ui.cameraTools);
+void drawCameraOverlays(const PanelContext& context, const CameraTools& tools) {
+    const Layout layout = context.layout();
+    if (context.session().shown() == nullptr || layout.picture.empty()) return;
+    const Overlay overlay(context.session(), layout);
+    if (context.settings.heightRuler) overlay.heightRuler();
+    if (context.settings.scaleBar) overlay.scaleBar();
+    if (context.settings.compass) overlay.compass();
+    if (tools.flying || tools.fliesHeld) overlay.flight(tools);
 }
 
 }  // namespace neph::ui

@@ -1,5 +1,7 @@
 // camera_panel.cpp: the camera in numbers, round its target and as an observer's, and the ways to
 // set it at once.
+#include "app/ui/camera/camera_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,8 +10,6 @@
 
 #include "app/ui/camera/camera_lists.h"
 #include "app/ui/camera/camera_view.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/number_slider.h"
 #include "app/ui/widgets/places.h"
@@ -56,34 +56,33 @@ bool degreesRow(const char* id, const char* label, double lo, double hi, const c
 }
 
 /// A button that runs an action; `last` of its line.
-void actionButton(Ui& ui, const char* id, const char* label, float width, bool last) {
-    const Action* action = findAction(id);
-    if (action == nullptr) return;
-    ImGui::BeginDisabled(!isEnabled(*action, ui));
-    if (ImGui::Button(label, {width, 0.0f})) runAction(ui, id);
+void actionButton(const ActionLookup& actions, const char* id, const char* label, float width,
+                  bool last) {
+    const ActionFace face = actions.face(id);
+    ImGui::BeginDisabled(!face.enabled);
+    if (ImGui::Button(label, {width, 0.0f})) actions.run(id);
     ImGui::EndDisabled();
     place(id);
-    tooltip(tooltipOf(*action));
+    tooltip(face.tooltip);
     if (!last) ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
-void drawViews(Ui& ui) {
+void drawViews(const ActionLookup& actions) {
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float line = ImGui::GetContentRegionAvail().x;
     const float third = (line - 2.0f * inner) / 3.0f, sixth = (line - 5.0f * inner) / 6.0f;
-    actionButton(ui, "camera.fit", "Fit", third, false);
-    actionButton(ui, "camera.observer", "Ground", third, false);
-    actionButton(ui, "camera.home", "Preset's", third, true);
-    actionButton(ui, "camera.north", "N", sixth, false);
-    actionButton(ui, "camera.east", "E", sixth, false);
-    actionButton(ui, "camera.south", "S", sixth, false);
-    actionButton(ui, "camera.west", "W", sixth, false);
-    actionButton(ui, "camera.plan", "Plan", sixth, false);
-    actionButton(ui, "camera.below", "Up", sixth, true);
+    actionButton(actions, "camera.fit", "Fit", third, false);
+    actionButton(actions, "camera.observer", "Ground", third, false);
+    actionButton(actions, "camera.home", "Preset's", third, true);
+    actionButton(actions, "camera.north", "N", sixth, false);
+    actionButton(actions, "camera.east", "E", sixth, false);
+    actionButton(actions, "camera.south", "S", sixth, false);
+    actionButton(actions, "camera.west", "W", sixth, false);
+    actionButton(actions, "camera.plan", "Plan", sixth, false);
+    actionButton(actions, "camera.below", "Up", sixth, true);
 }
 
-void drawPose(Ui& ui, const RegularGrid& grid) {
-    CameraPose& pose = ui.session().document.camera;
+void drawPose(CameraPose& pose, const RegularGrid& grid) {
     degreesRow("camera.azimuth", "Azimuth", 0.0, 360.0,
                "Where the eye stands, seen from the target: 0 north, 90 east", pose.azimuthDeg);
     degreesRow("camera.elevation", "Elevation", -kMostElevationDeg, kMostElevationDeg,
@@ -104,11 +103,10 @@ void drawPose(Ui& ui, const RegularGrid& grid) {
 }
 
 /// The same camera told by its eye. What is set here keeps the eye where it is, or the view.
-void drawObserver(Ui& ui, const RegularGrid& grid) {
+void drawObserver(CameraPose& pose, CameraTools& tools, const RegularGrid& grid) {
     const bool open = ImGui::TreeNodeEx("Observer", ImGuiTreeNodeFlags_SpanAvailWidth);
     place("camera.observer_fold");
     if (!open) return;
-    CameraPose& pose = ui.session().document.camera;
     Observer observer = observerOf(pose, grid);
     const glm::dvec3 lower = (grid.originM - grid.extentM()) / kMPerKm;
     const glm::dvec3 upper = (grid.upperM() + grid.extentM()) / kMPerKm;
@@ -147,10 +145,10 @@ void drawObserver(Ui& ui, const RegularGrid& grid) {
         observer.eastM = eastKm * kMPerKm;
         observer.northM = northKm * kMPerKm;
         const auto stood = poseOf(observer, grid);
-        ui.cameraTools.outOfReach = !stood;
+        tools.outOfReach = !stood;
         if (stood) pose = *stood;
     }
-    if (ui.cameraTools.outOfReach) {
+    if (tools.outOfReach) {
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextColored(warningColour(),
                            "Out of reach: the view must meet the domain or one domain's width "
@@ -160,30 +158,31 @@ void drawObserver(Ui& ui, const RegularGrid& grid) {
     ImGui::TreePop();
 }
 
-void drawFlight(Ui& ui, const RegularGrid& grid) {
-    ImGui::Checkbox("Fly", &ui.cameraTools.flying);
+void drawFlight(const ActionLookup& actions, CameraTools& tools, const RegularGrid& grid) {
+    ImGui::Checkbox("Fly", &tools.flying);
     place("camera.fly");
-    tooltip(tooltipOf(*findAction("camera.fly")));
+    tooltip(actions.face("camera.fly").tooltip);
     ImGui::SameLine(0.0f, ImGui::GetFontSize());
     const double extentM = std::max(grid.extentM().x, grid.extentM().y);
-    const std::string speed = lengthText(ui.cameraTools.flySpeed * extentM) + "/s";
+    const std::string speed = lengthText(tools.flySpeed * extentM) + "/s";
     ImGui::TextDisabled("%s", speed.c_str());
 }
 
 }  // namespace
 
-void drawCamera(Ui& ui) {
+void drawCamera(const PanelContext& context, CameraTools& tools, Playback& playback) {
     const bool open = ImGui::CollapsingHeader("Camera");
     place("group:Camera");
     if (!open) return;
-    const RegularGrid grid = gridOf(ui.session());
+    CameraPose& pose = context.session().document.camera;
+    const RegularGrid grid = gridOf(context.session());
     ImGui::PushID("camera");
-    drawViews(ui);
-    drawPose(ui, grid);
-    drawFlight(ui, grid);
-    drawObserver(ui, grid);
-    drawBookmarks(ui);
-    drawPath(ui);
+    drawViews(context.actions);
+    drawPose(pose, grid);
+    drawFlight(context.actions, tools, grid);
+    drawObserver(pose, tools, grid);
+    drawBookmarks(context, tools);
+    drawPath(context, playback);
     ImGui::PopID();
 }
 

@@ -1,16 +1,8 @@
-// camera_tools.h: what the camera's panel, its flight and its path keep between frames.
+// camera_tools.h: what the camera's panel and its flight keep between frames.
 #pragma once
-#include <optional>
 #include <string>
 
-#include "core/camera/camera.h"
-
 namespace neph::ui {
-
-/// The document's camera before a path led it, and where the path put it last.
-struct LedCamera {
-    CameraPose before, now;
-};
 
 struct CameraTools {
     bool flying = false;      ///< the mouse looks around and keys move the eye
@@ -18,9 +10,8 @@ struct CameraTools {
     bool moves = false;       ///< a key of flight was down in the last frame
     double flySpeed = 0.05;   ///< larger horizontal extents of the domain a second; tuned by eye
     bool outOfReach = false;  ///< the last number typed or step flown led beyond the bounds
-    std::optional<LedCamera> led;
-    int renaming = -1;  ///< bookmark whose name is typed; -1: none
-    std::string name;   ///< as typed
+    int renaming = -1;        ///< bookmark whose name is typed; -1: none
+    std::string name;         ///< as typed
 };
 
 }  // namespace neph::ui

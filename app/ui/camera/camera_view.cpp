@@ -31,8 +31,8 @@ RegularGrid gridOf(const Session& session) {
     return {{1, 1, 1}, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
 }
 
-double aspectOf(const Ui& ui) {
-    const glm::dvec2 size(pictureBox(ui).size());
+double aspectOf(const Layout& layout) {
+    const glm::dvec2 size(pictureBox(layout).size());
     return size.x / size.y;
 }
 
@@ -42,14 +42,12 @@ Region framedBox(const Session& session) {
     return {grid.originM, grid.upperM()};
 }
 
-void look(Ui& ui, View view) {
-    Session& session = ui.session();
+void look(Session& session, View view, double aspect) {
     session.document.camera =
-        viewOf(view, session.document.camera, gridOf(session), framedBox(session), aspectOf(ui));
+        viewOf(view, session.document.camera, gridOf(session), framedBox(session), aspect);
 }
 
-void lookFromGround(Ui& ui) {
-    Session& session = ui.session();
+void lookFromGround(Session& session, CameraTools& tools) {
     const RegularGrid grid = gridOf(session);
     CameraPose& pose = session.document.camera;
     const glm::dvec3 target = grid.originM + grid.extentM() * glm::dvec3(pose.target);
@@ -66,63 +64,31 @@ void lookFromGround(Ui& ui) {
                             upDeg,
                             static_cast<double>(pose.fovDeg)};
     const auto stood = poseOf(observer, grid);
-    ui.cameraTools.outOfReach = !stood;
+    tools.outOfReach = !stood;
     if (stood) pose = *stood;
 }
 
-void addBookmark(Ui& ui) {
-    Document& document = ui.session().document;
+void addBookmark(Session& session) {
+    Document& document = session.document;
     if (document.bookmarks.size() >= kMaxBookmarks) {
-        ui.session().say(Message::Kind::warning,
-                         fmt::format("There are {} bookmarks, which is as many as there may be: "
-                                     "delete one first",
-                                     kMaxBookmarks));
+        session.say(Message::Kind::warning,
+                    fmt::format("There are {} bookmarks, which is as many as there may be: "
+                                "delete one first",
+                                kMaxBookmarks));
         return;
     }
     document.bookmarks.push_back({freshName(document.bookmarks), document.camera});
 }
 
-void addPathKey(Ui& ui) {
-    Document& document = ui.session().document;
+void addPathKey(Session& session, const Playback& playback) {
+    Document& document = session.document;
     CameraPath& path = document.path;
     // Where the path stands between two of its keys, there; else at its end.
-    const bool within = ui.cameraTools.led && ui.playback.atS < durationS(path);
-    const double atS = within              ? ui.playback.atS
-                       : path.keys.empty() ? 0.0
-                                           : durationS(path) + kStepS;
+    const bool within = playback.led && playback.atS < durationS(path);
+    const double atS = within ? playback.atS : path.keys.empty() ? 0.0 : durationS(path) + kStepS;
     if (!insertKey(path, atS, document.camera)) {
-        ui.session().say(Message::Kind::warning, "The path has as many keys as it may: delete one");
+        session.say(Message::Kind::warning, "The path has as many keys as it may: delete one");
     }
-}
-
-void leadAlongPath(Ui& ui) {
-    Document& document = ui.session().document;
-    std::optional<LedCamera>& led = ui.cameraTools.led;
-    const VolumeSummary* shown = ui.session().shown();
-    const bool leads = led.has_value();
-    keepOwnCamera(ui);
-    const bool taken = leads && !led;  // by a hand
-    if (taken || shown == nullptr || document.path.keys.empty()) return;
-    ui.playback.alongPath = true;
-    if (!led) led = LedCamera{document.camera, document.camera};
-    document.camera = led->now = poseAt(document.path, shown->grid, ui.playback.atS);
-    const int count =
-        ui.session().info() == nullptr ? 0 : static_cast<int>(ui.session().info()->times.size());
-    if (const auto time = timeAt(document.path, ui.playback.atS, count)) document.time = *time;
-}
-
-void keepOwnCamera(Ui& ui) {
-    CameraPose& camera = ui.session().document.camera;
-    std::optional<LedCamera>& led = ui.cameraTools.led;
-    if (!led) return;
-    if (camera != led->now) {
-        ui.playback.alongPath = ui.playback.playing = false;
-    } else if (!ui.playback.alongPath) {
-        camera = led->before;
-    } else {
-        return;
-    }
-    led.reset();
 }
 
 std::string lengthText(double lengthM) {

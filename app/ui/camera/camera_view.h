@@ -1,7 +1,10 @@
 // camera_view.h: the camera of the slot that panels edit, in the world that it shows.
 #pragma once
-#include "app/ui/shell/ui.h"
+#include "app/ui/camera/camera_tools.h"
+#include "app/ui/panel/layout.h"
+#include "app/ui/time/playback.h"
 #include "core/camera/camera_moves.h"
+#include "core/session/session.h"
 
 namespace neph::ui {
 
@@ -9,26 +12,21 @@ namespace neph::ui {
 RegularGrid gridOf(const Session& session);
 
 /// Width / height of the picture.
-double aspectOf(const Ui& ui);
+double aspectOf(const Layout& layout);
 
 /// What views frame: the clouds that are seen, or the whole of what is shown where there are none.
 Region framedBox(const Session& session);
 
-/// Turns the camera to a side, with all that is framed in the picture.
-void look(Ui& ui, View view);
+/// Turns the camera to a side, with all that is framed in a picture of `aspect`.
+void look(Session& session, View view, double aspect);
 
 /// From the ground, in the eye's direction from the target, to the target.
-void lookFromGround(Ui& ui);
+void lookFromGround(Session& session, CameraTools& tools);
 
-/// Adds the camera to the bookmarks, or to the end of the path.
-void addBookmark(Ui& ui);
-void addPathKey(Ui& ui);
-
-/// Camera and time as they are where the path is now. The document's own camera comes back when
-/// the path is left, but where a hand has moved it.
-void leadAlongPath(Ui& ui);
-/// Notices that the path was left. Once a frame.
-void keepOwnCamera(Ui& ui);
+/// Adds the camera to the bookmarks, or to the path: where it stands while it leads, else at its
+/// end.
+void addBookmark(Session& session);
+void addPathKey(Session& session, const Playback& playback);
 
 /// "12.3 km", "850 m", "2 m": at most three digits that say something.
 std::string lengthText(double lengthM);

@@ -7,8 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
+#include "app/ui/compare/compare_figures.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -58,18 +57,18 @@ void dragLine(CompareState& compare, const Area& area) {
 }
 
 /// Shift alone, while nothing else is done with it.
-void updatePeeking(Ui& ui) {
+void updatePeeking(CompareState& compare) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool otherKey = std::ranges::count(io.KeysDown, true) > 1;
-    ui.compare.peeking = ui.compare.second && ui.compare.mode == CompareMode::single &&
-                         io.KeyShift && !io.KeyCtrl && !io.WantTextInput && !otherKey &&
-                         !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+    compare.peeking = compare.second && compare.mode == CompareMode::single && io.KeyShift &&
+                      !io.KeyCtrl && !io.WantTextInput && !otherKey && !ImGui::IsAnyMouseDown() &&
+                      !ImGui::IsAnyItemActive();
 }
 
-void takeTurns(Ui& ui) {
+void takeTurns(CompareState& compare, NextFrame& next) {
     const double turns = ImGui::GetTime() / kTurnS;
-    ui.compare.flickered = static_cast<int>(std::fmod(turns, 2.0));
-    ui.again(kTurnS * (std::floor(turns) + 1.0 - turns));
+    compare.flickered = static_cast<int>(std::fmod(turns, 2.0));
+    next.again(kTurnS * (std::floor(turns) + 1.0 - turns));
 }
 
 int seenSlot(const CompareState& compare) {
@@ -79,14 +78,13 @@ int seenSlot(const CompareState& compare) {
 
 }  // namespace
 
-void drawCompare(Ui& ui) {
-    updatePeeking(ui);
-    CompareState& compare = ui.compare;
+void drawCompare(const PanelContext& context, CompareState& compare, CompareErrors& errors) {
+    updatePeeking(compare);
     if (!compare.second) return;
-    if (compare.mode == CompareMode::flicker) takeTurns(ui);
-    drawCompareErrors(ui);
-    if (compare.mode == CompareMode::error && ui.errors.texture != 0) return;  // it has a legend
-    const Area area = layoutOf(ui).picture;
+    if (compare.mode == CompareMode::flicker) takeTurns(compare, context.next);
+    drawCompareErrors(context, compare, errors);
+    if (compare.mode == CompareMode::error && errors.texture != 0) return;  // it has a legend
+    const Area area = context.layout().picture;
     const float margin = 0.6f * ImGui::GetFontSize();
     const float top = area.lower.y + margin;
     if (compare.mode == CompareMode::split) {

@@ -1,13 +1,13 @@
 // compare_figures.cpp: the errors of A against B over the picture's corner, and as colours in its
 // place.
+#include "app/ui/compare/compare_figures.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
 #include <chrono>
 
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/number_text.h"
 
@@ -65,7 +65,7 @@ void drawState(const CompareErrors& errors) {
     ImGui::PopTextWrapPos();
 }
 
-void drawFigures(const Ui& ui, const Area& area) {
+void drawFigures(const CompareErrors& errors, const Area& area) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({area.lower.x + kMarginEms * em, area.lower.y + kTopEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});
@@ -77,7 +77,7 @@ void drawFigures(const Ui& ui, const Area& area) {
                          ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
         ImGui::TextUnformatted("A against B");
-        drawState(ui.errors);
+        drawState(errors);
     }
     ImGui::End();
 }
@@ -111,32 +111,32 @@ void drawLegend(const Area& area, const ErrorScale& scale) {
     }
 }
 
-void drawColours(const Ui& ui, const Area& area) {
-    if (ui.errors.texture == 0 || !ui.errors.figures()) return;
+void drawColours(const CompareErrors& errors, const Area& area) {
+    if (errors.texture == 0 || !errors.figures()) return;
     ImGui::GetBackgroundDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(ui.errors.texture)),
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(errors.texture)),
         {area.lower.x, area.lower.y}, {area.upper.x, area.upper.y});
-    drawLegend(area, ui.errors.figures()->scale);
+    drawLegend(area, errors.figures()->scale);
 }
 
-void renewTexture(Ui& ui) {
-    CompareErrors& errors = ui.errors;
-    if (errors.texture != 0 && ui.services.dropPicture) ui.services.dropPicture(errors.texture);
+void renewTexture(const Services& services, CompareErrors& errors) {
+    if (errors.texture != 0 && services.dropPicture) services.dropPicture(errors.texture);
     errors.texture = 0;
-    if (errors.figures() && ui.services.showPicture) {
-        errors.texture = ui.services.showPicture(errors.figures()->colours).texture;
+    if (errors.figures() && services.showPicture) {
+        errors.texture = services.showPicture(errors.figures()->colours).texture;
     }
 }
 
 }  // namespace
 
-void drawCompareErrors(Ui& ui) {
-    if (!comparesPictures(ui.compare)) return;
-    if (ui.errors.poll(CompareErrors::Clock::now())) renewTexture(ui);
-    if (ui.errors.busy()) ui.again(kLookS);
-    const Area area = layoutOf(ui).picture;
-    if (ui.compare.mode == CompareMode::error) drawColours(ui, area);
-    drawFigures(ui, area);
+void drawCompareErrors(const PanelContext& context, const CompareState& compare,
+                       CompareErrors& errors) {
+    if (!comparesPictures(compare)) return;
+    if (errors.poll(CompareErrors::Clock::now())) renewTexture(context.services, errors);
+    if (errors.busy()) context.next.again(kLookS);
+    const Area area = context.layout().picture;
+    if (compare.mode == CompareMode::error) drawColours(errors, area);
+    drawFigures(errors, area);
 }
 
 }  // namespace neph::ui

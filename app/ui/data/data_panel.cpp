@@ -1,4 +1,6 @@
 // data_panel.cpp: what is open, which part of it is shown how finely, and what memory that takes.
+#include "app/ui/data/data_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -7,7 +9,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
@@ -117,47 +118,48 @@ bool editAxis(const char* name, float& lowKm, float& highKm, double leastM, doub
     return done;
 }
 
-void editRegion(Ui& ui, const DatasetInfo& info, const VolumeSummary& shown) {
+void editRegion(Session& session, DataEdits& edits, const DatasetInfo& info,
+                const VolumeSummary& shown) {
     const Region domain = domainOf(info, shown);
-    Region chosen = ui.session().region().value_or(domain);
+    Region chosen = session.region().value_or(domain);
     chosen.lowerM = glm::max(chosen.lowerM, domain.lowerM);
     chosen.upperM = glm::min(chosen.upperM, domain.upperM);
     // While the hand is on it the draft is shown; else what is chosen.
-    if (!ui.editsRegion) {
-        ui.regionKm = {chosen.lowerM / kMPerKm, chosen.upperM / kMPerKm};
+    if (!edits.holdsRegion) {
+        edits.regionKm = {chosen.lowerM / kMPerKm, chosen.upperM / kMPerKm};
     }
     bool done = false, active = false;
     for (int axis = 0; axis < 3; ++axis) {
         constexpr std::array kLabels{"East", "North", "Height"};
-        done |= editAxis(kLabels.at(static_cast<std::size_t>(axis)), ui.regionKm[0][axis],
-                         ui.regionKm[1][axis], domain.lowerM[axis], domain.upperM[axis]);
+        done |= editAxis(kLabels.at(static_cast<std::size_t>(axis)), edits.regionKm[0][axis],
+                         edits.regionKm[1][axis], domain.lowerM[axis], domain.upperM[axis]);
         active |= ImGui::IsAnyItemActive();
     }
-    ui.editsRegion = active;
+    edits.holdsRegion = active;
     if (!done) return;
-    Region region{glm::dvec3(ui.regionKm[0]) * kMPerKm, glm::dvec3(ui.regionKm[1]) * kMPerKm};
+    Region region{glm::dvec3(edits.regionKm[0]) * kMPerKm, glm::dvec3(edits.regionKm[1]) * kMPerKm};
     const glm::dvec3 least = glm::dvec3(info.spacingM, shown.grid.spacingM.z);
     region.upperM = glm::max(region.upperM, region.lowerM + least);
-    ui.session().setRegion(region);
+    session.setRegion(region);
 }
 
-void drawButtons(Ui& ui, const VolumeSummary& shown) {
-    ImGui::BeginDisabled(!ui.session().region());
-    if (ImGui::Button("Whole domain")) ui.session().setRegion({});
+void drawButtons(Session& session, const VolumeSummary& shown) {
+    ImGui::BeginDisabled(!session.region());
+    if (ImGui::Button("Whole domain")) session.setRegion({});
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!shown.clouds);
-    if (ImGui::Button("Around the clouds")) showAroundClouds(ui);
+    if (ImGui::Button("Around the clouds")) showAroundClouds(session);
     ImGui::EndDisabled();
 }
 
-void editMemory(Ui& ui) {
+void editMemory(const PanelContext& context, DataEdits& edits) {
     label("Memory");
     ImGui::SetNextItemWidth(-1.0f);
-    const std::string hint = memoryText(ui.session().budget().machine);
-    if (ImGui::InputTextWithHint("##memory", hint.c_str(), &ui.memory,
+    const std::string hint = memoryText(context.session().budget().machine);
+    if (ImGui::InputTextWithHint("##memory", hint.c_str(), &edits.memory,
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
-        ui.requests.memory = ui.memory;
+        context.requests.memory = edits.memory;
     }
     place("data.memory");
     tooltip(
@@ -175,35 +177,36 @@ void drawCache(const Session& session) {
 
 }  // namespace
 
-void showAroundClouds(Ui& ui) {
-    const VolumeSummary* shown = ui.session().shown();
+void showAroundClouds(Session& session) {
+    const VolumeSummary* shown = session.shown();
     if (shown == nullptr || !shown->clouds) return;
     Region region = withMargin(*shown->clouds);
-    const Region domain = domainOf(*ui.session().info(), *shown);
+    const Region domain = domainOf(*session.info(), *shown);
     region.lowerM = glm::max(region.lowerM, domain.lowerM);
     region.upperM = glm::min(region.upperM, domain.upperM);
-    ui.session().setRegion(region);
+    session.setRegion(region);
 }
 
-void drawData(Ui& ui) {
+void drawData(const PanelContext& context, DataEdits& edits) {
     if (!ImGui::CollapsingHeader("Data", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const DatasetInfo* info = ui.session().info();
-    const VolumeSummary* shown = ui.session().shown();
+    Session& session = context.session();
+    const DatasetInfo* info = session.info();
+    const VolumeSummary* shown = session.shown();
     if (info == nullptr || shown == nullptr) {
         ImGui::TextDisabled("None yet");
         return;
     }
-    drawFiles(*info, ui.session().document.time);
+    drawFiles(*info, session.document.time);
     drawDomain(*info);
     ImGui::Spacing();
-    drawPlan(*shown, *info, ui.session().budget());
+    drawPlan(*shown, *info, session.budget());
     ImGui::Spacing();
-    editRegion(ui, *info, *shown);
-    drawButtons(ui, *shown);
+    editRegion(session, edits, *info, *shown);
+    drawButtons(session, *shown);
     ImGui::Spacing();
-    editMemory(ui);
-    if (info->times.size() > 1) drawCache(ui.session());
-    ImGui::Checkbox("Follow new times", &ui.session().follow);
+    editMemory(context, edits);
+    if (info->times.size() > 1) drawCache(session);
+    ImGui::Checkbox("Follow new times", &session.follow);
     place("data.follow");
     tooltip(
         "From the last time to a new last one, as soon as a file that is still being written "

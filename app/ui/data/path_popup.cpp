@@ -3,6 +3,8 @@
 //
 // What is typed before the line has the keyboard, in a frame that takes long, is taken from ImGui's
 // queue, so that no key is lost.
+#include "app/ui/data/path_popup.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,7 +14,6 @@
 #include <array>
 #include <utility>
 
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
@@ -242,28 +243,29 @@ bool drawButtons(FileBrowser& browser, const Words& words, bool& left) {
     return opened;
 }
 
-void carryOut(Ui& ui, const std::vector<std::string>& names) {
-    switch (ui.sessionDialogs.browser.purpose) {
+void carryOut(const PanelContext& context, SessionDialogs& dialogs,
+              const std::vector<std::string>& names) {
+    switch (dialogs.browser.purpose) {
         case BrowseFor::data:
-            openFiles(ui, names);
+            openFiles(context, dialogs, names);
             break;
         case BrowseFor::session:
-            openSessionFile(ui, names.front());
+            openSessionFile(context, dialogs, names.front());
             break;
         case BrowseFor::saveSession:
-            saveSessionFile(ui, names.front());
+            saveSessionFile(context, dialogs, names.front());
             break;
         case BrowseFor::moved:
-            if (ui.sessionDialogs.waiting) answer(*ui.sessionDialogs.waiting, names.front());
+            if (dialogs.waiting) answer(*dialogs.waiting, names.front());
             break;
     }
 }
 
 }  // namespace
 
-void drawPathPopup(Ui& ui) {
-    FileBrowser& browser = ui.sessionDialogs.browser;
-    const bool opens = std::exchange(ui.askForPath, false);
+void drawPathPopup(const PanelContext& context, SessionDialogs& dialogs) {
+    FileBrowser& browser = dialogs.browser;
+    const bool opens = std::exchange(dialogs.opensBrowser, false);
     if (opens) ImGui::OpenPopup("###files");
     const Words& words = kWords.at(static_cast<std::size_t>(browser.purpose));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -287,7 +289,7 @@ void drawPathPopup(Ui& ui) {
     const auto names = wanted && !left ? accept(browser) : std::nullopt;
     if (left || names) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (names) carryOut(ui, *names);
+    if (names) carryOut(context, dialogs, *names);
 }
 
 }  // namespace neph::ui

@@ -10,9 +10,9 @@
 #include <ctime>
 #include <utility>
 
-#include "app/ui/shell/panels.h"
+#include "app/ui/data/path_popup.h"
+#include "app/ui/panel/notice_box.h"
 #include "app/ui/widgets/input.h"
-#include "app/ui/widgets/notice_box.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
 #include "core/session/autosave.h"
@@ -61,33 +61,33 @@ void drawMissing(const WaitingSession& waiting) {
 }
 
 /// False when the dialogue is done with.
-bool drawQuestion(Ui& ui, WaitingSession& waiting) {
+bool drawQuestion(const PanelContext& context, SessionDialogs& dialogs, WaitingSession& waiting) {
     drawMissing(waiting);
     ImGui::SetNextItemWidth(30.0f * ImGui::GetFontSize());
     const bool entered =
         ImGui::InputText("##moved", &waiting.line, ImGuiInputTextFlags_EnterReturnsTrue);
     place("moved.line");
     ImGui::SameLine();
-    if (ImGui::Button("Browse...")) browse(ui, BrowseFor::moved);
+    if (ImGui::Button("Browse...")) browse(context.settings, dialogs, BrowseFor::moved);
     place("moved.browse");
     ImGui::TextDisabled("%s", waiting.told.c_str());
     if (ImGui::Button("Look there") || entered) answer(waiting, waiting.line);
     place("moved.look");
     ImGui::SameLine();
-    if (ImGui::Button("Open without them")) leaveOut(ui, waiting);
+    if (ImGui::Button("Open without them")) leaveOut(context.session(), waiting);
     place("moved.without");
     tooltip("Look and camera are taken over and shown with the data that are open");
     ImGui::SameLine();
     const bool left = ImGui::Button("Cancel");
     place("moved.cancel");
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    drawPathPopup(ui);  // on top of this one
+    drawPathPopup(context, dialogs);  // on top of this one
     return !left && !(escape && !ImGui::IsPopupOpen("###files"));
 }
 
 /// All that was opened lately.
-void drawRecent(Ui& ui) {
-    if (std::exchange(ui.sessionDialogs.showRecent, false)) ImGui::OpenPopup("Opened lately");
+void drawRecent(const PanelContext& context, SessionDialogs& dialogs) {
+    if (std::exchange(dialogs.showRecent, false)) ImGui::OpenPopup("Opened lately");
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -97,29 +97,28 @@ void drawRecent(Ui& ui) {
                                     ImGuiWindowFlags_NoSavedSettings)) {
         return;
     }
-    const std::string chosen = drawRecentList(ui, kMaxRecent);
+    const std::string chosen = drawRecentList(context, dialogs, kMaxRecent);
     ImGui::Spacing();
-    if (ImGui::Button("Clear the list")) ui.settings.recent.clear();
+    if (ImGui::Button("Clear the list")) context.settings.recent.clear();
     place("recent.clear");
     ImGui::SameLine();
     const bool left =
         ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     place("recent.close");
-    if (left || !chosen.empty() || ui.settings.recent.empty()) ImGui::CloseCurrentPopup();
+    if (left || !chosen.empty() || context.settings.recent.empty()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (!chosen.empty()) openFiles(ui, namesIn(chosen));
+    if (!chosen.empty()) openFiles(context, dialogs, namesIn(chosen));
 }
 
 }  // namespace
 
-void drawCrashNotice(Ui& ui) {
-    SessionDialogs& dialogs = ui.sessionDialogs;
+void drawCrashNotice(const PanelContext& context, SessionDialogs& dialogs) {
     const LeftSession* left =
         dialogs.autosave == nullptr || dialogs.waiting ? nullptr : dialogs.autosave->crashed();
     if (left == nullptr || !dialogs.offersCrashed) return;
     if (dialogs.crashText.empty()) dialogs.crashText = crashText(*left);
     bool restore = false, discard = false;
-    if (beginNotice(ui, "##crashed", NoticeAt::top)) {
+    if (beginNotice(context.layout().picture, "##crashed", NoticeAt::top)) {
         ImGui::TextUnformatted(dialogs.crashText.c_str());
         restore = ImGui::Button("Restore");
         place("crash.restore");
@@ -130,7 +129,7 @@ void drawCrashNotice(Ui& ui) {
     endNotice();
     if (restore) {
         dialogs.offersCrashed = false;
-        reopenLast(ui);
+        reopenLast(context, dialogs);
     }
     if (discard) {
         dialogs.autosave->discardCrashed();
@@ -138,13 +137,14 @@ void drawCrashNotice(Ui& ui) {
     }
 }
 
-std::string drawRecentList(Ui& ui, std::size_t count) {
-    const std::vector<std::string>& recent = ui.settings.recent;
+std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs,
+                           std::size_t count) {
+    const std::vector<std::string>& recent = context.settings.recent;
     const float em = ImGui::GetFontSize();
     std::string chosen;
     for (std::size_t i = 0; i < std::min(count, recent.size()); ++i) {
         const RecentLabel label = labelOf(recent[i]);
-        const bool there = recentIsThere(ui, i);
+        const bool there = recentIsThere(dialogs, recent, i);
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable("##entry", false,
                               there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
@@ -165,10 +165,10 @@ std::string drawRecentList(Ui& ui, std::size_t count) {
     return chosen;
 }
 
-void drawSessionDialogs(Ui& ui) {
-    noteOpened(ui);
-    drawRecent(ui);
-    std::optional<WaitingSession>& waiting = ui.sessionDialogs.waiting;
+void drawSessionDialogs(const PanelContext& context, SessionDialogs& dialogs) {
+    noteOpened(context, dialogs);
+    drawRecent(context, dialogs);
+    std::optional<WaitingSession>& waiting = dialogs.waiting;
     const char* title = "Where are the data?";
     if (waiting && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -178,9 +178,9 @@ void drawSessionDialogs(Ui& ui) {
                                     ImGuiWindowFlags_NoSavedSettings)) {
         return;
     }
-    if (waiting && !drawQuestion(ui, *waiting)) waiting.reset();
+    if (waiting && !drawQuestion(context, dialogs, *waiting)) waiting.reset();
     if (waiting && waiting->missing.empty()) {
-        takeOver(ui, *std::exchange(waiting, std::nullopt));
+        takeOver(context, dialogs, *std::exchange(waiting, std::nullopt));
     }
     if (!waiting) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

@@ -1,74 +1,18 @@
-// session_dialogs.h: opening and saving: what the dialogues keep between frames, and what menus,
-// dropped files and the dialogues themselves do with a file.
+// session_dialogs.h: data that have moved, what was opened lately, and what a crash left.
 #pragma once
-#include <filesystem>
-#include <optional>
+#include <cstddef>
 #include <string>
-#include <vector>
 
-#include "app/ui/widgets/file_browser.h"
-#include "core/session/session_state.h"
-
-namespace neph {
-class Autosave;
-}
+#include "app/ui/data/session_files.h"
 
 namespace neph::ui {
 
-struct Ui;
+void drawSessionDialogs(const PanelContext& context, SessionDialogs& dialogs);
 
-/// A session that waits to be told where its data are.
-struct WaitingSession {
-    SessionState state;
-    std::string name;                  ///< for the dialogue
-    std::filesystem::path file;        ///< it came from; empty: autosaved
-    bool crashed = false;              ///< left by a crash: forgotten once it is taken over
-    std::vector<std::string> missing;  ///< names of data
-    std::string line;                  ///< as typed: where the first of them is now
-    std::string told;                  ///< what came of the last answer
-};
+/// Offers to restore what a crash left, where there is anything.
+void drawCrashNotice(const PanelContext& context, SessionDialogs& dialogs);
 
-struct SessionDialogs {
-    Autosave* autosave = nullptr;  ///< of the window; nullptr: nothing is kept
-    bool offersCrashed = false;    ///< restoring what a crash left is offered
-    std::string crashText;         ///< of the offer; made once
-    bool adopts = false;           ///< what a crash left is being opened
-    std::filesystem::path file;    ///< session last opened or saved; empty: none
-    FileBrowser browser;
-    bool showRecent = false;  ///< opens the list in the next frame
-    std::optional<WaitingSession> waiting;
-    std::vector<std::string> named;    ///< of the open data, when last looked at
-    std::vector<std::string> checked;  ///< recent entries that `there` is about
-    std::vector<bool> there;
-};
-
-/// Asks for a file: opens the browser in the next frame.
-void browse(Ui& ui, BrowseFor purpose);
-
-/// Opens what was named or dropped: one preset, one session, or data. Faults become messages.
-void openFiles(Ui& ui, const std::vector<std::string>& names);
-void openSessionFile(Ui& ui, const std::filesystem::path& file);
-void saveSessionFile(Ui& ui, const std::filesystem::path& file);
-
-/// Shows a session whose data are all there.
-void takeOver(Ui& ui, const WaitingSession& from);
-/// Names `found` for the first of the missing data.
-void answer(WaitingSession& waiting, const std::string& found);
-/// Look and camera on the data that are open, in place of those that are missing.
-void leaveOut(const Ui& ui, WaitingSession& waiting);
-
-/// The session left by a crash, else that of the last proper end. False when there is none.
-bool reopenLast(Ui& ui);
-bool canReopenLast(const Ui& ui);
-/// Opens the open data again, at the same time, as they are on disk now.
-void reloadData(Ui& ui);
-
-/// Remembers what was opened; call once a frame.
-void noteOpened(Ui& ui);
-/// Whether an entry of the recent ones is still there.
-bool recentIsThere(Ui& ui, std::size_t index);
-
-/// "3 minutes ago".
-std::string agoText(double seconds);
+/// Buttons for what was opened lately, `count` at most; returns the entry chosen, or nothing.
+std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs, std::size_t count);
 
 }  // namespace neph::ui

@@ -1,4 +1,6 @@
 // session_files.cpp: opening, saving and restoring sessions, without drawing anything.
+#include "app/ui/data/session_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/ui/data/session_dialogs.h"
-#include "app/ui/shell/ui.h"
 #include "core/base/error.h"
 #include "core/session/autosave.h"
 #include "core/session/file_kind.h"
@@ -21,86 +21,85 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void say(Ui& ui, Message::Kind kind, std::string text) {
-    ui.session().say(kind, std::move(text));
-}
-
 /// Reads a session and shows it, or asks where its data are.
-void openFrom(Ui& ui, const fs::path& file, WaitingSession from) {
+void openFrom(const PanelContext& context, SessionDialogs& dialogs, const fs::path& file,
+              WaitingSession from) {
     try {
         std::vector<std::string> warnings;
         from.state = loadSession(file, warnings);
-        for (std::string& warning : warnings) say(ui, Message::Kind::warning, std::move(warning));
+        for (std::string& warning : warnings) {
+            context.session().say(Message::Kind::warning, std::move(warning));
+        }
     } catch (const Error& error) {
-        say(ui, Message::Kind::error, error.message());
+        context.session().say(Message::Kind::error, error.message());
         return;
     }
     from.missing = missingData(from.state);
     if (from.missing.empty()) {
-        takeOver(ui, from);
+        takeOver(context, dialogs, from);
     } else {
         from.line = from.missing.front();
-        ui.sessionDialogs.waiting = std::move(from);
+        dialogs.waiting = std::move(from);
     }
 }
 
 }  // namespace
 
-void takeOver(Ui& ui, const WaitingSession& from) {
-    SessionDialogs& dialogs = ui.sessionDialogs;
-    if (ui.services.restore) ui.services.restore(from.state);
+void takeOver(const PanelContext& context, SessionDialogs& dialogs, const WaitingSession& from) {
+    if (context.services.restore) context.services.restore(from.state);
     dialogs.adopts = from.crashed;
     dialogs.file = from.file;
     if (!from.file.empty()) {
         const std::string name = from.file.string();
-        addRecent(ui.settings.recent, recentEntry(std::array{name}));
+        addRecent(context.settings.recent, recentEntry(std::array{name}));
     }
-    say(ui, Message::Kind::note, "Session " + from.name);
+    context.session().say(Message::Kind::note, "Session " + from.name);
 }
 
-void browse(Ui& ui, BrowseFor purpose) {
+void browse(const Settings& settings, SessionDialogs& dialogs, BrowseFor purpose) {
     std::error_code error;
     fs::path start = fs::current_path(error);
-    if (!ui.settings.recent.empty()) {
-        const fs::path folder = labelOf(ui.settings.recent.front()).folder;
+    if (!settings.recent.empty()) {
+        const fs::path folder = labelOf(settings.recent.front()).folder;
         if (fs::is_directory(folder, error)) start = folder;
     }
-    begin(ui.sessionDialogs.browser, purpose, start);
-    ui.askForPath = true;
+    begin(dialogs.browser, purpose, start);
+    dialogs.opensBrowser = true;
 }
 
-void openFiles(Ui& ui, const std::vector<std::string>& names) {
+void openFiles(const PanelContext& context, SessionDialogs& dialogs,
+               const std::vector<std::string>& names) {
     const FileKind kind = names.size() == 1 ? kindOfFile(names.front()) : FileKind::data;
     switch (kind) {
         case FileKind::session:
-            openSessionFile(ui, names.front());
+            openSessionFile(context, dialogs, names.front());
             break;
         case FileKind::preset:
-            applyPreset(ui, names.front());
+            context.requests.preset = names.front();
             break;
         case FileKind::data:
-            ui.session().open(names);
+            context.session().open(names);
             break;
     }
 }
 
-void openSessionFile(Ui& ui, const fs::path& file) {
+void openSessionFile(const PanelContext& context, SessionDialogs& dialogs, const fs::path& file) {
     WaitingSession from;
     from.name = file.filename().string();
     from.file = fs::absolute(file);
-    openFrom(ui, file, std::move(from));
+    openFrom(context, dialogs, file, std::move(from));
 }
 
-void saveSessionFile(Ui& ui, const fs::path& file) {
-    if (!ui.services.state) return;
+void saveSessionFile(const PanelContext& context, SessionDialogs& dialogs, const fs::path& file) {
+    if (!context.services.state) return;
     try {
-        saveSession(file, ui.services.state());
-        ui.sessionDialogs.file = fs::absolute(file);
+        saveSession(file, context.services.state());
+        dialogs.file = fs::absolute(file);
         const std::string name = file.string();
-        addRecent(ui.settings.recent, recentEntry(std::array{name}));
-        say(ui, Message::Kind::note, "Saved " + file.string());
+        addRecent(context.settings.recent, recentEntry(std::array{name}));
+        context.session().say(Message::Kind::note, "Saved " + file.string());
     } catch (const Error& error) {
-        say(ui, Message::Kind::error, error.message());
+        context.session().say(Message::Kind::error, error.message());
     }
 }
 
@@ -111,8 +110,7 @@ void answer(WaitingSession& waiting, const std::string& found) {
     waiting.line = waiting.missing.empty() ? "" : waiting.missing.front();
 }
 
-void leaveOut(const Ui& ui, WaitingSession& waiting) {
-    const Session& session = ui.session();
+void leaveOut(const Session& session, WaitingSession& waiting) {
     for (SlotState& slot : waiting.state.slots) {
         const auto gone = std::erase_if(slot.data, [&](const std::string& name) {
             return std::ranges::find(waiting.missing, name) != waiting.missing.end();
@@ -124,49 +122,49 @@ void leaveOut(const Ui& ui, WaitingSession& waiting) {
     waiting.missing.clear();
 }
 
-bool canReopenLast(const Ui& ui) {
-    const Autosave* autosave = ui.sessionDialogs.autosave;
+bool canReopenLast(const SessionDialogs& dialogs) {
+    const Autosave* autosave = dialogs.autosave;
     return autosave != nullptr && (autosave->crashed() != nullptr || autosave->last());
 }
 
-bool reopenLast(Ui& ui) {
-    if (!canReopenLast(ui)) return false;
-    const Autosave& autosave = *ui.sessionDialogs.autosave;
+bool reopenLast(const PanelContext& context, SessionDialogs& dialogs) {
+    if (!canReopenLast(dialogs)) return false;
+    const Autosave& autosave = *dialogs.autosave;
     const bool crashed = autosave.crashed() != nullptr;
     WaitingSession from;
     from.crashed = crashed;
     from.name = "as it was last";
-    openFrom(ui, crashed ? autosave.crashed()->file : autosave.last()->file, std::move(from));
+    openFrom(context, dialogs, crashed ? autosave.crashed()->file : autosave.last()->file,
+             std::move(from));
     return true;
 }
 
-void reloadData(Ui& ui) {
-    const Session& session = ui.session();
+void reloadData(Session& session) {
     const std::vector<std::string> named = session.named();
-    ui.session().open(named, session.document.time, session.region());
+    session.open(named, session.document.time, session.region());
 }
 
-void noteOpened(Ui& ui) {
-    SessionDialogs& dialogs = ui.sessionDialogs;
+void noteOpened(const PanelContext& context, SessionDialogs& dialogs) {
     if (dialogs.autosave != nullptr) {
         if (auto fault = dialogs.autosave->takeFault()) {
-            say(ui, Message::Kind::warning, std::move(*fault));
+            context.session().say(Message::Kind::warning, std::move(*fault));
         }
     }
     // What a crash left stays until its data are open: only then is it part of this session.
-    const bool opened = ui.session().info() != nullptr && !ui.session().loading();
+    const Session& session = context.session();
+    const bool opened = session.info() != nullptr && !session.loading();
     if (opened && dialogs.autosave != nullptr && std::exchange(dialogs.adopts, false)) {
         dialogs.autosave->adoptCrashed();
     }
-    if (!ui.session().info() || ui.session().named() == dialogs.named) return;
-    dialogs.named = ui.session().named();
-    addRecent(ui.settings.recent, recentEntry(dialogs.named));
+    if (!session.info() || session.named() == dialogs.named) return;
+    dialogs.named = session.named();
+    addRecent(context.settings.recent, recentEntry(dialogs.named));
 }
 
-bool recentIsThere(Ui& ui, std::size_t index) {
-    SessionDialogs& dialogs = ui.sessionDialogs;
-    if (dialogs.checked != ui.settings.recent) {
-        dialogs.checked = ui.settings.recent;
+bool recentIsThere(SessionDialogs& dialogs, const std::vector<std::string>& recent,
+                   std::size_t index) {
+    if (dialogs.checked != recent) {
+        dialogs.checked = recent;
         dialogs.there.clear();
         for (const std::string& entry : dialogs.checked) dialogs.there.push_back(isThere(entry));
     }

@@ -24,8 +24,8 @@ const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session&
     return probe.depth;
 }
 
-void drawDepth(Ui& ui, Species species) {
-    const std::optional<OpticalDepth>& depth = probeDepth(ui.fields, ui.session());
+void drawDepth(FieldsState& state, const Session& session, Species species) {
+    const std::optional<OpticalDepth>& depth = probeDepth(state, session);
     if (!depth) return;
     const double own = depth->of[static_cast<std::size_t>(species)];
     ImGui::TextDisabled("Optical depth");

@@ -80,12 +80,11 @@ bool isSolo(const Look& look, Species species) {
     return visibleFields(look) == alone;
 }
 
-void toggleSolo(Ui& ui, Species species) {
-    Session& session = ui.session();
+void toggleSolo(Session& session, FieldsState& state, Species species) {
     Look& look = session.document.look;
     session.history.commit(session.document);
     if (isSolo(look, species)) {
-        std::array<bool, kSpeciesCount>& before = ui.fields.beforeSolo;
+        std::array<bool, kSpeciesCount>& before = state.beforeSolo;
         if (std::ranges::none_of(before, [](bool visible) { return visible; })) before.fill(true);
         setVisible(look, before);
         session.history.commit(session.document, "All fields as before");
@@ -94,7 +93,7 @@ void toggleSolo(Ui& ui, Species species) {
     bool other =
         true;  // another one's solo goes over to this one, and back to what was before both
     for (int s = 0; s < kSpeciesCount; ++s) other &= !isSolo(look, static_cast<Species>(s));
-    if (other) ui.fields.beforeSolo = visibleFields(look);
+    if (other) state.beforeSolo = visibleFields(look);
     std::array<bool, kSpeciesCount> alone{};
     alone[static_cast<std::size_t>(species)] = true;
     setVisible(look, alone);

@@ -1,6 +1,7 @@
 // fields_link.h: fields that are edited together, and fields that are shown alone.
 #pragma once
-#include "app/ui/shell/ui.h"
+#include "app/ui/fields/fields_state.h"
+#include "core/session/session.h"
 
 namespace neph::ui {
 
@@ -21,6 +22,6 @@ void follow(Look& look, const Look& before, const Look& atPress, Species edited)
 /// Whether that field alone is visible.
 bool isSolo(const Look& look, Species species);
 /// Shows that field alone, or where it is, those that were visible before; one step of the history.
-void toggleSolo(Ui& ui, Species species);
+void toggleSolo(Session& session, FieldsState& state, Species species);
 
 }  // namespace neph::ui

@@ -1,12 +1,13 @@
 // fields_panel.cpp: liquid and ice, a row a field: visible, alone, swatch, mixing scale; unfolded,
 // the rest of its parameters and what the data hold of it.
+#include "app/ui/fields/fields_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/ui/fields/fields_icons.h"
 #include "app/ui/fields/fields_link.h"
 #include "app/ui/fields/fields_plots.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/colour_editor.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/parameter_widget.h"
@@ -59,9 +60,9 @@ void drawEye(Session& session, Species s) {
     parameterExtras(visible, look, session.presetLook);
 }
 
-void drawSolo(Ui& ui, Species s) {
-    const bool solo = isSolo(ui.session().document.look, s);
-    if (letterButton("S", solo, kButtonEms * ImGui::GetFontSize())) toggleSolo(ui, s);
+void drawSolo(Session& session, FieldsState& state, Species s) {
+    const bool solo = isSolo(session.document.look, s);
+    if (letterButton("S", solo, kButtonEms * ImGui::GetFontSize())) toggleSolo(session, state, s);
     place(fmt::format("{}.solo", info(s).id));
     tooltip(solo ? "Shows again what was visible before"
                  : fmt::format("Solo: shows {} alone", info(s).id));
@@ -95,8 +96,7 @@ void drawScale(Session& session, Species s) {
 }
 
 /// The row of a field; true when it is unfolded.
-bool header(Ui& ui, Species s, const Absence& absent) {
-    Session& session = ui.session();
+bool header(Session& session, FieldsState& state, Species s, const Absence& absent) {
     const float start = ImGui::GetCursorPosX();
     const bool present = absent.brief.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, present ? 1.0f : kAbsentAlpha);
@@ -108,7 +108,7 @@ bool header(Ui& ui, Species s, const Absence& absent) {
     column(start, kEyeEms);
     drawEye(session, s);
     column(start, kSoloEms);
-    drawSolo(ui, s);
+    drawSolo(session, state, s);
     column(start, kSwatchEms);
     drawSwatch(session, s);
     column(start, kNameEms);
@@ -145,8 +145,8 @@ void drawUnused(const Parameter& r, const Look& look) {
     }
 }
 
-void unfolded(Ui& ui, Species s, const Absence& absent) {
-    Session& session = ui.session();
+void unfolded(const PanelContext& context, FieldsState& state, Species s, const Absence& absent) {
+    Session& session = context.session();
     Look& look = session.document.look;
     ImGui::Indent();
     if (!absent.full.empty()) {
@@ -156,32 +156,33 @@ void unfolded(Ui& ui, Species s, const Absence& absent) {
     for (const Parameter& r : lookTable()) {
         if (r.species != s || drawsItself(r) || !applies(r, look)) continue;
         drawUnused(r, look);
-        if (r.id.ends_with(".noise_amount")) drawPhasePlot(ui, s);
+        if (r.id.ends_with(".noise_amount")) drawPhasePlot(context, state, s);
         parameterWidget(r, look, session.presetLook);
     }
     ImGui::Spacing();
     if (const VolumeSummary* shown = session.shown()) {
         drawHistogram(shown->histograms[static_cast<std::size_t>(s)]);
-        drawDepth(ui, s);
+        drawDepth(state, session, s);
     }
     ImGui::Unindent();
     ImGui::Spacing();
 }
 
-void field(Ui& ui, Species s) {
-    Look& look = ui.session().document.look;
+void field(const PanelContext& context, FieldsState& state, Species s) {
+    Session& session = context.session();
+    Look& look = session.document.look;
     const Look before = look;
-    const Absence absent = absence(ui.session(), s);
+    const Absence absent = absence(session, s);
     ImGui::PushID(static_cast<int>(s));
-    if (header(ui, s, absent)) unfolded(ui, s, absent);
+    if (header(session, state, s, absent)) unfolded(context, state, s, absent);
     ImGui::PopID();
-    if (linkOf(ui.fields, s)) follow(look, before, ui.fields.atPress, s);
+    if (linkOf(state, s)) follow(look, before, state.atPress, s);
 }
 
-void groupHead(Ui& ui, const char* name, Species first) {
+void groupHead(FieldsState& state, const char* name, Species first) {
     const float start = ImGui::GetCursorPosX();
     const float em = ImGui::GetFontSize();
-    bool& linked = linkOf(ui.fields, first);
+    bool& linked = linkOf(state, first);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", name);
     column(start, kSwatchEms);
@@ -200,14 +201,14 @@ void groupHead(Ui& ui, const char* name, Species first) {
 
 }  // namespace
 
-void drawFields(Ui& ui) {
+void drawFields(const PanelContext& context, FieldsState& state) {
     if (!ImGui::CollapsingHeader("Fields", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    if (!ImGui::IsAnyItemActive()) ui.fields.atPress = ui.session().document.look;
+    if (!ImGui::IsAnyItemActive()) state.atPress = context.session().document.look;
     for (const bool liquid : {true, false}) {
-        groupHead(ui, liquid ? "Liquid" : "Ice", liquid ? Species::cloud : Species::ice);
+        groupHead(state, liquid ? "Liquid" : "Ice", liquid ? Species::cloud : Species::ice);
         for (int s = 0; s < kSpeciesCount; ++s) {
             const auto species = static_cast<Species>(s);
-            if (info(species).liquid == liquid) field(ui, species);
+            if (info(species).liquid == liquid) field(context, state, species);
         }
     }
 }

@@ -185,11 +185,11 @@ const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species sp
     return curve.made ? &*curve.made : nullptr;
 }
 
-void drawPhasePlot(Ui& ui, Species species) {
+void drawPhasePlot(const PanelContext& context, FieldsState& state, Species species) {
     const float em = ImGui::GetFontSize();
-    const Document& document = ui.session().document;
-    const PhaseCurve::Made* curve = curveOf(ui.fields, document.look, species);
-    if (ui.fields.curves[static_cast<std::size_t>(species)].making.valid()) ui.again(kLookS);
+    const Document& document = context.session().document;
+    const PhaseCurve::Made* curve = curveOf(state, document.look, species);
+    if (state.curves[static_cast<std::size_t>(species)].making.valid()) context.next.again(kLookS);
     if (curve == nullptr) {
         ImGui::TextDisabled("Droplets are being computed ...");
         return;
@@ -198,8 +198,8 @@ void drawPhasePlot(Ui& ui, Species species) {
     const ImVec2 lower = ImGui::GetCursorScreenPos();
     const ImVec2 size{width, kHeightEms * em};
     const Frame frame{
-        lower, {lower.x + size.x, lower.y + size.y}, decadesOf(curve->table), ui.fields.polar};
-    if (ImGui::InvisibleButton("##phase", size)) ui.fields.polar = !ui.fields.polar;
+        lower, {lower.x + size.x, lower.y + size.y}, decadesOf(curve->table), state.polar};
+    if (ImGui::InvisibleButton("##phase", size)) state.polar = !state.polar;
     place(fmt::format("{}.phase_plot", info(species).id));
     readOut(*curve, frame);
     ImDrawList* list = ImGui::GetWindowDrawList();

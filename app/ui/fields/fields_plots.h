@@ -1,7 +1,8 @@
 // fields_plots.h: what an unfolded field shows besides its parameters: its phase function with the
 // angle of the view on it, how much of it there is, and how deep it is along the view.
 #pragma once
-#include "app/ui/shell/ui.h"
+#include "app/ui/fields/fields_state.h"
+#include "app/ui/panel/panel_context.h"
 
 namespace neph::ui {
 
@@ -20,8 +21,8 @@ const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session&
 /// The next tooltip is below a plot, or where there is no room above it, and not over it.
 void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper);
 
-void drawPhasePlot(Ui& ui, Species species);
+void drawPhasePlot(const PanelContext& context, FieldsState& state, Species species);
 void drawHistogram(const FieldHistogram& histogram);
-void drawDepth(Ui& ui, Species species);
+void drawDepth(FieldsState& state, const Session& session, Species species);
 
 }  // namespace neph::ui

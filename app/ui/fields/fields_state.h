@@ -41,8 +41,6 @@ struct FieldsState {
     std::array<PhaseCurve, kSpeciesCount> curves;
     DepthProbe probe;
     std::string find;  ///< part of the parameter that is looked for
-    bool showHistory = false;
-    std::size_t historySeen = 0;  ///< position that the list was last scrolled to
 };
 
 }  // namespace neph::ui

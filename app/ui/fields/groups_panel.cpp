@@ -1,12 +1,13 @@
 // groups_panel.cpp: everything in the look table that is not of a field, a fold a group, and a box
 // that finds any parameter.
+#include "app/ui/fields/groups_panel.h"
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 
 #include "app/ui/fields/fields_link.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/parameter_widget.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/words.h"
@@ -29,21 +30,20 @@ bool matches(const Parameter& row, const std::string& wanted) {
         wanted);
 }
 
-void drawFound(Ui& ui, const std::string& wanted) {
-    Session& session = ui.session();
+void drawFound(Session& session, const FieldsState& state) {
     Look& look = session.document.look;
     std::string group;
     ImGui::PushID("found");
     for (const Parameter& row : lookTable()) {
-        if (!matches(row, wanted) || !applies(row, look)) continue;
+        if (!matches(row, state.find) || !applies(row, look)) continue;
         if (row.group != group) {
             group = row.group;
             ImGui::TextDisabled("%s", group.c_str());
         }
         const Look before = look;
         parameterWidget(row, look, session.presetLook);
-        if (row.species && linkOf(ui.fields, *row.species)) {
-            follow(look, before, ui.fields.atPress, *row.species);
+        if (row.species && linkOf(state, *row.species)) {
+            follow(look, before, state.atPress, *row.species);
         }
     }
     ImGui::PopID();
@@ -53,24 +53,24 @@ void drawFound(Ui& ui, const std::string& wanted) {
 
 }  // namespace
 
-void drawFind(Ui& ui) {
-    if (!ImGui::IsAnyItemActive()) ui.fields.atPress = ui.session().document.look;
+void drawFind(const PanelContext& context, FieldsState& state) {
+    if (!ImGui::IsAnyItemActive()) state.atPress = context.session().document.look;
     const float clear = ImGui::GetFrameHeight();
-    const bool typed = !ui.fields.find.empty();
+    const bool typed = !state.find.empty();
     ImGui::SetNextItemWidth(typed ? -clear - ImGui::GetStyle().ItemSpacing.x : -1.0f);
-    ImGui::InputTextWithHint("##find", "Find a parameter", &ui.fields.find);
+    ImGui::InputTextWithHint("##find", "Find a parameter", &state.find);
     place("find");
     if (typed) {
         ImGui::SameLine();
-        if (ImGui::Button("x##clear", {clear, 0.0f})) ui.fields.find.clear();
+        if (ImGui::Button("x##clear", {clear, 0.0f})) state.find.clear();
         place("find.clear");
     }
-    const std::string& wanted = ui.fields.find;
-    if (wanted.find_first_not_of(' ') != std::string::npos) drawFound(ui, wanted);
+    const bool wanted = state.find.find_first_not_of(' ') != std::string::npos;
+    if (wanted) drawFound(context.session(), state);
 }
 
-void drawGroups(Ui& ui) {
-    Session& session = ui.session();
+void drawGroups(const PanelContext& context) {
+    Session& session = context.session();
     Look& look = session.document.look;
     std::string group;
     bool open = false;

@@ -1,4 +1,6 @@
 // output_panel.cpp: the export dialogue, and the notice of the export that runs or has ended.
+#include "app/ui/output/output_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -7,7 +9,6 @@
 #include <array>
 
 #include "app/ui/output/output_run.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
@@ -38,10 +39,10 @@ void choice(const char* text, const char* name, Choice& value, Choice own,
     }
 }
 
-void drawWhat(Ui& ui, ExportSettings& settings) {
-    const DatasetInfo* info = ui.session().info();
+void drawWhat(const Session& session, ExportSettings& settings) {
+    const DatasetInfo* info = session.info();
     const std::size_t times = info == nullptr ? 0 : info->times.size();
-    const CameraPath& path = ui.session().document.path;
+    const CameraPath& path = session.document.path;
     label("Export");
     choice("This picture", "export.picture", settings.what, ExportWhat::picture);
     ImGui::SameLine();
@@ -68,8 +69,7 @@ void drawFormat(ExportSettings& settings) {
     choice("MP4 film", "export.mp4", settings.format, ExportFormat::mp4, reason);
 }
 
-void drawSize(const Ui& ui, ExportSettings& settings) {
-    const glm::ivec2 window = exportSceneOf(ui).windowPx;
+void drawSize(glm::ivec2 window, ExportSettings& settings) {
     const std::string own = fmt::format("As in the window, {} \u00d7 {}", window.x, window.y);
     const std::array<const char*, 4> names{own.c_str(), "1920 \u00d7 1080", "3840 \u00d7 2160",
                                            "Other"};
@@ -102,9 +102,9 @@ void drawSize(const Ui& ui, ExportSettings& settings) {
     place("export.supersample");
 }
 
-void drawQuality(const Ui& ui, ExportSettings& settings) {
+void drawQuality(const Session& session, const ExportScene& scene, ExportSettings& settings) {
     const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
-    if (traitsOf(ui.session().document.look.engine).sampling == Sampling::averages) {
+    if (traitsOf(session.document.look.engine).refinement == Refinement::averages) {
         label("Samples");
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
@@ -124,15 +124,14 @@ void drawQuality(const Ui& ui, ExportSettings& settings) {
         ImGui::Checkbox("Transparent, without sky and ground", &settings.transparent);
         place("export.transparent");
     }
-    if (!exportSceneOf(ui).split) return;
+    if (!scene.split) return;
     label("Compare");
     ImGui::Checkbox("Both sides, as in the window", &settings.bothSides);
     place("export.compare");
 }
 
 /// How many pictures there will be.
-int countOf(const Ui& ui, const ExportSettings& settings) {
-    const Session& session = ui.session();
+int countOf(const Session& session, const ExportSettings& settings) {
     if (settings.what == ExportWhat::times && session.info() != nullptr) {
         return static_cast<int>(session.info()->times.size());
     }
@@ -141,7 +140,7 @@ int countOf(const Ui& ui, const ExportSettings& settings) {
 }
 
 /// Name, what will be made, or why it cannot be.
-bool drawFile(const Ui& ui, ExportSettings& settings) {
+bool drawFile(const Session& session, const ExportScene& scene, ExportSettings& settings) {
     label("File");
     ImGui::SetNextItemWidth((kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize());
     ImGui::InputText("##file", &settings.file);
@@ -150,12 +149,12 @@ bool drawFile(const Ui& ui, ExportSettings& settings) {
         settings.file = withEnding(settings.file, settings.format).string();
     }
     ImGui::PushTextWrapPos((kDialogueEms - 1.0f) * ImGui::GetFontSize());
-    const std::string fault = exportFault(settings, ui.session());
+    const std::string fault = exportFault(settings, session);
     if (!fault.empty()) {
         ImGui::TextColored(warningColour(), "%s", fault.c_str());
     } else {
-        const glm::ivec2 size = sizeOf(settings, exportSceneOf(ui));
-        const int count = countOf(ui, settings);
+        const glm::ivec2 size = sizeOf(settings, scene);
+        const int count = countOf(session, settings);
         const bool film = settings.format == ExportFormat::mp4;
         const std::string length =
             film ? fmt::format(", {}", durationText(count / settings.fps)) : std::string();
@@ -169,8 +168,7 @@ bool drawFile(const Ui& ui, ExportSettings& settings) {
 }
 
 /// The bar of the export that runs, with a button to stop it.
-void drawProgress(Ui& ui) {
-    ExportJob& job = *ui.output.job;
+void drawProgress(ExportJob& job) {
     const float button = 6.0f * ImGui::GetFontSize();
     ImGui::ProgressBar(static_cast<float>(job.fraction()),
                        {ImGui::GetContentRegionAvail().x - button, 0.0f}, job.text().c_str());
@@ -180,8 +178,8 @@ void drawProgress(Ui& ui) {
 }
 
 /// How it ended.
-void drawEnd(Ui& ui) {
-    const ExportJob& job = *ui.output.job;
+void drawEnd(OutputState& output) {
+    const ExportJob& job = *output.job;
     const std::string file = job.file().string();
     ImGui::PushTextWrapPos(ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX());
     switch (job.state()) {
@@ -202,50 +200,51 @@ void drawEnd(Ui& ui) {
     if (job.state() == ExportJob::State::done && !file.empty()) {
         if (ImGui::Button("Copy path")) ImGui::SetClipboardText(file.c_str());
         place("export.copy_path");
-        if (!ui.output.open) ImGui::SameLine();
+        if (!output.open) ImGui::SameLine();
     }
-    if (ui.output.open) return;
+    if (output.open) return;
     const bool close = ImGui::Button("Close");
     place("export.dismiss");
-    if (close) ui.output.job.reset();
+    if (close) output.job.reset();
 }
 
-void drawDialogue(Ui& ui) {
-    ExportSettings& settings = ui.output.settings;
+void drawDialogue(const PanelContext& context, OutputState& output, const ExportScene& scene) {
+    const Session& session = context.session();
+    ExportSettings& settings = output.settings;
     if (settings.file.empty()) settings.file = defaultExportFile().string();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
                             {0.5f, 0.5f});
     ImGui::SetNextWindowSize({kDialogueEms * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Export", &ui.output.open,
+    if (ImGui::Begin("Export", &output.open,
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings)) {
-        const bool running = exports(ui);
+        const bool running = exports(output);
         ImGui::BeginDisabled(running);
-        drawWhat(ui, settings);
+        drawWhat(session, settings);
         drawFormat(settings);
-        drawSize(ui, settings);
-        drawQuality(ui, settings);
-        const bool can = drawFile(ui, settings);
+        drawSize(scene.windowPx, settings);
+        drawQuality(session, scene, settings);
+        const bool can = drawFile(session, scene, settings);
         ImGui::EndDisabled();
         ImGui::Separator();
         if (running) {
-            drawProgress(ui);
+            drawProgress(*output.job);
         } else {
-            if (ui.output.job) drawEnd(ui);
+            if (output.job) drawEnd(output);
             ImGui::BeginDisabled(!can);
             if (ImGui::Button("Export", {8.0f * ImGui::GetFontSize(), 0.0f})) {
-                startExport(ui, settings);
+                startExport(context, output, settings, scene);
             }
             place("export.start");
             ImGui::EndDisabled();
             ImGui::SameLine();
-            if (ImGui::Button("Close")) ui.output.open = false;
+            if (ImGui::Button("Close")) output.open = false;
             place("export.close");
         }
         if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
             !ImGui::IsAnyItemActive()) {
-            ui.output.open = false;
+            output.open = false;
         }
     }
     ImGui::End();
@@ -253,8 +252,7 @@ void drawDialogue(Ui& ui) {
 
 /// The same where the dialogue is closed: in the picture's upper right corner, which no overlay
 /// has.
-void drawNotice(Ui& ui) {
-    const PixelBox picture = pictureBox(ui);
+void drawNotice(OutputState& output, const PixelBox& picture) {
     const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
     const ImVec2 corner{
@@ -266,10 +264,10 @@ void drawNotice(Ui& ui) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                          ImGuiWindowFlags_NoFocusOnAppearing)) {
-        if (exports(ui)) {
-            drawProgress(ui);
+        if (exports(output)) {
+            drawProgress(*output.job);
         } else {
-            drawEnd(ui);
+            drawEnd(output);
         }
     }
     ImGui::End();
@@ -277,12 +275,12 @@ void drawNotice(Ui& ui) {
 
 }  // namespace
 
-void drawOutput(Ui& ui) {
-    updateExport(ui);
-    if (ui.output.open) {
-        drawDialogue(ui);
-    } else if (ui.output.job) {
-        drawNotice(ui);
+void drawOutput(const PanelContext& context, OutputState& output, const ExportScene& scene) {
+    updateExport(context, output);
+    if (output.open) {
+        drawDialogue(context, output, scene);
+    } else if (output.job) {
+        drawNotice(output, pictureBox(context.layout()));
     }
 }
 

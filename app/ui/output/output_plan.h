@@ -2,10 +2,12 @@
 // its widgets.
 #pragma once
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
-#include "app/ui/shell/ui.h"
+#include "app/ui/output/output_state.h"
+#include "core/session/session.h"
 
 namespace neph::ui {
 

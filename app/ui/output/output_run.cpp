@@ -37,54 +37,48 @@ std::string stoppedText(const ExportJob& job) {
                        job.done() == 1 ? " is" : "s are");
 }
 
-bool exports(const Ui& ui) {
-    return ui.output.job && ui.output.job->state() == ExportJob::State::running;
+bool exports(const OutputState& output) {
+    return output.job && output.job->state() == ExportJob::State::running;
 }
 
-ExportScene exportSceneOf(const Ui& ui) {
-    return {pictureBox(ui).size(), ui.compare.active + 1,
-            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers};
-}
-
-void startExport(Ui& ui, const ExportSettings& settings) {
-    OutputState& output = ui.output;
-    if (exports(ui) || !ui.services.state) return;
+void startExport(const PanelContext& context, OutputState& output, const ExportSettings& settings,
+                 const ExportScene& scene) {
+    if (exports(output) || !context.services.state) return;
     try {
         const bool series =
             settings.what != ExportWhat::picture && settings.format != ExportFormat::mp4;
         const auto out = freeFile(withEnding(settings.file, settings.format), series);
         output.session = sessionFile();
-        saveSession(output.session, ui.services.state());
+        saveSession(output.session, context.services.state());
         output.job.emplace(output.program.empty() ? programDir() / "nephoscope" : output.program,
-                           exportArguments(settings, exportSceneOf(ui), output.session, out));
+                           exportArguments(settings, scene, output.session, out));
     } catch (const Error& error) {
         removeSession(output);
-        ui.session().say(Message::Kind::error, error.message());
+        context.session().say(Message::Kind::error, error.message());
     } catch (const std::filesystem::filesystem_error& error) {
-        ui.session().say(Message::Kind::error, error.what());
+        context.session().say(Message::Kind::error, error.what());
     }
 }
 
-void exportPicture(Ui& ui) {
-    ExportSettings settings = ui.output.settings;
+void exportPicture(const PanelContext& context, OutputState& output, const ExportScene& scene) {
+    ExportSettings settings = output.settings;
     settings.what = ExportWhat::picture;
     settings.size = ExportSize::window;
     if (settings.format == ExportFormat::mp4) settings.format = ExportFormat::png;
     if (settings.file.empty()) settings.file = defaultExportFile().string();
-    startExport(ui, settings);
+    startExport(context, output, settings, scene);
 }
 
-void updateExport(Ui& ui) {
-    OutputState& output = ui.output;
-    if (!exports(ui)) return;
-    ui.again(kLookS);
+void updateExport(const PanelContext& context, OutputState& output) {
+    if (!exports(output)) return;
+    context.next.again(kLookS);
     const ExportJob::State state = output.job->poll();
     if (state == ExportJob::State::running) return;
     removeSession(output);
     if (state == ExportJob::State::done) {
-        ui.session().say(Message::Kind::note, "Wrote " + output.job->file().string());
+        context.session().say(Message::Kind::note, "Wrote " + output.job->file().string());
     } else if (state == ExportJob::State::cancelled) {
-        ui.session().say(Message::Kind::note, stoppedText(*output.job));
+        context.session().say(Message::Kind::note, stoppedText(*output.job));
     }
 }
 

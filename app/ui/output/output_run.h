@@ -1,25 +1,24 @@
 // output_run.h: starting an export beside the window, and looking after it.
 #pragma once
 #include "app/ui/output/output_plan.h"
+#include "app/ui/panel/panel_context.h"
 
 namespace neph::ui {
 
 /// Whether one runs; there is one at a time.
-bool exports(const Ui& ui);
+bool exports(const OutputState& output);
 
 /// Starts what the settings say, under a name that is free. Faults become messages.
-void startExport(Ui& ui, const ExportSettings& settings);
+void startExport(const PanelContext& context, OutputState& output, const ExportSettings& settings,
+                 const ExportScene& scene);
 
 /// The picture of the window, with what else was set last.
-void exportPicture(Ui& ui);
+void exportPicture(const PanelContext& context, OutputState& output, const ExportScene& scene);
 
 /// Takes in what it said, and tells its end. To be called in every frame.
-void updateExport(Ui& ui);
+void updateExport(const PanelContext& context, OutputState& output);
 
 /// What is left of one that was stopped.
 std::string stoppedText(const ExportJob& job);
-
-/// What an export of the window depends on.
-ExportScene exportSceneOf(const Ui& ui);
 
 }  // namespace neph::ui

@@ -1,5 +1,7 @@
 // preset_browser.cpp: the browser of presets: which one is loaded and what has changed since, a
 // search, a grid of cards, and what the last one applied has changed.
+#include "app/ui/presets/preset_browser.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -7,9 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/presets/preset_grid.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/presets/preset_card.h"
+#include "app/ui/presets/preset_commands.h"
+#include "app/ui/presets/preset_details.h"
+#include "app/ui/presets/preset_thumbnails.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
@@ -26,7 +29,7 @@ constexpr float kGridShare = 0.35f;  // of the window's height, where that is mo
 constexpr double kLookS = 1.0;       // between looks whether files have changed
 constexpr std::size_t kTooltipRows = 12, kChangeRows = 10;
 
-void list(Ui& ui) {
+void list(const Services& services, PresetBrowser& presets) {
     std::vector<PresetCard> cards;
     for (PresetEntry& entry : listPresets()) {
         PresetCard& card = cards.emplace_back();
@@ -37,23 +40,22 @@ void list(Ui& ui) {
             card.fault = error.message();
         }
     }
-    keepThumbnails(ui, cards);
-    if (ui.presets.cards.empty()) ui.presets.revealed = false;  // the first list
-    ui.presets.cards = std::move(cards);
-    ui.presets.listed = true;
-    ui.presets.triedThumbnails = false;
+    keepThumbnails(services, presets, cards);
+    if (presets.cards.empty()) presets.revealed = false;  // the first list
+    presets.cards = std::move(cards);
+    presets.listed = true;
+    presets.triedThumbnails = false;
 }
 
 /// Lists them anew when files have come, gone or changed, by whomever.
-void keepListed(Ui& ui) {
-    PresetBrowser& presets = ui.presets;
+void keepListed(const Services& services, PresetBrowser& presets) {
     const double now = ImGui::GetTime();
     if (presets.listed && now - presets.lookedS < kLookS) return;
     presets.lookedS = now;
     const std::filesystem::file_time_type stamp = presetsStamp();
     if (presets.listed && stamp == presets.stamp) return;
     presets.stamp = stamp;
-    list(ui);
+    list(services, presets);
 }
 
 /// Every word that is searched for stands in the name, the title or the description.
@@ -63,23 +65,21 @@ bool isFound(const PresetCard& card, const std::string& search) {
 }
 
 /// A button for an action, on the line of those before while there is room.
-void actionButton(Ui& ui, const char* label, std::string_view id, bool first = false) {
-    const Action* action = findAction(id);
-    if (action == nullptr) return;
+void actionButton(const ActionLookup& actions, const char* label, std::string_view id,
+                  bool first = false) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
     if (!first) {
         const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
         if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
     }
-    if (ImGui::Button(label)) runAction(ui, id);
+    if (ImGui::Button(label)) actions.run(id);
     place("panel:" + std::string(id));
-    tooltip(tooltipOf(*action));
+    tooltip(actions.face(id).tooltip);
 }
 
 /// The loaded preset, and what is otherwise now.
-void drawLoaded(Ui& ui) {
-    const Session& session = ui.session();
+void drawLoaded(const Session& session) {
     const std::string name =
         session.presetName.empty() ? "no preset" : presetLabel(session.presetName);
     if (!presetChanged(session)) {
@@ -97,12 +97,12 @@ void drawLoaded(Ui& ui) {
     }
 }
 
-void drawButtons(Ui& ui) {
-    actionButton(ui, "Save", "preset.save", true);
-    actionButton(ui, "Save as", "preset.save_as");
-    actionButton(ui, "Copy", "preset.copy");
-    actionButton(ui, "Paste", "preset.paste");
-    actionButton(ui, "Open", "preset.open");
+void drawButtons(const ActionLookup& actions) {
+    actionButton(actions, "Save", "preset.save", true);
+    actionButton(actions, "Save as", "preset.save_as");
+    actionButton(actions, "Copy", "preset.copy");
+    actionButton(actions, "Paste", "preset.paste");
+    actionButton(actions, "Open", "preset.open");
 }
 
 void drawSearch(PresetBrowser& presets) {
@@ -117,7 +117,8 @@ void drawSearch(PresetBrowser& presets) {
 }
 
 /// The cards of one section side by side, below its heading.
-void drawSection(Ui& ui, const char* heading, const std::vector<const PresetCard*>& cards) {
+void drawSection(Session& session, PresetBrowser& presets, const char* heading,
+                 const std::vector<const PresetCard*>& cards) {
     if (cards.empty()) return;
     ImGui::TextDisabled("%s", heading);
     const float space = ImGui::GetStyle().ItemSpacing.x;
@@ -132,8 +133,8 @@ void drawSection(Ui& ui, const char* heading, const std::vector<const PresetCard
         const auto column = static_cast<float>(i % static_cast<std::size_t>(columns));
         const auto row = static_cast<float>(i / static_cast<std::size_t>(columns));
         ImGui::SetCursorScreenPos({start.x + column * (width + space), start.y + row * tall});
-        drawPresetCard(ui, *cards[i], width);
-        const bool reveal = !ui.presets.revealed && cards[i]->entry.name == ui.session().presetName;
+        drawPresetCard(session, presets, *cards[i], width);
+        const bool reveal = !presets.revealed && cards[i]->entry.name == session.presetName;
         if (reveal) ImGui::SetScrollHereY();
     }
     const auto rows = std::ceil(static_cast<float>(cards.size()) / count);
@@ -141,22 +142,22 @@ void drawSection(Ui& ui, const char* heading, const std::vector<const PresetCard
     ImGui::Dummy({0.0f, 0.0f});
 }
 
-void drawGrid(Ui& ui) {
+void drawGrid(Session& session, PresetBrowser& presets) {
     std::vector<const PresetCard*> own, bundled;
-    for (const PresetCard& card : ui.presets.cards) {
-        if (isFound(card, ui.presets.search)) (card.entry.bundled ? bundled : own).push_back(&card);
+    for (const PresetCard& card : presets.cards) {
+        if (isFound(card, presets.search)) (card.entry.bundled ? bundled : own).push_back(&card);
     }
     if (own.empty() && bundled.empty()) {
-        ImGui::TextDisabled(ui.presets.cards.empty() ? "There are no presets"
-                                                     : "No preset has these words");
+        ImGui::TextDisabled(presets.cards.empty() ? "There are no presets"
+                                                  : "No preset has these words");
         return;
     }
     const float height =
         std::max(kGridEms * ImGui::GetFontSize(), kGridShare * ImGui::GetIO().DisplaySize.y);
     if (ImGui::BeginChild("##presets", {0.0f, height})) {
-        drawSection(ui, "Mine", own);
-        drawSection(ui, "Bundled", bundled);
-        ui.presets.revealed = true;
+        drawSection(session, presets, "Mine", own);
+        drawSection(session, presets, "Bundled", bundled);
+        presets.revealed = true;
     }
     ImGui::EndChild();
     place("presets.grid");
@@ -172,9 +173,7 @@ void drawChanges(const std::vector<PresetDifference>& rows) {
 }
 
 /// What the last preset changed, for as long as that can be undone at once.
-void drawApplied(Ui& ui) {
-    PresetApplied& applied = ui.presets.applied;
-    Session& session = ui.session();
+void drawApplied(Session& session, const PresetApplied& applied) {
     if (applied.step.empty() || applied.rows.empty()) return;
     if (session.history.undoLabel() != applied.step) return;
     const bool open = ImGui::TreeNodeEx(
@@ -195,21 +194,22 @@ void drawApplied(Ui& ui) {
 
 }  // namespace
 
-void drawPresets(Ui& ui) {
+void drawPresets(const PanelContext& context, PresetBrowser& presets) {
     const bool open = ImGui::CollapsingHeader("Presets", ImGuiTreeNodeFlags_DefaultOpen);
     place("presets");
     if (!open) {
-        ui.presets.revealed = false;  // to be found again when it is unfolded
+        presets.revealed = false;  // to be found again when it is unfolded
         return;
     }
-    keepListed(ui);
-    updateThumbnails(ui);
-    drawLoaded(ui);
-    drawButtons(ui);
-    drawSearch(ui.presets);
-    drawGrid(ui);
-    drawApplied(ui);
-    drawPresetDetails(ui);
+    Session& session = context.session();
+    keepListed(context.services, presets);
+    updateThumbnails(context, presets);
+    drawLoaded(session);
+    drawButtons(context.actions);
+    drawSearch(presets);
+    drawGrid(session, presets);
+    drawApplied(session, presets.applied);
+    drawPresetDetails(session, presets);
 }
 
 }  // namespace neph::ui

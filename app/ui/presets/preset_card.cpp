@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/shell/ui.h"
+#include "app/ui/presets/preset_commands.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
@@ -87,71 +87,73 @@ void drawTooltip(const Session& session, const PresetCard& card) {
     ImGui::EndTooltip();
 }
 
-void drawApplyItems(Ui& ui, const PresetCard& card) {
-    const std::vector<PresetDifference> rows = differencesTo(ui.session(), card.preset);
-    if (ImGui::MenuItem("Apply all")) applyPreset(ui, card.entry.name);
+void drawApplyItems(Session& session, PresetBrowser& presets, const PresetCard& card) {
+    const std::vector<PresetDifference> rows = differencesTo(session, card.preset);
+    if (ImGui::MenuItem("Apply all")) applyPreset(session, presets, card.entry.name);
     for (const PresetPart& part : kPresetParts) {
         const auto count =
             std::ranges::count(rows, part.bit, [](const auto& row) { return row.part; });
         const std::string label = fmt::format("Apply {} only ({})", part.id, count);
         if (ImGui::MenuItem(label.c_str(), nullptr, false, count > 0)) {
-            applyPreset(ui, card.entry.name, part.bit);
+            applyPreset(session, presets, card.entry.name, part.bit);
         }
     }
     if (ImGui::MenuItem("Details...")) {
-        ui.presets.subject = card.entry.name;
-        ui.presets.openDetails = true;
+        presets.subject = card.entry.name;
+        presets.openDetails = true;
     }
 }
 
-void drawFileItems(Ui& ui, const PresetCard& card) {
+void drawFileItems(Session& session, PresetBrowser& presets, const PresetCard& card) {
     const std::string& name = card.entry.name;
     const bool own = !card.entry.bundled;
     if (ImGui::MenuItem("Duplicate")) {
-        changePresets(ui, [&] { return "Duplicated as " + duplicatePreset(name); });
+        changePresets(session, presets, [&] { return "Duplicated as " + duplicatePreset(name); });
     }
     place("preset_menu.duplicate");
     if (ImGui::MenuItem("Rename...", nullptr, false, own)) {
-        openPresetDialog(ui, PresetDialog::rename, name);
+        openPresetDialog(session, presets, PresetDialog::rename, name);
     }
     if (ImGui::MenuItem("Title and description...", nullptr, false, own)) {
-        openPresetDialog(ui, PresetDialog::describe, name);
+        openPresetDialog(session, presets, PresetDialog::describe, name);
     }
     if (ImGui::MenuItem("Delete to trash", nullptr, false, own)) {
-        changePresets(ui, [&] { return "In the trash: " + deletePreset(name).string(); });
+        changePresets(session, presets,
+                      [&] { return "In the trash: " + deletePreset(name).string(); });
     }
     place("preset_menu.delete");
     if (!own) ImGui::TextDisabled("Bundled: duplicate it to change it");
 }
 
-void drawMenu(Ui& ui, const PresetCard& card) {
+void drawMenu(Session& session, PresetBrowser& presets, const PresetCard& card) {
     ImGui::TextDisabled("%s", card.entry.name.c_str());
     ImGui::Separator();
-    if (card.fault.empty()) drawApplyItems(ui, card);
+    if (card.fault.empty()) drawApplyItems(session, presets, card);
     ImGui::Separator();
-    drawFileItems(ui, card);
+    drawFileItems(session, presets, card);
     ImGui::Separator();
     if (ImGui::MenuItem("Copy as JSON", nullptr, false, card.fault.empty())) {
-        copyPreset(ui, card.preset);
+        copyPreset(session, card.preset);
     }
     if (ImGui::MenuItem("Copy the file's path")) {
         ImGui::SetClipboardText(card.entry.file.c_str());
-        ui.session().say(Message::Kind::note, "Copied: " + card.entry.file.string());
+        session.say(Message::Kind::note, "Copied: " + card.entry.file.string());
     }
 }
 
 /// Picture, outline and name.
-void drawFace(const Ui& ui, const PresetCard& card, glm::vec2 at, float width, bool hovered) {
+void drawFace(const Session& session, const PresetCard& card, glm::vec2 at, float width,
+              bool hovered) {
     const glm::vec2 corner = at + glm::vec2(width, width / kThumbnailAspect);
     drawPresetPicture(card, at, corner);
-    const bool loaded = card.entry.name == ui.session().presetName;
+    const bool loaded = card.entry.name == session.presetName;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (loaded || hovered) {
         const ImU32 colour = ImGui::GetColorU32(loaded ? ImGuiCol_CheckMark : ImGuiCol_Text);
         list.AddRect({at.x, at.y}, {corner.x, corner.y}, colour, kRounding, 0,
                      loaded ? 2.0f : 1.0f);
     }
-    const bool changed = loaded && presetChanged(ui.session());
+    const bool changed = loaded && presetChanged(session);
     const std::string name = (changed ? "* " : "") + card.entry.name;
     const float room = width - dotsWidth();
     const bool fits = ImGui::CalcTextSize(name.c_str()).x <= room;
@@ -187,26 +189,26 @@ std::string describePresetCard(const Session& session, const PresetCard& card, s
     return text + "\n\nWould change:\n" + linesOf(rows, most);
 }
 
-void drawPresetCard(Ui& ui, const PresetCard& card, float width) {
+void drawPresetCard(Session& session, PresetBrowser& presets, const PresetCard& card, float width) {
     ImGui::PushID(card.entry.name.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float dots = dotsWidth();
     if (ImGui::InvisibleButton("##card", {width, presetCardHeight(width)})) {
-        applyPreset(ui, card.entry.name);
+        applyPreset(session, presets, card.entry.name);
     }
     place("preset:" + card.entry.name);
     ImGui::SetItemAllowOverlap();
     const bool hovered = ImGui::IsItemHovered();
-    if (restsOn(ui.presets, card.entry.name)) drawTooltip(ui.session(), card);
+    if (restsOn(presets, card.entry.name)) drawTooltip(session, card);
     if (ImGui::BeginPopupContextItem("##menu")) {
-        drawMenu(ui, card);
+        drawMenu(session, presets, card);
         ImGui::EndPopup();
     }
-    drawFace(ui, card, {at.x, at.y}, width, hovered);
+    drawFace(session, card, {at.x, at.y}, width, hovered);
     ImGui::SetCursorScreenPos({at.x + width - dots, at.y + width / kThumbnailAspect + 2.0f});
     if (ImGui::InvisibleButton("##details", {dots, ImGui::GetTextLineHeight()})) {
-        ui.presets.subject = card.entry.name;
-        ui.presets.openDetails = true;
+        presets.subject = card.entry.name;
+        presets.openDetails = true;
     }
     place("preset:" + card.entry.name + ".details");
     const bool hot = ImGui::IsItemHovered();

@@ -1,6 +1,10 @@
 // preset_card.h: one preset in the grid: its picture, its name and what can be done with it.
 #pragma once
-#include "app/ui/presets/preset_browser.h"
+#include <glm/glm.hpp>
+#include <string>
+
+#include "app/ui/presets/preset_state.h"
+#include "core/session/session.h"
 
 namespace neph::ui {
 
@@ -11,7 +15,7 @@ inline constexpr float kThumbnailAspect = 16.0f / 9.0f;
 float presetCardHeight(float width);
 
 /// At the cursor. A click loads the preset, a right click opens a menu, "..." the details.
-void drawPresetCard(Ui& ui, const PresetCard& card, float width);
+void drawPresetCard(Session& session, PresetBrowser& presets, const PresetCard& card, float width);
 
 /// The picture, or the colours of the preset's sky and ground where there is none.
 void drawPresetPicture(const PresetCard& card, glm::vec2 lower, glm::vec2 upper);

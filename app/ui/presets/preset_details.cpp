@@ -1,4 +1,6 @@
 // preset_details.cpp: what a preset would change, part by part, before it is applied.
+#include "app/ui/presets/preset_details.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,7 +8,7 @@
 #include <utility>
 
 #include "app/ui/presets/preset_card.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/presets/preset_commands.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 
@@ -37,7 +39,8 @@ void drawHead(const PresetCard& card) {
 }
 
 /// A button a part; returns the part under the mouse, or all.
-PresetParts drawButtons(Ui& ui, const PresetCard& card, const std::vector<PresetDifference>& rows) {
+PresetParts drawButtons(Session& session, PresetBrowser& presets, const PresetCard& card,
+                        const std::vector<PresetDifference>& rows) {
     PresetParts under = kPresetAll;
     const auto button = [&](std::string_view label, std::string_view id, std::string_view help,
                             PresetParts parts) {
@@ -45,7 +48,7 @@ PresetParts drawButtons(Ui& ui, const PresetCard& card, const std::vector<Preset
             std::ranges::count_if(rows, [&](const auto& row) { return (row.part & parts) != 0; });
         ImGui::BeginDisabled(count == 0);
         if (ImGui::Button(fmt::format("{} ({})###{}", label, count, id).c_str())) {
-            applyPreset(ui, card.entry.name, parts);
+            applyPreset(session, presets, card.entry.name, parts);
             ImGui::CloseCurrentPopup();
         }
         ImGui::EndDisabled();
@@ -96,13 +99,13 @@ void drawRows(const std::vector<PresetDifference>& rows, PresetParts lit) {
 
 }  // namespace
 
-void drawPresetDetails(Ui& ui) {
-    if (std::exchange(ui.presets.openDetails, false)) ImGui::OpenPopup("##preset details");
+void drawPresetDetails(Session& session, PresetBrowser& presets) {
+    if (std::exchange(presets.openDetails, false)) ImGui::OpenPopup("##preset details");
     ImGui::SetNextWindowSize({(kWidthEms + 2.0f) * ImGui::GetFontSize(), 0.0f});
     if (!ImGui::BeginPopup("##preset details")) return;
-    const auto card = std::ranges::find(ui.presets.cards, ui.presets.subject,
+    const auto card = std::ranges::find(presets.cards, presets.subject,
                                         [](const PresetCard& c) { return c.entry.name; });
-    if (card == ui.presets.cards.end()) {
+    if (card == presets.cards.end()) {
         ImGui::CloseCurrentPopup();
     } else if (!card->fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, errorColour());
@@ -111,8 +114,8 @@ void drawPresetDetails(Ui& ui) {
     } else {
         drawHead(*card);
         ImGui::Spacing();
-        const std::vector<PresetDifference> rows = differencesTo(ui.session(), card->preset);
-        const PresetParts lit = drawButtons(ui, *card, rows);
+        const std::vector<PresetDifference> rows = differencesTo(session, card->preset);
+        const PresetParts lit = drawButtons(session, presets, *card, rows);
         if (rows.empty()) {
             ImGui::TextDisabled("The present look and camera are just those of the preset");
         } else {

@@ -1,12 +1,13 @@
 // preset_dialogs.cpp: a name for a preset, its title and description, the path of one to open.
+#include "app/ui/presets/preset_dialogs.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <utility>
 
-#include "app/ui/presets/preset_browser.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/presets/preset_commands.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
@@ -60,43 +61,42 @@ std::string_view titleOf(PresetDialog dialog) {
     return "Preset from file";
 }
 
-bool saveUnderName(Ui& ui) {
-    const PresetBrowser& presets = ui.presets;
-    return ui.session().savePreset(presets.name, true, presets.text);
+bool saveUnderName(Session& session, const PresetBrowser& presets) {
+    return session.savePreset(presets.name, true, presets.text);
 }
 
-bool rename(Ui& ui) {
-    const std::string from = ui.presets.subject, to = ui.presets.name;
-    changePresets(ui, [&] {
+bool rename(Session& session, PresetBrowser& presets) {
+    const std::string from = presets.subject, to = presets.name;
+    changePresets(session, presets, [&] {
         renamePreset(from, to);
-        if (ui.session().presetName == from) ui.session().presetName = to;
+        if (session.presetName == from) session.presetName = to;
         return fmt::format("Preset {} is now {}", from, to);
     });
     return true;
 }
 
-bool describe(Ui& ui) {
-    changePresets(ui, [&] {
-        describePreset(ui.presets.subject, ui.presets.text);
-        return "Described " + ui.presets.subject;
+bool describe(Session& session, PresetBrowser& presets) {
+    changePresets(session, presets, [&] {
+        describePreset(presets.subject, presets.text);
+        return "Described " + presets.subject;
     });
     return true;
 }
 
-bool carryOut(Ui& ui) {
-    switch (ui.presets.dialog) {
+bool carryOut(Session& session, PresetBrowser& presets) {
+    switch (presets.dialog) {
         case PresetDialog::saveAs:
-            return saveUnderName(ui);
+            return saveUnderName(session, presets);
         case PresetDialog::rename:
-            return rename(ui);
+            return rename(session, presets);
         case PresetDialog::describe:
-            return describe(ui);
+            return describe(session, presets);
         case PresetDialog::open:
             break;
     }
-    const std::uint64_t before = ui.session().messages.size();
-    applyPreset(ui, ui.presets.name);
-    const auto& messages = ui.session().messages;
+    const std::uint64_t before = session.messages.size();
+    applyPreset(session, presets, presets.name);
+    const auto& messages = session.messages;
     return messages.size() > before && messages.back().kind != Message::Kind::error;
 }
 
@@ -165,8 +165,7 @@ const char* doneLabel(const PresetBrowser& presets) {
 
 }  // namespace
 
-void drawPresetDialogs(Ui& ui) {
-    PresetBrowser& presets = ui.presets;
+void drawPresetDialogs(const PanelContext& context, PresetBrowser& presets) {
     const bool opening = std::exchange(presets.openDialog, false);
     const std::string title = std::string(titleOf(presets.dialog)) + "###preset dialog";
     if (opening) ImGui::OpenPopup("###preset dialog");
@@ -181,7 +180,7 @@ void drawPresetDialogs(Ui& ui) {
     const bool done = ImGui::Button(doneLabel(presets), {width, 0.0f});
     place("preset_dialog.ok");
     ImGui::EndDisabled();
-    if (verdict.fits && (done || entered) && carryOut(ui)) {
+    if (verdict.fits && (done || entered) && carryOut(context.session(), presets)) {
         presets.listed = presets.revealed = false;
         ImGui::CloseCurrentPopup();
     }

@@ -2,9 +2,24 @@
 #include <array>
 
 #include "app/ui/shell/actions.h"
+#include "app/ui/shell/context.h"
 
 namespace neph::ui {
 namespace {
+
+void browseFor(Ui& ui, BrowseFor purpose) {
+    browse(ui.settings, ui.sessionDialogs, purpose);
+}
+
+/// Into the file that is open.
+void save(Ui& ui) {
+    const std::filesystem::path file = ui.sessionDialogs.file;
+    if (file.empty()) {
+        browseFor(ui, BrowseFor::saveSession);
+    } else {
+        saveSessionFile(contextOf(ui), ui.sessionDialogs, file);
+    }
+}
 
 const std::array kActions{
     Action{.id = "file.open",
@@ -12,7 +27,7 @@ const std::array kActions{
            .menu = Menu::file,
            .chord = {Key::o, true},
            .help = "Files of one series, or a folder",
-           .run = [](Ui& ui) { browse(ui, BrowseFor::data); }},
+           .run = [](Ui& ui) { browseFor(ui, BrowseFor::data); }},
     Action{.id = "file.bundled",
            .label = "Open the bundled storm",
            .menu = Menu::file,
@@ -30,40 +45,33 @@ const std::array kActions{
            .menu = Menu::file,
            .chord = {Key::r, true},
            .help = "Reads the open files again, as they are on disk now",
-           .run = reloadData,
+           .run = [](Ui& ui) { reloadData(ui.session()); },
            .enabled = [](const Ui& ui) { return ui.session().info() != nullptr; }},
     Action{.id = "file.open_session",
            .label = "Open session...",
            .menu = Menu::file,
            .chord = {Key::o, true, true},
            .help = "Data, looks and cameras as they were saved together",
-           .run = [](Ui& ui) { browse(ui, BrowseFor::session); },
+           .run = [](Ui& ui) { browseFor(ui, BrowseFor::session); },
            .separated = true},
     Action{.id = "file.save_session",
            .label = "Save session",
            .menu = Menu::file,
            .chord = {Key::w, true, true},
            .help = "Into the session file that is open; asks for a name where none is",
-           .run =
-               [](Ui& ui) {
-                   if (ui.sessionDialogs.file.empty()) {
-                       browse(ui, BrowseFor::saveSession);
-                   } else {
-                       saveSessionFile(ui, ui.sessionDialogs.file);
-                   }
-               }},
+           .run = save},
     Action{.id = "file.save_session_as",
            .label = "Save session as...",
            .menu = Menu::file,
            .help = "Data, looks, cameras, bookmarks and the path, into a file of its own",
-           .run = [](Ui& ui) { browse(ui, BrowseFor::saveSession); }},
+           .run = [](Ui& ui) { browseFor(ui, BrowseFor::saveSession); }},
     Action{.id = "file.reopen",
            .label = "Reopen last session",
            .menu = Menu::file,
            .chord = {Key::t, true, true},
            .help = "As it was when the program ended last, properly or not",
-           .run = [](Ui& ui) { reopenLast(ui); },
-           .enabled = canReopenLast},
+           .run = [](Ui& ui) { reopenLast(contextOf(ui), ui.sessionDialogs); },
+           .enabled = [](const Ui& ui) { return canReopenLast(ui.sessionDialogs); }},
     Action{.id = "file.quit",
            .label = "Quit",
            .menu = Menu::file,

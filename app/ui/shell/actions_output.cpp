@@ -3,12 +3,17 @@
 
 #include "app/ui/output/output_run.h"
 #include "app/ui/shell/actions.h"
+#include "app/ui/shell/context.h"
 
 namespace neph::ui {
 namespace {
 
+bool isRunning(const Ui& ui) {
+    return exports(ui.output);
+}
+
 bool canExport(const Ui& ui) {
-    return ui.session().shown() != nullptr && !exports(ui);
+    return ui.session().shown() != nullptr && !isRunning(ui);
 }
 
 const std::array kActions{
@@ -23,14 +28,14 @@ const std::array kActions{
            .menu = Menu::output,
            .chord = {Key::f12},
            .help = "As large as in the window, with the other settings of the last export",
-           .run = [](Ui& ui) { exportPicture(ui); },
+           .run = [](Ui& ui) { exportPicture(contextOf(ui), ui.output, exportSceneOf(ui)); },
            .enabled = canExport},
     Action{.id = "output.cancel",
            .label = "Stop the export",
            .menu = Menu::output,
            .help = "Whole pictures that were written are kept",
            .run = [](Ui& ui) { ui.output.job->cancel(); },
-           .enabled = exports,
+           .enabled = isRunning,
            .separated = true},
 };
 

@@ -1,11 +1,16 @@
 // actions_preset.cpp: the actions of the Presets menu.
 #include <array>
 
+#include "app/ui/presets/preset_commands.h"
 #include "app/ui/shell/actions.h"
 #include "core/preset/preset_files.h"
 
 namespace neph::ui {
 namespace {
+
+void openDialog(Ui& ui, PresetDialog dialog) {
+    openPresetDialog(ui.session(), ui.presets, dialog);
+}
 
 const std::array kActions{
     Action{
@@ -14,26 +19,29 @@ const std::array kActions{
         .menu = Menu::presets,
         .chord = {Key::s, true},
         .help = "Look and camera under the name of your preset; asks for one where there is none",
-        .run = savePreset},
+        .run = [](Ui& ui) { savePreset(ui.session(), ui.presets); }},
     Action{.id = "preset.save_as",
            .label = "Save preset as...",
            .menu = Menu::presets,
            .chord = {Key::s, true, true},
            .help = "Look and camera as a preset of your own",
-           .run = [](Ui& ui) { openPresetDialog(ui, PresetDialog::saveAs); }},
+           .run = [](Ui& ui) { openDialog(ui, PresetDialog::saveAs); }},
     Action{.id = "preset.open",
            .label = "Preset from file...",
            .menu = Menu::presets,
            .chord = {},
            .help = "Takes over look and camera of a preset that lies elsewhere",
-           .run = [](Ui& ui) { openPresetDialog(ui, PresetDialog::open); },
+           .run = [](Ui& ui) { openDialog(ui, PresetDialog::open); },
            .separated = true},
     Action{.id = "preset.again",
            .label = "Load the preset again",
            .menu = Menu::presets,
            .chord = {},
            .help = "Gives up what was changed since it was loaded",
-           .run = [](Ui& ui) { applyPreset(ui, std::string(ui.session().presetName)); },
+           .run =
+               [](Ui& ui) {
+                   applyPreset(ui.session(), ui.presets, std::string(ui.session().presetName));
+               },
            .enabled =
                [](const Ui& ui) {
                    return !ui.session().presetName.empty() && presetChanged(ui.session());
@@ -47,7 +55,7 @@ const std::array kActions{
                [](Ui& ui) {
                    Preset preset = presetOf(ui.session());
                    preset.title = presetLabel(ui.session().presetName);
-                   copyPreset(ui, preset);
+                   copyPreset(ui.session(), preset);
                },
            .separated = true},
     Action{.id = "preset.paste",
@@ -55,7 +63,7 @@ const std::array kActions{
            .menu = Menu::presets,
            .chord = {Key::v, true, true},
            .help = "Look and camera from JSON in the clipboard",
-           .run = pastePreset},
+           .run = [](Ui& ui) { pastePreset(ui.session(), ui.presets); }},
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/time/time_bar.h"
 
 namespace neph::ui {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr int kManyTimes = 10;
 
 bool hasTimes(const Ui& ui) {
-    return lastTime(ui) > 0;
+    return lastTime(ui.session()) > 0;
 }
 
 bool hasPath(const Ui& ui) {
@@ -19,7 +19,7 @@ bool hasPath(const Ui& ui) {
 }
 
 void goTo(Ui& ui, int time) {
-    ui.session().document.time = std::clamp(time, 0, lastTime(ui));
+    ui.session().document.time = std::clamp(time, 0, lastTime(ui.session()));
 }
 
 void goBy(Ui& ui, int times) {
@@ -36,7 +36,7 @@ void play(Ui& ui) {
     playback.alongPath = hasPath(ui) && (playback.alongPath || !hasTimes(ui));
     if (playback.alongPath) {
         if (playback.atS >= durationS(ui.session().document.path)) playback.atS = 0.0;
-    } else if (!playback.loop && ui.session().document.time == lastTime(ui)) {
+    } else if (!playback.loop && ui.session().document.time == lastTime(ui.session())) {
         goTo(ui, 0);
     }
 }
@@ -48,7 +48,7 @@ const std::array kActions{
            .chord = {Key::space},
            .help = "Through the times of the data, or along the camera path; again to pause",
            .run = play,
-           .enabled = hasTimeBar,
+           .enabled = [](const Ui& ui) { return hasTimeBar(ui.session()); },
            .checked = [](const Ui& ui) { return ui.playback.playing; }},
     Action{.id = "time.loop",
            .label = "Loop",
@@ -121,7 +121,7 @@ const std::array kActions{
            .menu = Menu::time,
            .chord = {Key::end},
            .help = "The last of the series",
-           .run = [](Ui& ui) { goTo(ui, lastTime(ui)); },
+           .run = [](Ui& ui) { goTo(ui, lastTime(ui.session())); },
            .enabled = hasTimes},
     Action{.id = "time.follow",
            .label = "Follow new times",

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/ui/data/data_panel.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
 
 namespace neph::ui {
 namespace {
@@ -26,7 +26,16 @@ void scaleText(Ui& ui, int steps) {
 }
 
 bool panelsShown(const Ui& ui) {
-    return ui.showPanels;
+    return ui.columns.shown;
+}
+
+bool isOpen(const Ui& ui, bool left) {
+    const Layout layout = ui.layout();
+    return !(left ? layout.left : layout.right).empty();
+}
+
+void toggleColumn(Ui& ui, bool left) {
+    openColumn(ui.settings, ui.columns, left, !isOpen(ui, left));
 }
 
 const std::array kActions{
@@ -35,24 +44,24 @@ const std::array kActions{
            .menu = Menu::view,
            .chord = {Key::tab},
            .help = "Shows or hides all panels",
-           .run = [](Ui& ui) { ui.showPanels = !ui.showPanels; },
-           .checked = [](const Ui& ui) { return ui.showPanels; }},
+           .run = [](Ui& ui) { ui.columns.shown = !ui.columns.shown; },
+           .checked = panelsShown},
     Action{.id = "view.left",
            .label = "Left column",
            .menu = Menu::view,
            .chord = {Key::f2},
            .help = "Data and fields",
-           .run = [](Ui& ui) { openColumn(ui, true, layoutOf(ui).left.empty()); },
+           .run = [](Ui& ui) { toggleColumn(ui, true); },
            .enabled = panelsShown,
-           .checked = [](const Ui& ui) { return !layoutOf(ui).left.empty(); }},
+           .checked = [](const Ui& ui) { return isOpen(ui, true); }},
     Action{.id = "view.right",
            .label = "Right column",
            .menu = Menu::view,
            .chord = {Key::f4},
            .help = "Presets, camera, light, view and output",
-           .run = [](Ui& ui) { openColumn(ui, false, layoutOf(ui).right.empty()); },
+           .run = [](Ui& ui) { toggleColumn(ui, false); },
            .enabled = panelsShown,
-           .checked = [](const Ui& ui) { return !layoutOf(ui).right.empty(); }},
+           .checked = [](const Ui& ui) { return isOpen(ui, false); }},
     Action{.id = "view.theme",
            .label = "Light theme",
            .menu = Menu::view,
@@ -92,7 +101,7 @@ const std::array kActions{
            .menu = Menu::view,
            .chord = {Key::c},
            .help = "Shows the part of the domain that holds the clouds",
-           .run = showAroundClouds,
+           .run = [](Ui& ui) { showAroundClouds(ui.session()); },
            .enabled =
                [](const Ui& ui) {
                    return ui.session().shown() != nullptr &&
@@ -106,21 +115,6 @@ const std::array kActions{
            .help = "Shows the whole domain again",
            .run = [](Ui& ui) { ui.session().setRegion({}); },
            .enabled = [](const Ui& ui) { return ui.session().region().has_value(); }},
-    Action{.id = "view.messages",
-           .label = "Messages",
-           .menu = Menu::view,
-           .chord = {Key::m},
-           .help = "The list of all that was said",
-           .run = [](Ui& ui) { ui.showMessages = !ui.showMessages; },
-           .checked = [](const Ui& ui) { return ui.showMessages; },
-           .separated = true},
-    Action{.id = "view.profile",
-           .label = "Performance",
-           .menu = Menu::view,
-           .chord = {Key::f3},
-           .help = "What the picture cost, pass by pass",
-           .run = [](Ui& ui) { ui.requests.redraw = ui.showProfile = !ui.showProfile; },
-           .checked = [](const Ui& ui) { return ui.showProfile; }},
     Action{.id = "view.full_screen",
            .label = "Full screen",
            .menu = Menu::view,

@@ -1,4 +1,6 @@
 // help_sheet.cpp: what mouse and keys do, in as many columns as the window has room for.
+#include "app/ui/shell/help_sheet.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -109,7 +110,7 @@ void drawSections(const std::vector<Section>& all, int columns) {
 
 }  // namespace
 
-void drawHelp(Ui& ui) {
+void drawHelp(bool& shown) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const ImVec2 room{display.x - em, display.y - em};
@@ -118,7 +119,7 @@ void drawHelp(Ui& ui) {
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, room);
     const auto flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-    if (ImGui::Begin("Mouse and keys", &ui.showHelp, flags)) drawSections(sections(), columns);
+    if (ImGui::Begin("Mouse and keys", &shown, flags)) drawSections(sections(), columns);
     ImGui::End();
 }
 

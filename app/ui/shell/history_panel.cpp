@@ -1,8 +1,9 @@
 // history_panel.cpp: the steps of the history, oldest first; a click goes there.
+#include "app/ui/shell/history_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -25,8 +26,7 @@ bool drawStep(std::size_t index, std::size_t now, const std::string& label) {
     return chosen;
 }
 
-void drawSteps(Ui& ui) {
-    Session& session = ui.session();
+void drawSteps(Session& session, std::size_t& seen) {
     const std::vector<std::string> steps = session.history.steps();
     const std::size_t now = session.history.position();
     std::size_t wanted = now;
@@ -34,26 +34,25 @@ void drawSteps(Ui& ui) {
         if (drawStep(i, now, i == 0 ? "Start" : steps[i - 1])) wanted = i;
     }
     // The present one is followed, but not while somebody looks for another.
-    if (now != ui.fields.historySeen) {
+    if (now != seen) {
         const float line = ImGui::GetTextLineHeightWithSpacing();
         ImGui::SetScrollY(static_cast<float>(now) * line - ImGui::GetWindowHeight() / 2.0f);
-        ui.fields.historySeen = now;
+        seen = now;
     }
     if (wanted != now) session.jumpTo(wanted);
 }
 
 }  // namespace
 
-void drawHistory(Ui& ui) {
-    if (!ui.fields.showHistory) return;
+void drawHistory(Session& session, bool& shown, std::size_t& seen) {
     const float em = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowSize({kWidthEms * em, kHeightEms * em}, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
                             {0.5f, 0.5f});
     const auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
-    if (ImGui::Begin("History", &ui.fields.showHistory, flags)) {
-        drawSteps(ui);
+    if (ImGui::Begin("History", &shown, flags)) {
+        drawSteps(session, seen);
     }
     ImGui::End();
 }

@@ -1,11 +1,11 @@
 // menu_bar.cpp: the table of actions as menus.
+#include "app/ui/shell/menu_bar.h"
+
 #include <imgui.h>
 
-#include <array>
 #include <string>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -13,9 +13,8 @@ namespace {
 
 void drawItem(Ui& ui, const Action& action) {
     if (action.separated) ImGui::Separator();
-    const bool on = action.checked != nullptr && action.checked(ui);
-    if (ImGui::MenuItem(std::string(action.label).c_str(), chordText(action.chord).c_str(), on,
-                        isEnabled(action, ui))) {
+    if (ImGui::MenuItem(std::string(action.label).c_str(), chordText(action.chord).c_str(),
+                        isChecked(action, ui), isEnabled(action, ui))) {
         action.run(ui);
     }
     place(action.id);
@@ -49,12 +48,6 @@ float widthOfMenus() {
 }
 
 }  // namespace
-
-std::string_view menuName(Menu menu) {
-    constexpr std::array<std::string_view, kMenuCount> kNames{
-        "File", "Edit", "View", "Presets", "Camera", "Time", "Compare", "Output", "Help"};
-    return kNames.at(static_cast<std::size_t>(menu));
-}
 
 void drawMenuBar(Ui& ui) {
     if (!ImGui::BeginMainMenuBar()) return;

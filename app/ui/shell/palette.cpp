@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "app/ui/shell/command_search.h"
-#include "app/ui/shell/panels.h"
 #include "app/ui/widgets/input.h"
-#include "app/ui/widgets/layout.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -36,8 +34,8 @@ void run(Ui& ui, const Command& command) {
     remember(ui.palette.recent, command.id());
     ImGui::CloseCurrentPopup();
     if (command.action != nullptr) return command.action->run(ui);
-    ui.showPanels = true;
-    openColumn(ui, false, true);
+    ui.columns.shown = true;
+    openColumn(ui.settings, ui.columns, false, true);
     ui.fields.find = command.parameter->id;
 }
 

@@ -1,15 +1,9 @@
-// palette.h: the searchable list of commands: what it keeps between frames.
+// palette.h: finds actions and parameters by parts of their names, and runs or shows them.
 #pragma once
-#include <string>
-#include <vector>
+#include "app/ui/shell/ui.h"
 
 namespace neph::ui {
 
-struct Palette {
-    bool open = false;                ///< asked for; opens in the next frame
-    std::string text;                 ///< as typed
-    int chosen = 0;                   ///< row that Enter runs
-    std::vector<std::string> recent;  ///< ids of what was run, newest first
-};
+void drawPalette(Ui& ui);
 
 }  // namespace neph::ui

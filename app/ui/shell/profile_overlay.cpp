@@ -2,9 +2,9 @@
 // pass.
 //
 // Digits of the font are of one width, so numbers that end at the same place stand still.
-#include <imgui.h>
+#include "app/ui/shell/profile_overlay.h"
 
-#include "app/ui/shell/panels.h"
+#include <imgui.h>
 
 namespace neph::ui {
 namespace {
@@ -67,9 +67,8 @@ void drawContent(const Profile& profile) {
 
 }  // namespace
 
-void drawProfile(const Ui& ui) {
+void drawProfile(const Area& picture, const Profile& profile) {
     const float em = ImGui::GetFontSize();
-    const Area picture = layoutOf(ui).picture;
     ImGui::SetNextWindowPos(
         {picture.upper.x - (kWidthEms + kMarginEms) * em, picture.lower.y + kMarginEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
@@ -81,10 +80,10 @@ void drawProfile(const Ui& ui) {
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                          ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-        if (ui.profile.picture.empty()) {
+        if (profile.picture.empty()) {
             ImGui::TextDisabled("No picture yet");
         } else {
-            drawContent(ui.profile);
+            drawContent(profile);
         }
     }
     ImGui::End();

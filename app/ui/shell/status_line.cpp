@@ -1,10 +1,11 @@
 // status_line.cpp: the newest message; how long the picture took, what it is made of and in which
 // memory.
+#include "app/ui/shell/status_line.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/volume/memory_setting.h"
@@ -18,41 +19,40 @@ constexpr float kLeastMessageEms = 14.0f;
 std::string workText(const FrameReport& report) {
     const EngineTraits& engine = traitsOf(report.engine);
     std::string work;
-    if (engine.sampling == Sampling::converges) {
+    if (engine.refinement == Refinement::converges) {
         work = fmt::format("{}, {}", engine.label, pathsText(report.reference));
     } else {
         work = fmt::format("{}, {}", engine.id, countText(report.planes, engine.unit));
     }
-    if (engine.sampling == Sampling::averages) {
+    if (engine.refinement == Refinement::averages) {
         work += ", " + countText(report.samples, "sample");
     }
     return work + (report.full ? "" : ", draft");
 }
 
 /// In motion frames a second say more.
-std::string timeText(const Ui& ui) {
-    const bool moves = ui.animates || ImGui::IsAnyMouseDown();
-    const std::string time = fmt::format("{:.0f} ms", ui.report.milliseconds);
+std::string timeText(const FrameReport& report, bool animates) {
+    const bool moves = animates || ImGui::IsAnyMouseDown();
+    const std::string time = fmt::format("{:.0f} ms", report.milliseconds);
     if (!moves) return time;
     return fmt::format("{}, {:.0f} fps", time, static_cast<double>(ImGui::GetIO().Framerate));
 }
 
-std::string memoryText(const Ui& ui) {
+std::string memoryText(const FrameReport& report) {
     const std::string own = neph::memoryText(residentBytes());
-    if (ui.report.gpuBytes == 0) return own;
-    return own + " + " + neph::memoryText(ui.report.gpuBytes) + " GPU";
+    if (report.gpuBytes == 0) return own;
+    return own + " + " + neph::memoryText(report.gpuBytes) + " GPU";
 }
 
 /// The most telling first: where there is no room the last are left out.
-std::vector<std::string> frameTexts(const Ui& ui) {
-    const FrameReport& report = ui.report;
-    if (report.sizePx.x == 0) return {memoryText(ui), report.device};
+std::vector<std::string> frameTexts(const FrameReport& report, bool animates) {
+    if (report.sizePx.x == 0) return {memoryText(report), report.device};
     const std::string size = fmt::format("{} \u00d7 {} px", report.sizePx.x, report.sizePx.y);
     // How long a pass took is no measure of anything.
-    if (traitsOf(report.engine).sampling == Sampling::converges) {
-        return {workText(report), size, memoryText(ui), report.device};
+    if (traitsOf(report.engine).refinement == Refinement::converges) {
+        return {workText(report), size, memoryText(report), report.device};
     }
-    return {timeText(ui), size, workText(report), memoryText(ui), report.device};
+    return {timeText(report, animates), size, workText(report), memoryText(report), report.device};
 }
 
 std::string firstLine(const std::string& text) {
@@ -101,14 +101,14 @@ std::string fitting(const std::vector<std::string>& texts, float room) {
     return line;
 }
 
-void drawMessage(Ui& ui, const Area& area, float end) {
+void drawMessage(const Session& session, const Area& area, float end, bool& showMessages) {
     // The message gives way to the frame, not the other way round.
     ImGui::PushClipRect({area.lower.x, area.lower.y}, {end, area.upper.y}, true);
-    const Said said = newest(ui.session());
+    const Said said = newest(session);
     ImGui::TextColored(said.colour, "%s", said.text.c_str());
     ImGui::PopClipRect();
     place("status.message");
-    if (ImGui::IsItemClicked()) ui.showMessages = !ui.showMessages;
+    if (ImGui::IsItemClicked()) showMessages = !showMessages;
     if (ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         ImGui::SetTooltip("%s\n\nClick for the list of messages", said.text.c_str());
@@ -117,24 +117,24 @@ void drawMessage(Ui& ui, const Area& area, float end) {
 
 }  // namespace
 
-void drawStatus(Ui& ui) {
-    const Area area = layoutOf(ui).status;
+void drawStatus(const PanelContext& context, const FrameReport& report, bool& showMessages) {
+    const Session& session = context.session();
+    const Area area = context.layout().status;
     const float em = ImGui::GetFontSize();
     if (beginFixed("##status", area.lower, area.size())) {
-        const std::vector<std::string> texts = frameTexts(ui);
-        const std::string coarsened = coarsenedText(ui.session().shown());
+        const std::vector<std::string> texts = frameTexts(report, context.next.animates);
+        const std::string coarsened = coarsenedText(session.shown());
         const float margin = ImGui::GetStyle().WindowPadding.x;
         const float gap = coarsened.empty() ? 0.0f : em;
         const float room = area.size().x - kLeastMessageEms * em - 2.0f * margin;
         const std::string frame = fitting(texts, room - widthOf(coarsened) - gap);
         const float at = area.size().x - margin - widthOf(frame) - gap - widthOf(coarsened);
         ImGui::SetCursorPosY((area.size().y - ImGui::GetTextLineHeight()) / 2.0f);
-        drawMessage(ui, area, at - em);
+        drawMessage(session, area, at - em, showMessages);
         ImGui::SameLine(at);
         ImGui::TextColored(warningColour(), "%s", coarsened.c_str());
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s",
-                              describe(ui.session().shown()->plan, *ui.session().info()).c_str());
+            ImGui::SetTooltip("%s", describe(session.shown()->plan, *session.info()).c_str());
         }
         ImGui::SameLine(0.0f, gap);
         ImGui::TextDisabled("%s", frame.c_str());

@@ -2,7 +2,14 @@
 #pragma once
 #include <optional>
 
+#include "core/camera/camera.h"
+
 namespace neph::ui {
+
+/// The document's camera before a path led it, and where the path put it last.
+struct LedCamera {
+    CameraPose before, now;
+};
 
 struct Playback {
     bool playing = false;
@@ -10,7 +17,8 @@ struct Playback {
     bool loop = true;
     double timesPerSecond = 4.0;
     int step = 1;
-    double atS = 0.0;        ///< along the camera path
+    double atS = 0.0;  ///< along the camera path
+    std::optional<LedCamera> led;
     double sinceS = 0.0;     ///< since the last step through the times
     int from = -1, to = -1;  ///< the last step, to notice when it was refused; -1: none
 };

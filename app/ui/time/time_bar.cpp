@@ -1,16 +1,16 @@
 // time_bar.cpp: which time of the series, or place on the camera path, is shown; playing.
+#include "app/ui/time/time_bar.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/camera/camera_view.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/time/path_lead.h"
 #include "app/ui/time/transport_icons.h"
+#include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/input.h"
-#include "app/ui/widgets/layout.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 
@@ -21,59 +21,53 @@ constexpr float kButtonEms = 1.75f;  // width
 constexpr float kSpeedEms = 6.4f;
 constexpr double kLongestFrameS = 0.25;  // along a path: a hitch is no leap
 
-std::string labelOf(const Ui& ui, int time) {
-    return ui.session().info()->times.at(static_cast<std::size_t>(time)).label;
+std::string labelOf(const Session& session, int time) {
+    return session.info()->times.at(static_cast<std::size_t>(time)).label;
 }
 
-/// Whether the picture shows the document's time. Of two pictures, or the other slot's, that is not
-/// told.
-bool isReady(const Ui& ui) {
-    if (!ui.session().info()) return true;
-    const int time = ui.session().document.time;
-    const bool told =
-        ui.report.time >= 0 && ui.compare.mode == CompareMode::single && !ui.compare.peeking;
-    return ui.session().shows(time) && (!told || ui.report.time == time);
+/// Whether the image shows the document's time, as far as its own is known.
+bool isReady(const Session& session, int imageTime) {
+    if (!session.info()) return true;
+    const int time = session.document.time;
+    return session.shows(time) && (imageTime < 0 || imageTime == time);
 }
 
-bool button(Ui& ui, const char* id, Icon icon) {
-    const Action* action = findAction(id);
-    if (action == nullptr) return false;
-    const bool on = action->checked != nullptr && action->checked(ui);
-    ImGui::BeginDisabled(!isEnabled(*action, ui));
-    const bool pressed = iconButton(id, icon, kButtonEms * ImGui::GetFontSize(), on);
+void button(const ActionLookup& actions, const char* id, Icon icon) {
+    const ActionFace face = actions.face(id);
+    ImGui::BeginDisabled(!face.enabled);
+    const bool pressed = iconButton(id, icon, kButtonEms * ImGui::GetFontSize(), face.on);
     ImGui::EndDisabled();
     place(id);
-    tooltip(tooltipOf(*action));
-    if (pressed) runAction(ui, id);
+    tooltip(face.tooltip);
+    if (pressed) actions.run(id);
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    return pressed;
 }
 
-void drawButtons(Ui& ui) {
-    button(ui, "time.first", Icon::first);
-    button(ui, "time.before", Icon::before);
-    button(ui, "time.play", ui.playback.playing ? Icon::pause : Icon::play);
-    button(ui, "time.after", Icon::after);
-    button(ui, "time.last", Icon::last);
-    button(ui, "time.loop", Icon::loop);
+void drawButtons(const ActionLookup& actions, bool playing) {
+    button(actions, "time.first", Icon::first);
+    button(actions, "time.before", Icon::before);
+    button(actions, "time.play", playing ? Icon::pause : Icon::play);
+    button(actions, "time.after", Icon::after);
+    button(actions, "time.last", Icon::last);
+    button(actions, "time.loop", Icon::loop);
 }
 
 /// Below the buttons: how fast, and how many times on with each step.
-void drawSpeed(Ui& ui, float width) {
-    auto speed = static_cast<float>(ui.playback.timesPerSecond);
+void drawSpeed(Playback& playback, int last, float width) {
+    auto speed = static_cast<float>(playback.timesPerSecond);
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float speedWidth = std::min(kSpeedEms * ImGui::GetFontSize(), 0.6f * width);
     ImGui::SetNextItemWidth(speedWidth);
     if (ImGui::DragFloat("##speed", &speed, 0.02f, static_cast<float>(kLeastTimesPerSecond),
                          static_cast<float>(kMostTimesPerSecond), "%.3g times/s",
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
-        ui.playback.timesPerSecond = static_cast<double>(speed);
+        playback.timesPerSecond = static_cast<double>(speed);
     }
     place("time.speed");
     tooltip("How fast playing goes; drag, or Ctrl+click to type");
     ImGui::SameLine(0.0f, inner);
     ImGui::SetNextItemWidth(width - speedWidth - inner);
-    ImGui::DragInt("##step", &ui.playback.step, 0.05f, 1, std::max(1, lastTime(ui)), "step %d",
+    ImGui::DragInt("##step", &playback.step, 0.05f, 1, std::max(1, last), "step %d",
                    ImGuiSliderFlags_AlwaysClamp);
     place("time.step");
     tooltip("How many times on with each step of playing");
@@ -87,8 +81,8 @@ std::string plain(const std::string& text) {
 }
 
 /// Along the lower edge of the slider: the times that are in memory.
-void markHeld(const Ui& ui) {
-    const int last = lastTime(ui);
+void markHeld(const Session& session) {
+    const int last = lastTime(session);
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     const float width = upper.x - lower.x, height = std::round(0.14f * ImGui::GetFontSize());
     const ImU32 colour = ImGui::GetColorU32(ImGuiCol_CheckMark);
@@ -97,51 +91,51 @@ void markHeld(const Ui& ui) {
         std::max(width / static_cast<float>(last + 1), ImGui::GetStyle().GrabMinSize);
     const float apart = (width - cell) / static_cast<float>(last);
     for (int time = 0; time <= last; ++time) {
-        if (!ui.session().holds(time)) continue;
+        if (!session.holds(time)) continue;
         const float middle = lower.x + cell / 2.0f + apart * static_cast<float>(time);
         ImGui::GetWindowDrawList()->AddRectFilled({middle - apart / 2.0f, upper.y - height},
                                                   {middle + apart / 2.0f, upper.y}, colour);
     }
 }
 
-void drawTimes(Ui& ui) {
-    int& time = ui.session().document.time;
-    const int last = lastTime(ui);
+void drawTimes(Session& session) {
+    int& time = session.document.time;
+    const int last = lastTime(session);
     time = std::clamp(time, 0, last);
     const std::string format =
-        plain(fmt::format("{}   {} of {}", labelOf(ui, time), time + 1, last + 1));
+        plain(fmt::format("{}   {} of {}", labelOf(session, time), time + 1, last + 1));
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::SliderInt("##slider", &time, 0, last, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     place("time.slider");
     tooltip("Times of the data. The line below marks those in memory.");
-    markHeld(ui);
+    markHeld(session);
 }
 
-void drawPath(Ui& ui) {
-    const double durationS = neph::durationS(ui.session().document.path);
-    auto atS = static_cast<float>(std::min(ui.playback.atS, durationS));
+void drawPath(Session& session, Playback& playback) {
+    const double durationS = neph::durationS(session.document.path);
+    auto atS = static_cast<float>(std::min(playback.atS, durationS));
     const std::string format = fmt::format("%.2f s of {:.4g} s along the camera path", durationS);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::SliderFloat("##path", &atS, 0.0f, static_cast<float>(durationS), format.c_str(),
                            ImGuiSliderFlags_AlwaysClamp)) {
-        ui.playback.atS = static_cast<double>(atS);
-        leadAlongPath(ui);
+        playback.atS = static_cast<double>(atS);
+        leadAlongPath(session, playback);
     }
     place("time.path");
 }
 
 /// The labels of the slider's ends, and between them what is waited for.
-void drawEnds(const Ui& ui, bool path) {
-    const std::string first = path ? "0 s" : labelOf(ui, 0);
-    const std::string last = path ? fmt::format("{:.4g} s", durationS(ui.session().document.path))
-                                  : labelOf(ui, lastTime(ui));
+void drawEnds(const Session& session, bool playing, bool path) {
+    const std::string first = path ? "0 s" : labelOf(session, 0);
+    const std::string last = path ? fmt::format("{:.4g} s", durationS(session.document.path))
+                                  : labelOf(session, lastTime(session));
     const float start = ImGui::GetCursorPosX();
     const float end = start + ImGui::GetContentRegionAvail().x;
     ImGui::TextDisabled("%s", first.c_str());
-    const bool waits = ui.playback.playing && ui.session().info() != nullptr &&
-                       !ui.session().shows(ui.session().document.time);
+    const bool waits =
+        playing && session.info() != nullptr && !session.shows(session.document.time);
     const std::string waiting =
-        waits ? "waiting for " + labelOf(ui, ui.session().document.time) : std::string();
+        waits ? "waiting for " + labelOf(session, session.document.time) : std::string();
     const auto widthOf = [](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x;
     };
@@ -156,45 +150,46 @@ void drawEnds(const Ui& ui, bool path) {
 
 }  // namespace
 
-int lastTime(const Ui& ui) {
-    const DatasetInfo* info = ui.session().info();
+int lastTime(const Session& session) {
+    const DatasetInfo* info = session.info();
     return info == nullptr ? 0 : static_cast<int>(info->times.size()) - 1;
 }
 
-void playOn(Ui& ui) {
-    Playback& playback = ui.playback;
+void playOn(const PanelContext& context, Playback& playback, int imageTime) {
+    Session& session = context.session();
     if (!playback.playing) return;
     const auto seconds = static_cast<double>(ImGui::GetIO().DeltaTime);
     if (playback.alongPath) {
-        advanceAlong(playback, std::min(seconds, kLongestFrameS),
-                     durationS(ui.session().document.path), isReady(ui));
-        leadAlongPath(ui);
+        advanceAlong(playback, std::min(seconds, kLongestFrameS), durationS(session.document.path),
+                     isReady(session, imageTime));
+        leadAlongPath(session, playback);
     } else {
-        const auto next =
-            advance(playback, seconds, ui.session().document.time, lastTime(ui) + 1, isReady(ui));
-        if (next) ui.session().document.time = *next;
+        const auto next = advance(playback, seconds, session.document.time, lastTime(session) + 1,
+                                  isReady(session, imageTime));
+        if (next) session.document.time = *next;
     }
-    ui.animates |= playback.playing;
+    context.next.animates |= playback.playing;
 }
 
-void drawTimeBar(Ui& ui) {
-    const Area area = layoutOf(ui).time;
+void drawTimeBar(const PanelContext& context, Playback& playback) {
+    Session& session = context.session();
+    const Area area = context.layout().time;
     if (area.empty()) return;
     const float em = ImGui::GetFontSize();
-    const bool path = ui.playback.alongPath || lastTime(ui) < 1;
+    const bool path = playback.alongPath || lastTime(session) < 1;
     if (beginFixed("##time", area.lower, area.size())) {
         const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
         const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
         const float buttons = 6.0f * kButtonEms * em + 5.0f * inner;
-        drawButtons(ui);
+        drawButtons(context.actions, playback.playing);
         ImGui::SetCursorPosX(left + buttons + em);
-        path ? drawPath(ui) : drawTimes(ui);
+        path ? drawPath(session, playback) : drawTimes(session);
         ImGui::SetCursorPos({left, top + ImGui::GetFrameHeightWithSpacing()});
-        drawSpeed(ui, buttons);
+        drawSpeed(playback, lastTime(session), buttons);
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + buttons + em);
         ImGui::AlignTextToFramePadding();
-        drawEnds(ui, path);
+        drawEnds(session, playback.playing, path);
     }
     ImGui::End();
 }

@@ -22,7 +22,7 @@ TEST_CASE("Every engine has a row of its own, in the order of the enumerators") 
         CHECK_FALSE(engine.help.empty());
         CHECK_FALSE(engine.unit.empty());
         CHECK(engine.samples >= 1);
-        CHECK((engine.sampling == Sampling::averages || engine.samples == 1));
+        CHECK((engine.refinement == Refinement::averages || engine.samples == 1));
         CHECK(engine.leastDetail >= 0.0);
         CHECK(engine.leastDetail <= 1.0);
         ids.insert(engine.id);
@@ -43,7 +43,7 @@ TEST_CASE("One engine is the ground truth: it converges, and it does not draw un
     for (const EngineTraits& engine : kEngines) truths += engine.groundTruth ? 1 : 0;
     CHECK(truths == 1);
     CHECK(groundTruth() == Engine::reference);
-    CHECK(traitsOf(groundTruth()).sampling == Sampling::converges);
+    CHECK(traitsOf(groundTruth()).refinement == Refinement::converges);
     CHECK(traitsOf(groundTruth()).layers);
     CHECK(Look{}.engine != groundTruth());
 }

@@ -7,9 +7,8 @@
 
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/shell/ui.h"
-#include "app/ui/widgets/layout.h"
+#include "app/ui/shell/frame.h"
+#include "app/ui/time/path_lead.h"
 #include "app/ui/widgets/places.h"
 #include "tests/core/fake_series.h"
 #include "tests/ui/headless.h"
@@ -33,12 +32,12 @@ struct Fixture {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         REQUIRE(session.shown() != nullptr);
-        state.showPanels = false;
+        state.columns.shown = false;
         state.report.time = -1;
         frame();
     }
     void frame() {
-        state.animates = false;
+        state.next.animates = false;
         gui.frame([&] { ui::draw(state); });
     }
     void hold(char key, bool down) { io.KeysDown[static_cast<int>(key)] = down; }
@@ -78,7 +77,7 @@ TEST_CASE("In flight W moves forwards, Shift faster, a drag looks around and not
     REQUIRE(ui::runChord(f.state, {ui::Key::g}));
     f.hold('W', true);
     f.frame();
-    CHECK(f.state.animates);
+    CHECK(f.state.next.animates);
     const glm::dvec3 first = f.eye();
     f.frame();  // 0.1 s at 0.05 of 8 km a second
     CHECK(glm::length(f.eye() - first - f.forward() * 40.0) < 0.05);
@@ -91,7 +90,7 @@ TEST_CASE("In flight W moves forwards, Shift faster, a drag looks around and not
     const glm::dvec3 third = f.eye();
     f.frame();
     CHECK(f.eye() == third);
-    CHECK_FALSE(f.state.animates);
+    CHECK_FALSE(f.state.next.animates);
     f.io.KeyCtrl = false;
     f.hold('W', false);
     f.io.MouseDown[0] = true;
@@ -154,14 +153,14 @@ TEST_CASE("A path leads the camera, and its own comes back when the path is left
     Document& document = f.session.document;
     const CameraPose own = document.camera;
     document.path.withTime = true;
-    ui::addPathKey(f.state);
+    ui::addPathKey(f.session, f.state.playback);
     document.camera.azimuthDeg = 240.0f;
-    ui::addPathKey(f.state);
+    ui::addPathKey(f.session, f.state.playback);
     REQUIRE(document.path.keys.size() == 2);
     CHECK(document.path.keys[1].atS == 4.0);
     document.camera = own;
     f.state.playback.atS = 2.0;
-    ui::leadAlongPath(f.state);
+    ui::leadAlongPath(f.session, f.state.playback);
     CHECK(document.camera.azimuthDeg == doctest::Approx(210.0f));
     CHECK(document.time == 3);  // the fourth of six begins half way
     f.frame();
@@ -171,7 +170,7 @@ TEST_CASE("A path leads the camera, and its own comes back when the path is left
     CHECK(document.camera == own);
     // A hand that moves the camera takes it over where it is.
     f.state.playback.alongPath = f.state.playback.playing = true;
-    ui::leadAlongPath(f.state);
+    ui::leadAlongPath(f.session, f.state.playback);
     document.camera.distance = 0.5f;
     f.frame();
     CHECK_FALSE(f.state.playback.alongPath);
@@ -182,7 +181,7 @@ TEST_CASE("A path leads the camera, and its own comes back when the path is left
 
 TEST_CASE("The Camera panel adds and deletes bookmarks and keys, and goes to them") {
     Fixture f;
-    f.state.showPanels = true;
+    f.state.columns.shown = true;
     f.io.DisplaySize = {1600.0f, 3000.0f};
     ui::wantPlaces(true);
     const auto click = [&](const char* name) {
@@ -239,10 +238,10 @@ TEST_CASE("What lies over the picture stays within it, and is switched off one b
         CHECK(vertices() == none);
     }
     f.state.settings.scaleBar = f.state.settings.compass = f.state.settings.heightRuler = true;
-    f.state.showPanels = true;
+    f.state.columns.shown = true;
     f.frame();
     f.frame();
-    const ui::Area picture = ui::layoutOf(f.state).picture;
+    const ui::Area picture = f.state.layout().picture;
     int within = 0;
     for (const ImDrawCmd& command : ImGui::GetBackgroundDrawList()->CmdBuffer) {
         if (command.ElemCount == 0) continue;

@@ -5,8 +5,9 @@
 #include <chrono>
 #include <thread>
 
+#include "app/ui/compare/compare.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/context.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
@@ -121,15 +122,15 @@ TEST_CASE("In turns each picture is seen for half a second, and nothing counts a
     REQUIRE(ui::runAction(ui, "compare.flicker"));
     int ofB = 0;
     for (int i = 0; i < 40; ++i) {
-        ui.againS = 10.0;
-        gui.frame([&] { drawCompare(ui); });
+        ui.next.againS = 10.0;
+        gui.frame([&] { drawCompare(contextOf(ui), ui.compare, ui.errors); });
         ofB += ui.compare.flickered;
-        CHECK(ui.againS > 0.0);
-        CHECK(ui.againS <= 0.5);
+        CHECK(ui.next.againS > 0.0);
+        CHECK(ui.next.againS <= 0.5);
     }
     CHECK(ofB >= 19);
     CHECK(ofB <= 21);
-    CHECK_FALSE(ui.animates);
+    CHECK_FALSE(ui.next.animates);
     REQUIRE(ui::runAction(ui, "compare.flicker"));
     CHECK(ui.compare.mode == CompareMode::single);
 }
@@ -156,12 +157,12 @@ TEST_CASE("Error picture and figures fit into the window, with figures and befor
         ++textures;
         return ui::LoadedPicture{7, image.size};
     };
-    gui.frame([&] { drawCompare(ui); });
+    gui.frame([&] { drawCompare(contextOf(ui), ui.compare, ui.errors); });
     CHECK(textures == 0);
     REQUIRE(ui.errors.wants(pictures(1, 2, 2), Clock::now()));
     ui.errors.start({ramp(1.1f), ramp(1.0f), {}, {}}, Clock::now());
     for (int i = 0; i < 5000 && textures == 0; ++i) {
-        gui.frame([&] { drawCompare(ui); });
+        gui.frame([&] { drawCompare(contextOf(ui), ui.compare, ui.errors); });
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     CHECK(textures == 1);

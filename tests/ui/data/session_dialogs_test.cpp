@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/context.h"
+#include "app/ui/shell/frame.h"
+#include "app/ui/shell/wishes.h"
 #include "core/preset/preset.h"
 #include "core/session/autosave.h"
 #include "core/session/session_file.h"
@@ -35,6 +37,12 @@ struct Window {
     }
     std::string lastMessage() const {
         return session.messages.empty() ? std::string() : session.messages.back().text;
+    }
+    void openSessionFile(const fs::path& file) {
+        ui::openSessionFile(ui::contextOf(state), state.sessionDialogs, file);
+    }
+    void saveSessionFile(const fs::path& file) {
+        ui::saveSessionFile(ui::contextOf(state), state.sessionDialogs, file);
     }
     void openData() {
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
@@ -84,7 +92,7 @@ TEST_CASE("A session whose data have moved waits for an answer and loses nothing
     Headless gui;
     Window window;
     saveSession(folder / "a.json", stateWith("/gone/run"));
-    ui::openSessionFile(window.state, folder / "a.json");
+    window.openSessionFile(folder / "a.json");
     CHECK(window.restored == 0);
     REQUIRE(window.state.sessionDialogs.waiting.has_value());
     ui::WaitingSession& waiting = *window.state.sessionDialogs.waiting;
@@ -107,9 +115,9 @@ TEST_CASE("Without the data that are missing, look and camera are taken over all
     Headless gui;
     Window window;
     saveSession(folder / "a.json", stateWith("/gone/run"));
-    ui::openSessionFile(window.state, folder / "a.json");
+    window.openSessionFile(folder / "a.json");
     REQUIRE(window.state.sessionDialogs.waiting.has_value());
-    ui::leaveOut(window.state, *window.state.sessionDialogs.waiting);
+    ui::leaveOut(window.session, *window.state.sessionDialogs.waiting);
     for (int i = 0; i < 2; ++i) gui.frame([&] { ui::draw(window.state); });
     CHECK(window.restored == 1);
     CHECK(window.now.slots[0].data.empty());
@@ -120,13 +128,13 @@ TEST_CASE("A session is saved under its name, and a fault is told") {
     const TemporaryFolder folder;
     Window window;
     window.now = stateWith(folder.path().string());
-    ui::saveSessionFile(window.state, folder / "a.json");
+    window.saveSessionFile(folder / "a.json");
     CHECK(loadSession(folder / "a.json") == window.now);
     CHECK(contains(window.lastMessage(), "a.json"));
     window.now.slots[0].document.time = 3;
     CHECK(ui::runAction(window.state, "file.save_session"));
     CHECK(loadSession(folder / "a.json").slots[0].document.time == 3);
-    ui::saveSessionFile(window.state, folder / "missing/a.json");
+    window.saveSessionFile(folder / "missing/a.json");
     CHECK(contains(window.lastMessage(), "missing"));
     CHECK(window.state.sessionDialogs.file == folder / "a.json");
 }

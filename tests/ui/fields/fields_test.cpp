@@ -6,9 +6,12 @@
 #include <thread>
 
 #include "app/ui/fields/fields_link.h"
+#include "app/ui/fields/fields_panel.h"
 #include "app/ui/fields/fields_plots.h"
+#include "app/ui/fields/groups_panel.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/context.h"
+#include "app/ui/shell/history_panel.h"
 #include "app/ui/widgets/places.h"
 #include "core/look/colours.h"
 #include "tests/core/fake_series.h"
@@ -19,9 +22,23 @@ using doctest::Approx;
 
 namespace {
 
+using Draw = void (*)(ui::Ui&);
+
+void drawFields(ui::Ui& ui) {
+    ui::drawFields(ui::contextOf(ui), ui.fields);
+}
+
+void drawFind(ui::Ui& ui) {
+    ui::drawFind(ui::contextOf(ui), ui.fields);
+}
+
+void drawHistory(ui::Ui& ui) {
+    if (ui.showHistory) ui::drawHistory(ui.session(), ui.showHistory, ui.historySeen);
+}
+
 /// A panel in a window of 400 x 700 pixels, for a session with a cloud and nothing else.
 struct Panel {
-    explicit Panel(void (*drawn)(ui::Ui&) = ui::drawFields) : draw(drawn) {
+    explicit Panel(Draw drawn = drawFields) : draw(drawn) {
         ui::wantPlaces(true);
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
         for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
@@ -67,7 +84,7 @@ struct Panel {
     std::shared_ptr<FakeSeries> series = std::make_shared<FakeSeries>();
     Session session{openFake(series)};
     ui::Ui state{session};
-    void (*draw)(ui::Ui&);
+    Draw draw;
 };
 
 }  // namespace
@@ -213,7 +230,7 @@ TEST_CASE("Field colours change to those that the colour-blind can tell, and bac
 }
 
 TEST_CASE("A click in the list of steps goes there") {
-    Panel panel(ui::drawHistory);
+    Panel panel(drawHistory);
     for (const float ev : {1.0f, 2.0f, 3.0f}) {
         panel.look().exposureEv = ev;
         panel.session.history.commit(panel.session.document);
@@ -231,7 +248,7 @@ TEST_CASE("A click in the list of steps goes there") {
 }
 
 TEST_CASE("A parameter is found by part of its label, id or help, of any field") {
-    Panel panel(ui::drawFind);
+    Panel panel(drawFind);
     panel.state.fields.find = "snow albedo";
     panel.frame();
     CHECK(ui::placeOf("snow.albedo").has_value());

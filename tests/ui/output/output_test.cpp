@@ -5,9 +5,10 @@
 #include <fstream>
 #include <thread>
 
+#include "app/ui/output/output_panel.h"
 #include "app/ui/output/output_run.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/context.h"
 #include "core/session/session_file.h"
 #include "tests/environment.h"
 #include "tests/temporary_folder.h"
@@ -99,15 +100,21 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
     };
     ui.output.program = folder / "program";
     ui.output.settings.file = (folder / "p.exr").string();
+    const auto start = [&] {
+        startExport(contextOf(ui), ui.output, ui.output.settings, exportSceneOf(ui));
+    };
+    const auto draw = [&] {
+        gui.frame([&] { drawOutput(contextOf(ui), ui.output, exportSceneOf(ui)); });
+    };
     const auto finish = [&] {
-        for (int i = 0; i < 2 || exports(ui); ++i) gui.frame([&] { drawOutput(ui); });
+        for (int i = 0; i < 2 || exports(ui.output); ++i) draw();
     };
     SUBCASE("well") {
         makeProgram(ui.output.program,
                     "cp \"$4\" " + (folder / "copy").string() +
                         "; echo '{\"done\": 1, \"of\": 1, \"file\": \"p.png\"}'");
-        exportPicture(ui);
-        REQUIRE(exports(ui));
+        exportPicture(contextOf(ui), ui.output, exportSceneOf(ui));
+        REQUIRE(exports(ui.output));
         CHECK_FALSE(runAction(ui, "output.picture"));
         finish();
         CHECK(ui.output.job->state() == ExportJob::State::done);
@@ -116,23 +123,23 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
     }
     SUBCASE("stopped") {
         makeProgram(ui.output.program, "trap 'exit 143' TERM; while :; do sleep 0.01; done");
-        startExport(ui, ui.output.settings);
-        gui.frame([&] { drawOutput(ui); });
-        CHECK(ui.againS <= 0.2);
+        start();
+        draw();
+        CHECK(ui.next.againS <= 0.2);
         CHECK(runAction(ui, "output.cancel"));
         finish();
         CHECK(ui.output.job->state() == ExportJob::State::cancelled);
     }
     SUBCASE("failing") {
         makeProgram(ui.output.program, "echo 'error: no room' >&2; exit 1");
-        startExport(ui, ui.output.settings);
+        start();
         ui.output.open = true;
         finish();
         CHECK(ui.output.job->fault() == "no room");
     }
     SUBCASE("without a program") {
-        startExport(ui, ui.output.settings);
-        CHECK_FALSE(exports(ui));
+        start();
+        CHECK_FALSE(exports(ui.output));
         CHECK(contains(session.messages.back().text, "program"));
     }
     CHECK(std::filesystem::is_empty(folder / "nephoscope" / "exports"));

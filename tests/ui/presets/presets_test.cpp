@@ -5,10 +5,12 @@
 
 #include <fstream>
 
+#include "app/ui/presets/preset_browser.h"
 #include "app/ui/presets/preset_card.h"
+#include "app/ui/presets/preset_commands.h"
+#include "app/ui/presets/preset_dialogs.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/context.h"
 #include "app/ui/widgets/places.h"
 #include "core/preset/preset_files.h"
 #include "tests/environment.h"
@@ -51,9 +53,9 @@ struct Browser {
             ImGui::SetNextWindowPos({0.0f, 0.0f});
             ImGui::SetNextWindowSize({280.0f, 700.0f});
             ImGui::Begin("column", nullptr, ImGuiWindowFlags_NoDecoration);
-            ui::drawPresets(state);
+            ui::drawPresets(ui::contextOf(state), state.presets);
             ImGui::End();
-            ui::drawPresetDialogs(state);
+            ui::drawPresetDialogs(ui::contextOf(state), state.presets);
         });
     }
     void click(const std::string& name, int button = 0) {
@@ -161,7 +163,7 @@ TEST_CASE("Ctrl+S saves a preset of the user's own, and asks for a name where it
 
 TEST_CASE("A name that cannot be is told while it is typed, and does nothing") {
     Browser browser;
-    ui::openPresetDialog(browser.state, ui::PresetDialog::saveAs);
+    ui::openPresetDialog(browser.session, browser.state.presets, ui::PresetDialog::saveAs);
     for (const char* name : {"", "a/b", ".x"}) {
         CAPTURE(name);
         browser.state.presets.name = name;

@@ -1,5 +1,5 @@
 // layout_test.cpp: where everything stands, at the sizes and scales that people have.
-#include "app/ui/widgets/layout.h"
+#include "app/ui/panel/layout.h"
 
 #include <doctest/doctest.h>
 #include <imgui.h>
@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/frame.h"
 #include "app/ui/widgets/places.h"
 #include "tests/core/fake_series.h"
 #include "tests/ui/headless.h"
@@ -113,7 +113,7 @@ TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and s
             CAPTURE(columns);
             scene.state.settings.leftColumn = scene.state.settings.rightColumn = columns;
             scene.show(window);
-            const ui::Layout layout = ui::layoutOf(scene.state);
+            const ui::Layout layout = scene.state.layout();
             checkAreas(layout, window.size);
             checkWindows(window.size);
             CHECK(layout.picture.size().x >= 0.25f * window.size.x);
@@ -126,17 +126,17 @@ TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and s
 TEST_CASE("Where there is no room for both columns, the one opened last has it") {
     Scene scene;
     scene.show({{960.0f, 600.0f}, 2.0f});
-    CHECK(ui::layoutOf(scene.state).left.empty());
-    CHECK_FALSE(ui::layoutOf(scene.state).right.empty());
+    CHECK(scene.state.layout().left.empty());
+    CHECK_FALSE(scene.state.layout().right.empty());
     CHECK(ui::runAction(scene.state, "view.left"));
-    CHECK_FALSE(ui::layoutOf(scene.state).left.empty());
-    CHECK(ui::layoutOf(scene.state).right.empty());
+    CHECK_FALSE(scene.state.layout().left.empty());
+    CHECK(scene.state.layout().right.empty());
     CHECK(ui::runAction(scene.state, "view.left"));
     CHECK_FALSE(scene.state.settings.leftColumn);
     scene.show({{1920.0f, 1080.0f}, 1.0f});
     CHECK(ui::runAction(scene.state, "view.left"));
-    CHECK_FALSE(ui::layoutOf(scene.state).left.empty());
-    CHECK_FALSE(ui::layoutOf(scene.state).right.empty());
+    CHECK_FALSE(scene.state.layout().left.empty());
+    CHECK_FALSE(scene.state.layout().right.empty());
 }
 
 TEST_CASE("A column's edge is dragged to another width, and a click on it closes the column") {
@@ -153,13 +153,12 @@ TEST_CASE("A column's edge is dragged to another width, and a click on it closes
         io.MouseDown[0] = false;
         scene.frames(2);
     };
-    const float edge = ui::layoutOf(scene.state).leftEdge.lower.x;
+    const float edge = scene.state.layout().leftEdge.lower.x;
     drag(edge + 5.0f, edge + 65.0f);
-    CHECK(ui::layoutOf(scene.state).leftEdge.lower.x ==
-          doctest::Approx(edge + 60.0f).epsilon(0.01));
+    CHECK(scene.state.layout().leftEdge.lower.x == doctest::Approx(edge + 60.0f).epsilon(0.01));
     drag(edge + 65.0f, edge + 65.0f);
     CHECK_FALSE(scene.state.settings.leftColumn);
-    CHECK(ui::layoutOf(scene.state).left.empty());
+    CHECK(scene.state.layout().left.empty());
     drag(5.0f, 5.0f);
     CHECK(scene.state.settings.leftColumn);
 }

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/frame.h"
 #include "tests/core/fake_series.h"
 #include "tests/environment.h"
 #include "tests/temporary_folder.h"

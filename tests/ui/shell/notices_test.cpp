@@ -7,8 +7,7 @@
 #include <thread>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
+#include "app/ui/shell/frame.h"
 #include "core/session/autosave.h"
 #include "tests/core/fake_series.h"
 #include "tests/temporary_folder.h"
@@ -42,7 +41,7 @@ void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
     for (const ImVec2 size : {ImVec2(960.0f, 600.0f), ImVec2(1280.0f, 720.0f)}) {
         ImGui::GetIO().DisplaySize = size;
         for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
-        const ui::Area picture = ui::layoutOf(state).picture;
+        const ui::Area picture = state.layout().picture;
         for (const char* name : {"##nodata", "##loading", "##nohydrometeors", "##clear", "##off",
                                  "##error", "##crashed"}) {
             CAPTURE(name);

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include "app/ui/shell/actions.h"
 #include "app/ui/shell/command_search.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/frame.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
@@ -78,18 +79,18 @@ TEST_CASE("The palette runs what Enter is pressed on, and shows a parameter that
     frame();
     REQUIRE(ui::runAction(state, "help.commands"));
     for (int i = 0; i < 4; ++i) {
-        state.animates = false;
+        state.next.animates = false;
         frame();
-        CHECK(state.animates == !ImGui::GetIO().WantTextInput);  // until keys go to its line
+        CHECK(state.next.animates == !ImGui::GetIO().WantTextInput);  // until keys go to its line
     }
     CHECK(anyPopup());
     CHECK(ui::keyIsTaken({ui::Key::h}));
     type(gui, state, "panels");
     CHECK(state.palette.text == "panels");
     Keys::press(gui, state, ImGuiKey_Enter);
-    CHECK_FALSE(state.showPanels);
+    CHECK_FALSE(state.columns.shown);
     CHECK_FALSE(anyPopup());
-    CHECK(state.animates);  // another frame until keys are commands again
+    CHECK(state.next.animates);  // another frame until keys are commands again
     frame();
     CHECK_FALSE(ui::keyIsTaken({ui::Key::h}));
     state.settings.rightColumn = false;
@@ -100,7 +101,7 @@ TEST_CASE("The palette runs what Enter is pressed on, and shows a parameter that
     CHECK(state.palette.chosen == 1);
     Keys::press(gui, state, ImGuiKey_UpArrow);
     Keys::press(gui, state, ImGuiKey_Enter);
-    CHECK(state.showPanels);
+    CHECK(state.columns.shown);
     CHECK(state.settings.rightColumn);
     CHECK(state.fields.find.starts_with("rain."));
     CHECK(state.palette.recent.size() == 2);

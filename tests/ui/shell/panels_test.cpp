@@ -9,8 +9,7 @@
 #include <thread>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
-#include "app/ui/shell/ui.h"
+#include "app/ui/shell/frame.h"
 #include "app/ui/widgets/parameter_widget.h"
 #include "core/volume/memory_setting.h"
 #include "tests/core/fake_series.h"
@@ -130,25 +129,25 @@ TEST_CASE("The picture has what the panels leave of the window, and all of it wi
     Session session(noReaders());
     ui::Ui state(session);
     gui.frame([&] { ui::draw(state); });
-    const ui::PixelBox box = ui::pictureBox(state);
+    const ui::PixelBox box = ui::pictureBox(state.layout());
     // Letters of 13 pixels: columns of 20, edges of 3/4; the status line of 7/4, and a line of
     // menus with 3 pixels above and below.
     CHECK(box.lower == glm::ivec2(260 + 10, 23));
     CHECK(box.upper == glm::ivec2(1280 - 260 - 10, 720 - 19));
-    state.showPanels = false;
-    CHECK(ui::pictureBox(state).size() == glm::ivec2(1280, 720));
+    state.columns.shown = false;
+    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(1280, 720));
     ImGui::GetIO().DisplayFramebufferScale = {2.0f, 2.0f};
-    CHECK(ui::pictureBox(state).size() == glm::ivec2(2560, 1440));
+    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(2560, 1440));
     ImGui::GetIO().DisplaySize = {30.0f, 10.0f};
-    state.showPanels = true;
-    CHECK(ui::pictureBox(state).size() == glm::ivec2(1, 1));
+    state.columns.shown = true;
+    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(1, 1));
 }
 
 TEST_CASE("A drag on the picture orbits, with shift it pans, and the wheel comes nearer") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);
-    state.showPanels = false;
+    state.columns.shown = false;
     session.say(Message::Kind::note, "no notice over the picture");
     const auto frame = [&] { gui.frame([&] { ui::draw(state); }); };
     ImGuiIO& io = ImGui::GetIO();

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/frame.h"
 #include "core/session/session_file.h"
 #include "tests/temporary_folder.h"
 #include "tests/text.h"
@@ -158,7 +158,7 @@ TEST_CASE("No key that is typed after Ctrl+O is lost, however slow the frames ar
         Headless gui;
         Session session(noReaders());
         ui::Ui state(session);
-        ui::browse(state, BrowseFor::data);
+        ui::browse(state.settings, state.sessionDialogs, BrowseFor::data);
         for (std::size_t i = 0; i < wanted.size() + 4 * perFrame; i += perFrame) {
             if (i < wanted.size()) {
                 ImGui::GetIO().AddInputCharactersUTF8(wanted.substr(i, perFrame).c_str());

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/ui/shell/actions.h"
-#include "app/ui/shell/panels.h"
+#include "app/ui/shell/frame.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
@@ -121,10 +121,10 @@ TEST_CASE("The overlay keeps to the corner of the picture, whatever the name of 
     CHECK(seenOf("##profile").lower.x > seenOf("##profile").upper.x);  // not asked for
     state.showProfile = true;
     for (const bool panels : {true, false}) {
-        state.showPanels = panels;
+        state.columns.shown = panels;
         for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
         const Extent seen = seenOf("##profile");
-        const float edge = ui::layoutOf(state).picture.upper.x;
+        const float edge = state.layout().picture.upper.x;
         CHECK(edge == (panels ? 1280.0f - 270.0f : 1280.0f));
         CHECK(seen.upper.x < edge);
         CHECK(seen.upper.x > edge - 2.0f * ImGui::GetFontSize());

@@ -210,7 +210,7 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
-    block.sampling.x = frame.sample;
+    block.refinement.x = frame.sample;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));

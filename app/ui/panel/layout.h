@@ -7,12 +7,14 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "core/session/session.h"
+#include "core/session/settings.h"
+
 namespace neph::ui {
 
-struct Ui;
-
-/// How wide the columns are; whether they are open is in the settings.
+/// How wide the columns are; whether each is open is in the settings.
 struct Columns {
+    bool shown = true;  ///< with menus, time bar and status line; else the image has all the window
     float leftEms = 20.0f, rightEms = 20.0f;
     bool leftLast = false;  ///< the left one was opened after the right one
 };
@@ -29,9 +31,20 @@ struct Layout {
 };
 
 /// Of a frame with the window and the font that ImGui has now.
-Layout layoutOf(const Ui& ui);
+Layout layoutOf(const Session& session, const Settings& settings, const Columns& columns);
+
+/// Opens or closes a column. In a window too narrow for both, the one opened last is shown.
+void openColumn(Settings& settings, Columns& columns, bool left, bool open);
 
 /// Whether there is anything to play: times or a camera path.
-bool hasTimeBar(const Ui& ui);
+bool hasTimeBar(const Session& session);
+
+/// A part of the window, pixels of its framebuffer, row 0 at the bottom.
+struct PixelBox {
+    glm::ivec2 lower{0}, upper{1};  ///< corners; `upper` is outside
+    glm::ivec2 size() const { return upper - lower; }
+};
+/// Where the image is: all that the panels leave. At least a pixel.
+PixelBox pictureBox(const Layout& layout);
 
 }  // namespace neph::ui

@@ -1,11 +1,9 @@
 // layout.cpp: sizes in letters, tuned by eye at 960 x 600, 1280 x 720 and 1920 x 1080.
-#include "app/ui/widgets/layout.h"
+#include "app/ui/panel/layout.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-
-#include "app/ui/shell/ui.h"
 
 namespace neph::ui {
 namespace {
@@ -21,12 +19,12 @@ struct Widths {
 };
 
 /// In letters, in a window so many letters wide.
-Widths widthsIn(float window, const Ui& ui) {
-    Widths widths{ui.settings.leftColumn ? ui.columns.leftEms : 0.0f,
-                  ui.settings.rightColumn ? ui.columns.rightEms : 0.0f};
+Widths widthsIn(float window, const Settings& settings, const Columns& columns) {
+    Widths widths{settings.leftColumn ? columns.leftEms : 0.0f,
+                  settings.rightColumn ? columns.rightEms : 0.0f};
     const float room = window - 2.0f * kEdgeEms - kLeastPictureEms;
     if (widths.left > 0.0f && widths.right > 0.0f && room < 2.0f * kLeastColumnEms) {
-        (ui.columns.leftLast ? widths.right : widths.left) = 0.0f;
+        (columns.leftLast ? widths.right : widths.left) = 0.0f;
     }
     const float wanted = widths.left + widths.right;
     if (wanted <= room) return widths;
@@ -43,24 +41,28 @@ Widths widthsIn(float window, const Ui& ui) {
 
 }  // namespace
 
-bool hasTimeBar(const Ui& ui) {
-    const DatasetInfo* info = ui.session().info();
-    return (info != nullptr && info->times.size() > 1) ||
-           ui.session().document.path.keys.size() > 1;
+void openColumn(Settings& settings, Columns& columns, bool left, bool open) {
+    (left ? settings.leftColumn : settings.rightColumn) = open;
+    if (open) columns.leftLast = left;
 }
 
-Layout layoutOf(const Ui& ui) {
+bool hasTimeBar(const Session& session) {
+    const DatasetInfo* info = session.info();
+    return (info != nullptr && info->times.size() > 1) || session.document.path.keys.size() > 1;
+}
+
+Layout layoutOf(const Session& session, const Settings& settings, const Columns& columns) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const glm::vec2 window = glm::max(glm::vec2(display.x, display.y), 1.0f);
     Layout layout;
     layout.picture = {glm::vec2(0.0f), window};
-    if (!ui.showPanels) return layout;
+    if (!columns.shown) return layout;
     const float em = ImGui::GetFontSize();
     const auto whole = [](float pixels) { return glm::round(pixels); };
     const float top = whole(em + 2.0f * ImGui::GetStyle().FramePadding.y);
     const float statusTop = whole(window.y - kStatusEms * em);
-    const float bottom = hasTimeBar(ui) ? whole(statusTop - kTimeEms * em) : statusTop;
-    const Widths widths = widthsIn(window.x / em, ui);
+    const float bottom = hasTimeBar(session) ? whole(statusTop - kTimeEms * em) : statusTop;
+    const Widths widths = widthsIn(window.x / em, settings, columns);
     const float left = whole(widths.left * em), right = whole(window.x - widths.right * em);
     const float edge = whole(kEdgeEms * em);
     layout.menu = {{0.0f, 0.0f}, {window.x, top}};
@@ -74,10 +76,10 @@ Layout layoutOf(const Ui& ui) {
     return layout;
 }
 
-PixelBox pictureBox(const Ui& ui) {
+PixelBox pictureBox(const Layout& layout) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const float height = ImGui::GetIO().DisplaySize.y;
-    const Area picture = layoutOf(ui).picture;
+    const Area& picture = layout.picture;
     const glm::vec2 factor{scale.x, scale.y};
     const glm::vec2 lower{picture.lower.x, height - picture.upper.y};
     const glm::vec2 upper{picture.upper.x, height - picture.lower.y};

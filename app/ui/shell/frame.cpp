@@ -1,13 +1,18 @@
-// ui.cpp: puts the panels where the layout has room for them.
-#include "app/ui/shell/ui.h"
+// frame.cpp: puts the panels where the layout has room for them.
+#include "app/ui/shell/frame.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // popups and focus
 
 #include <algorithm>
 
-#include "app/ui/shell/panels.h"
-#include "app/ui/widgets/layout.h"
+#include "app/ui/camera/camera_drag.h"
+#include "app/ui/shell/context.h"
+#include "app/ui/shell/panel_table.h"
+#include "app/ui/shell/wishes.h"
+#include "app/ui/time/path_lead.h"
+#include "app/ui/time/time_bar.h"
+#include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -15,21 +20,6 @@ namespace {
 
 constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the hand
 constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
-
-bool begin(const char* name, glm::vec2 at, glm::vec2 size, ImGuiWindowFlags flags) {
-    ImGui::SetNextWindowPos({at.x, at.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
-    return ImGui::Begin(name, nullptr,
-                        flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoCollapse |
-                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-}
-
-/// Scrolls where it holds more than there is room for.
-bool beginColumn(const char* name, const Area& area) {
-    return begin(name, area.lower, area.size(), 0);
-}
 
 /// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
 /// where the column is to the left of it.
@@ -64,28 +54,38 @@ void drawEdge(const char* name, const Area& area, float side, bool& open, float&
     ImGui::End();
 }
 
+/// What one panel asks of another is there before the next is drawn.
+void drawPlace(Ui& ui, PanelPlace at) {
+    for (const Panel& panel : panels()) {
+        if (panel.place != at || (panel.shown != nullptr && !(ui.*panel.shown))) continue;
+        panel.draw(ui);
+        carryOutWishes(ui);
+    }
+}
+
+/// Scrolls where it holds more than there is room for.
+void drawColumn(Ui& ui, const char* name, const Area& area, PanelPlace at) {
+    if (area.empty()) return;
+    if (beginFixed(name, area.lower, area.size(), 0)) drawPlace(ui, at);
+    ImGui::End();
+}
+
 void drawColumns(Ui& ui, const Layout& layout) {
-    if (!layout.left.empty()) {
-        if (beginColumn("##left", layout.left)) {
-            drawData(ui);
-            drawFields(ui);
-        }
-        ImGui::End();
-    }
-    if (!layout.right.empty()) {
-        if (beginColumn("##right", layout.right)) {
-            drawFind(ui);
-            drawPresets(ui);
-            drawCamera(ui);
-            drawGroups(ui);
-        }
-        ImGui::End();
-    }
+    drawColumn(ui, "##left", layout.left, PanelPlace::left);
+    drawColumn(ui, "##right", layout.right, PanelPlace::right);
     bool left = !layout.left.empty(), right = !layout.right.empty();
     drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.columns.leftEms);
     drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
-    if (left == layout.left.empty()) openColumn(ui, true, left);
-    if (right == layout.right.empty()) openColumn(ui, false, right);
+    if (left == layout.left.empty()) openColumn(ui.settings, ui.columns, true, left);
+    if (right == layout.right.empty()) openColumn(ui.settings, ui.columns, false, right);
+}
+
+/// All that stands around the image.
+void drawAround(Ui& ui) {
+    const Layout layout = ui.layout();
+    drawPlace(ui, PanelPlace::top);
+    drawColumns(ui, layout);
+    drawPlace(ui, PanelPlace::bottom);
 }
 
 /// A menu or dialog that was there before this frame is closed by Escape.
@@ -107,39 +107,17 @@ bool unsettled() {
 
 }  // namespace
 
-void openColumn(Ui& ui, bool left, bool open) {
-    (left ? ui.settings.leftColumn : ui.settings.rightColumn) = open;
-    if (open) ui.columns.leftLast = left;
-}
-
-bool beginFixed(const char* name, glm::vec2 at, glm::vec2 size) {
-    return begin(name, at, size, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-}
-
 void draw(Ui& ui) {
     const int popups = GImGui->OpenPopupStack.Size;
-    playOn(ui);
-    moveCamera(ui);
-    const Layout layout = layoutOf(ui);
-    drawCameraOverlays(ui);
-    if (ui.showPanels) {
-        drawMenuBar(ui);
-        drawColumns(ui, layout);
-        drawTimeBar(ui);
-        drawStatus(ui);
-    }
-    drawCompare(ui);
-    if (ui.showProfile) drawProfile(ui);
-    drawNotices(ui);
-    drawPathPopup(ui);
-    drawSessionDialogs(ui);
-    drawOutput(ui);
-    drawPresetDialogs(ui);
-    drawHistory(ui);
-    if (ui.showHelp) drawHelp(ui);
-    drawPalette(ui);
+    const PanelContext context = contextOf(ui);
+    playOn(context, ui.playback, imageTimeOf(ui));
+    keepOwnCamera(ui.session(), ui.playback);
+    moveCamera(context, ui.cameraTools);
+    drawPlace(ui, PanelPlace::picture);
+    if (ui.columns.shown) drawAround(ui);
+    drawPlace(ui, PanelPlace::over);
     closeOnEscape(popups);
-    ui.animates |= unsettled();
+    ui.next.animates |= unsettled();
 }
 
 }  // namespace neph::ui

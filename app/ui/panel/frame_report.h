@@ -1,0 +1,26 @@
+// frame_report.h: what is known of the image on screen: how it was made, of what and how fast.
+#pragma once
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "app/ui/widgets/reference_report.h"
+#include "core/look/look.h"
+
+namespace neph::ui {
+
+/// The picture on screen, for the status line.
+struct FrameReport {
+    double milliseconds = 0.0;
+    Engine engine{};
+    int planes = 0;   ///< slices, or steps of the march along the diagonal
+    int samples = 0;  ///< pictures that were averaged
+    glm::ivec2 sizePx{0};
+    bool full = false;  ///< at the resolution of the window and with all planes or steps
+    std::string device;
+    std::size_t gpuBytes = 0;     ///< held for this slot's pictures
+    int time = -1;                ///< of the data in it; -1: not told
+    ReferenceReport reference{};  ///< of that engine alone
+};
+
+}  // namespace neph::ui

@@ -1,0 +1,29 @@
+// services.h: what the window does for panels, which know neither GL nor image files.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+
+#include "core/image/image.h"
+#include "core/session/session_state.h"
+
+namespace neph::ui {
+
+/// A picture as a texture.
+struct LoadedPicture {
+    unsigned texture = 0;  ///< for ImGui; 0 where the file could not be read
+    glm::ivec2 sizePx{0};
+};
+
+/// Empty in tests.
+struct Services {
+    std::function<LoadedPicture(const std::filesystem::path& png)> loadPicture;
+    std::function<LoadedPicture(const Image8& picture)> showPicture;
+    std::function<void(unsigned texture)> dropPicture;
+    /// What a session file would hold now; panels hand it to what runs beside the program.
+    std::function<SessionState()> state;
+    /// Takes over a session file's state. Another session may be the active one from then on.
+    std::function<void(const SessionState&)> restore;
+};
+
+}  // namespace neph::ui

@@ -1,0 +1,118 @@
+// panel_rows.cpp: the rows of the table of panels.
+#include <array>
+
+#include "app/ui/camera/camera_overlays.h"
+#include "app/ui/camera/camera_panel.h"
+#include "app/ui/compare/compare.h"
+#include "app/ui/data/data_panel.h"
+#include "app/ui/data/path_popup.h"
+#include "app/ui/data/session_dialogs.h"
+#include "app/ui/fields/fields_panel.h"
+#include "app/ui/fields/groups_panel.h"
+#include "app/ui/output/output_panel.h"
+#include "app/ui/presets/preset_browser.h"
+#include "app/ui/presets/preset_dialogs.h"
+#include "app/ui/shell/context.h"
+#include "app/ui/shell/help_sheet.h"
+#include "app/ui/shell/history_panel.h"
+#include "app/ui/shell/menu_bar.h"
+#include "app/ui/shell/notices.h"
+#include "app/ui/shell/palette.h"
+#include "app/ui/shell/panel_table.h"
+#include "app/ui/shell/profile_overlay.h"
+#include "app/ui/shell/status_line.h"
+#include "app/ui/time/time_bar.h"
+
+namespace neph::ui {
+namespace {
+
+const std::array kPanels{
+    Panel{.id = "camera_overlays",
+          .place = PanelPlace::picture,
+          .draw = [](Ui& ui) { drawCameraOverlays(contextOf(ui), ui.cameraTools); }},
+    Panel{.id = "menu_bar", .place = PanelPlace::top, .draw = drawMenuBar},
+    Panel{.id = "data",
+          .place = PanelPlace::left,
+          .draw = [](Ui& ui) { drawData(contextOf(ui), ui.data); }},
+    Panel{.id = "fields",
+          .place = PanelPlace::left,
+          .draw = [](Ui& ui) { drawFields(contextOf(ui), ui.fields); }},
+    Panel{.id = "find",
+          .place = PanelPlace::right,
+          .draw = [](Ui& ui) { drawFind(contextOf(ui), ui.fields); }},
+    Panel{.id = "presets",
+          .place = PanelPlace::right,
+          .draw = [](Ui& ui) { drawPresets(contextOf(ui), ui.presets); }},
+    Panel{.id = "camera",
+          .place = PanelPlace::right,
+          .draw = [](Ui& ui) { drawCamera(contextOf(ui), ui.cameraTools, ui.playback); }},
+    Panel{.id = "groups",
+          .place = PanelPlace::right,
+          .draw = [](Ui& ui) { drawGroups(contextOf(ui)); }},
+    Panel{.id = "time_bar",
+          .place = PanelPlace::bottom,
+          .draw = [](Ui& ui) { drawTimeBar(contextOf(ui), ui.playback); }},
+    Panel{.id = "status_line",
+          .place = PanelPlace::bottom,
+          .draw = [](Ui& ui) { drawStatus(contextOf(ui), ui.report, ui.showMessages); }},
+    Panel{.id = "compare",
+          .draw = [](Ui& ui) { drawCompare(contextOf(ui), ui.compare, ui.errors); }},
+    Panel{.id = "profile",
+          .draw = [](Ui& ui) { drawProfile(ui.layout().picture, ui.profile); },
+          .shown = &Ui::showProfile,
+          .toggle = {.id = "view.profile",
+                     .label = "Performance",
+                     .menu = Menu::view,
+                     .chord = {Key::f3},
+                     .help = "What the picture cost, pass by pass"},
+          .before = "view.full_screen",
+          .toggled = [](Ui& ui) { ui.requests.redraw = ui.showProfile; }},
+    Panel{
+        .id = "notices",
+        .draw = [](Ui& ui) { drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial); }},
+    Panel{.id = "messages",
+          .draw = [](Ui& ui) { drawMessages(contextOf(ui), ui.showMessages); },
+          .shown = &Ui::showMessages,
+          .toggle = {.id = "view.messages",
+                     .label = "Messages",
+                     .menu = Menu::view,
+                     .chord = {Key::m},
+                     .help = "The list of all that was said",
+                     .separated = true},
+          .before = "view.profile"},
+    Panel{.id = "files", .draw = [](Ui& ui) { drawPathPopup(contextOf(ui), ui.sessionDialogs); }},
+    Panel{.id = "sessions",
+          .draw = [](Ui& ui) { drawSessionDialogs(contextOf(ui), ui.sessionDialogs); }},
+    Panel{.id = "output",
+          .draw = [](Ui& ui) { drawOutput(contextOf(ui), ui.output, exportSceneOf(ui)); }},
+    Panel{.id = "preset_dialogs",
+          .draw = [](Ui& ui) { drawPresetDialogs(contextOf(ui), ui.presets); }},
+    Panel{.id = "history",
+          .draw = [](Ui& ui) { drawHistory(ui.session(), ui.showHistory, ui.historySeen); },
+          .shown = &Ui::showHistory,
+          .toggle = {.id = "edit.history",
+                     .label = "History",
+                     .menu = Menu::edit,
+                     .chord = {Key::h, true},
+                     .help = "The list of steps; a click goes to one"},
+          .before = "edit.show_all"},
+    Panel{.id = "help_sheet",
+          .draw = [](Ui& ui) { drawHelp(ui.showHelp); },
+          .shown = &Ui::showHelp,
+          .toggle = {.id = "help.sheet",
+                     .label = "Mouse and keys",
+                     .menu = Menu::help,
+                     .chord = {Key::h},
+                     .other = {Key::question},
+                     .help = "What they do"},
+          .before = "help.close"},
+    Panel{.id = "palette", .draw = drawPalette},
+};
+
+}  // namespace
+
+std::span<const Panel> panels() {
+    return kPanels;
+}
+
+}  // namespace neph::ui

@@ -1,0 +1,11 @@
+// profile_overlay.h: what the image cost, in the corner of it.
+#pragma once
+#include "app/ui/panel/layout.h"
+#include "app/ui/widgets/profile.h"
+
+namespace neph::ui {
+
+/// `picture` is the area of the image.
+void drawProfile(const Area& picture, const Profile& profile);
+
+}  // namespace neph::ui

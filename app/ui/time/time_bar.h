@@ -1,0 +1,17 @@
+// time_bar.h: playing through the times of the data, or along the camera path.
+#pragma once
+#include "app/ui/panel/panel_context.h"
+#include "app/ui/time/playback.h"
+
+namespace neph::ui {
+
+/// Index of the last time of the data, 0 before any.
+int lastTime(const Session& session);
+
+/// Moves on where something is played. `imageTime`: of the data in the image that is shown; -1
+/// where that is not known.
+void playOn(const PanelContext& context, Playback& playback, int imageTime);
+
+void drawTimeBar(const PanelContext& context, Playback& playback);
+
+}  // namespace neph::ui
