@@ -80,11 +80,11 @@ void Program::dispatch(glm::ivec3 items) const {
 }
 
 void Program::dispatchGroups(int count, int first) const {
-    constexpr int kMostGroups = 65535;  // in one direction, on every driver
+    constexpr int kMaxGroups = 65535;  // in one direction, on every driver
     glUseProgram(name_);
-    for (const int end = first + count; first < end; first += kMostGroups) {
+    for (const int end = first + count; first < end; first += kMaxGroups) {
         setInt(kFirstGroupLocation, first);
-        glDispatchCompute(static_cast<GLuint>(std::min(kMostGroups, end - first)), 1, 1);
+        glDispatchCompute(static_cast<GLuint>(std::min(kMaxGroups, end - first)), 1, 1);
     }
 }
 

@@ -24,7 +24,7 @@ namespace neph {
 namespace {
 
 constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
 Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type,
@@ -119,9 +119,9 @@ void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadat
 glm::ivec2 sizeOf(const Imf::InputFile& in) {
     const auto window = in.header().dataWindow();
     const glm::ivec2 size{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
-    if (static_cast<std::int64_t>(size.x) * size.y <= kMostPixels) return size;
+    if (static_cast<std::int64_t>(size.x) * size.y <= kMaxPixels) return size;
     throw Iex::InputExc(
-        fmt::format("{} x {} pixels, more than {} in all", size.x, size.y, kMostPixels));
+        fmt::format("{} x {} pixels, more than {} in all", size.x, size.y, kMaxPixels));
 }
 
 ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
