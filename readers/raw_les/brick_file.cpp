@@ -91,7 +91,7 @@ double factorOf(const BrickVariable& variable, const Meaning& meaning) {
     const auto factor = siFactor(*meaning.quantity, variable.unit);
     if (factor) return *factor;
     throw Error{fmt::format("the unit of variable {} is not known", variable.name),
-                quoted(variable.unit),
+                inQuotes(variable.unit),
                 acceptedUnits(*meaning.quantity),
                 {}};
 }

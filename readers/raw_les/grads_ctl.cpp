@@ -48,7 +48,7 @@ class Parser {
 void Parser::fail(const std::string& what, const std::string& expected,
                   const std::string& hint) const {
     throw Error{fmt::format("line {}: {}", std::min(line_, lines_.size() - 1) + 1, what),
-                quoted(line_ < lines_.size() ? lines_[line_] : "the end of the file"), expected,
+                inQuotes(line_ < lines_.size() ? lines_[line_] : "the end of the file"), expected,
                 hint};
 }
 
@@ -119,7 +119,7 @@ void Parser::parseOptions(const Words& words) {
         } else if (option == "little_endian") {
             ctl_.byteOrder = ByteOrder::little;
         } else if (option != "pascals") {
-            fail(fmt::format("option {} is not supported", quoted(option)),
+            fail(fmt::format("option {} is not supported", inQuotes(option)),
                  "template, sequential, yrev, zrev, byteswapped, big_endian, little_endian");
         }
     }

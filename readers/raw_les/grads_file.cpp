@@ -97,7 +97,7 @@ void GradsFile::describeModel() {
 void GradsFile::describeGrid() {
     if (!ctl_.metresPerUnit) {
         throw Error{"the unit of xdef, ydef and zdef is not stated",
-                    ctl_.title.empty() ? "no title" : "title " + quoted(ctl_.title),
+                    ctl_.title.empty() ? "no title" : "title " + inQuotes(ctl_.title),
                     "\"units of x,y,z are km\" or \"… m\" in the title, as CM1 writes it",
                     "add the comment line '* units of x,y,z are m' (or km) to the .ctl"};
     }
@@ -168,7 +168,7 @@ const KnownVariable* GradsFile::identify(const CtlVariable& variable, plugin::Va
         throw Error{
             fmt::format("the unit of variable {} is not known", variable.name),
             variable.unit.empty() ? std::string("none in parentheses at the end of its line")
-                                  : quoted(variable.unit),
+                                  : inQuotes(variable.unit),
             accepted,
             fmt::format(
                 "end the line of {} in the .ctl with ({})", variable.name,

@@ -146,7 +146,7 @@ TimeAxis parseTimeAxis(std::size_t count, std::string_view start, std::string_vi
     const auto first = parseCalendarTime(start);
     if (!first) {
         throw Error{"the start of tdef is not a time",
-                    quoted(start),
+                    inQuotes(start),
                     "hh:mmZddmmmyyyy, for example 00:00Z01JAN0001",
                     {}};
     }
@@ -159,7 +159,7 @@ TimeAxis parseTimeAxis(std::size_t count, std::string_view start, std::string_vi
     const auto known = std::ranges::find(kUnits, unit);
     if (!amount || *amount < 1 || *amount > kMaxSteps || known == kUnits.end()) {
         throw Error{"the step of tdef is not a length of time",
-                    quoted(step),
+                    inQuotes(step),
                     "a whole number and mn, hr, dy, mo or yr, for example 5mn",
                     {}};
     }
@@ -185,7 +185,7 @@ std::string expandTemplate(std::string_view pattern, const TimeAxis& axis, std::
         }
         if (!text) {
             throw Error{"dset contains a template that is not supported",
-                        quoted(pattern.substr(0, std::min<std::size_t>(4, pattern.size()))),
+                        inQuotes(pattern.substr(0, std::min<std::size_t>(4, pattern.size()))),
                         "%y4 %m2 %d2 %h2 %n2 %f2 %f3 %fn2 %fhn %t1 to %t6 and similar codes",
                         "write one file for all times, or rename the files"};
         }

@@ -131,7 +131,7 @@ double Case::required(const std::string& key, double most) const {
     const auto value = found == keys_.end() ? std::nullopt : parseNumber(found->second);
     if (value && *value > 0.0 && *value <= most) return *value;
     throw Error{fmt::format("{} is {}", key, found == keys_.end() ? "missing" : "not a valid size"),
-                found == keys_.end() ? "" : quoted(found->second), "a number above 0", "", ini_};
+                found == keys_.end() ? "" : inQuotes(found->second), "a number above 0", "", ini_};
 }
 
 /// Sizes from the .ini. The size of grid.0000000 shows whether numbers are float or double, its

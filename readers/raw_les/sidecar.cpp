@@ -55,7 +55,7 @@ constexpr std::array kSchemes{
 };
 
 std::string shown(const Json& value) {
-    return quoted(value.dump(-1, ' ', true, Json::error_handler_t::replace));
+    return inQuotes(value.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 /// An object of the sidecar and its place in the file, for messages. The getters return the
@@ -76,7 +76,7 @@ class Object {
             std::vector<std::string> names(keys.begin(), keys.end());
             std::string all;
             for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-            throw Error{place(key) + " is not known", quoted(key), all, {}};
+            throw Error{place(key) + " is not known", inQuotes(key), all, {}};
         }
     }
 
@@ -332,7 +332,7 @@ Sidecar parseSidecar(std::string_view text) {
          "times", "variables", "notes"});
     if (object.text("type") != "nephoscope-brick") {
         throw Error{"is JSON of another type",
-                    quoted(object.text("type")),
+                    inQuotes(object.text("type")),
                     "\"type\": \"nephoscope-brick\"",
                     {}};
     }

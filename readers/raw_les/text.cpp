@@ -132,7 +132,7 @@ std::optional<std::int64_t> parseInteger(std::string_view text) {
     return value;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
     constexpr std::size_t kMax = 80;
     std::string shown;
     for (const char c : trimmed(text.substr(0, kMax))) {

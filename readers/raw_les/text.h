@@ -37,7 +37,7 @@ std::optional<double> parseNumber(std::string_view text);
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// For messages: `text` in quotes, cut to about a line, with unprintable bytes as question marks.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// For messages: names separated by commas; "none" if there are none, "…" after the first dozen.
 std::string joined(const std::vector<std::string>& names);
