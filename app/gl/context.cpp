@@ -1,4 +1,4 @@
-// context.cpp: EGL surfaceless and GLFW, each asking for OpenGL 4.5 core.
+// context.cpp: creates contexts with EGL and GLFW, both for OpenGL 4.5 core.
 #include "app/gl/context.h"
 
 // clang-format off
@@ -50,12 +50,13 @@ struct HeadlessContext::Impl {
 
 HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
     const std::string hint = "install libegl1 and a driver, for example libgl1-mesa-dri";
-    // The EXT spelling: libepoxy resolves the core one from a display, which does not exist yet.
+    // The EXT function, because libepoxy resolves the core one through a display, and none exists
+    // yet.
     impl_->display =
         eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (impl_->display == EGL_NO_DISPLAY) fail("there is no EGL display", eglReason(), hint);
     if (!eglInitialize(impl_->display, nullptr, nullptr)) {
-        fail("EGL does not start", eglReason(), hint);
+        fail("EGL cannot be initialised", eglReason(), hint);
     }
     eglBindAPI(EGL_OPENGL_API);
     const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -66,7 +67,7 @@ HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                              EGL_NONE};
     impl_->context = eglCreateContext(impl_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
-    if (impl_->context == EGL_NO_CONTEXT) fail("EGL gives no context", eglReason(), hint);
+    if (impl_->context == EGL_NO_CONTEXT) fail("EGL provides no context", eglReason(), hint);
     if (!eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context)) {
         fail("the EGL context cannot be used without a surface", eglReason(), hint);
     }
@@ -75,7 +76,7 @@ HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
 HeadlessContext::~HeadlessContext() = default;
 
 Window::Window(int width, int height, const std::string& title) {
-    const std::string hint = "without a display use `nephoscope render FILE --out picture.png`";
+    const std::string hint = "without a display use `nephoscope render FILE --out image.png`";
     if (!glfwInit()) fail("no window can be opened", glfwReason(), hint);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, kGlMajor);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, kGlMinor);
@@ -134,7 +135,7 @@ void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm:
     GLuint frame = 0;
     glCreateFramebuffers(1, &frame);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, texture, 0);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // the texture was written as an image
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // image stores wrote the texture
     glBlitNamedFramebuffer(frame, 0, columns.x, 0, columns.y, sizePx.y, lowerPx.x, lowerPx.y,
                            upperPx.x, upperPx.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glDeleteFramebuffers(1, &frame);
@@ -146,6 +147,7 @@ std::vector<std::uint8_t> Window::readRgba() const {
     std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+    // GL has row 0 at the bottom.
     std::vector<std::uint8_t> rgba;
     rgba.reserve(upward.size());
     for (int y = height; y-- > 0;) {
@@ -163,7 +165,7 @@ DeviceMemory deviceMemory() {
     memory.software = renderer.find("llvmpipe") != renderer.npos ||
                       renderer.find("softpipe") != renderer.npos ||
                       renderer.find("SwiftShader") != renderer.npos;
-    std::array<GLint, 4> kibibytes{};  // the ATI extension answers with four numbers
+    std::array<GLint, 4> kibibytes{};  // the ATI extension returns four numbers
     if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) {
         glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes.data());
     } else if (epoxy_has_gl_extension("GL_ATI_meminfo")) {

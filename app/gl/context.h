@@ -1,4 +1,4 @@
-// context.h: a current OpenGL 4.5 core context, without a display (EGL surfaceless) or in a GLFW
+// context.h: creates an OpenGL 4.5 core context, without a display (EGL surfaceless) or in a GLFW
 // window.
 #pragma once
 #include <cstdint>
@@ -11,8 +11,8 @@ struct GLFWwindow;
 
 namespace neph::gl {
 
-/// EGL context without a surface; current on the creating thread for the object's life. Throws
-/// Error when there is none.
+/// EGL context without a surface, current in the creating thread while the object lives. Throws
+/// Error if the system provides none.
 class HeadlessContext {
   public:
     HeadlessContext();
@@ -25,7 +25,7 @@ class HeadlessContext {
     std::unique_ptr<Impl> impl_;
 };
 
-/// A GLFW window whose context is current. Throws Error when there is no display.
+/// A GLFW window whose context is current. Throws Error if there is no display.
 class Window {
   public:
     Window(int width, int height, const std::string& title);
@@ -35,28 +35,29 @@ class Window {
 
     GLFWwindow* handle() const { return window_; }
     bool shouldClose() const;
+    /// Shows what was drawn.
     void swap();
     int framebufferWidth() const;
     int framebufferHeight() const;
-    /// Content scale of the monitor, 1 for 96 dpi.
+    /// Content scale of the monitor: 1 for 96 dpi.
     float contentScale() const;
     /// Clears the window's framebuffer.
     void clear(const glm::vec3& colour);
-    /// Fills a part of the framebuffer with a 2D texture of `sizePx`, or with the columns of it
-    /// between two shares of its width, interpolated; both have row 0 at the bottom.
+    /// Fills a part of the framebuffer, interpolated, with a 2D texture of `sizePx`, or with its
+    /// columns between two fractions of its width. Both have row 0 at the bottom.
     void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
               glm::vec2 widthShare = {0.0f, 1.0f});
-    /// What has been drawn since the last swap: sRGB with an alpha of 255, row 0 on top.
+    /// What was drawn since the last swap: sRGB with an alpha of 255, row 0 at the top.
     std::vector<std::uint8_t> readRgba() const;
 
   private:
     GLFWwindow* window_ = nullptr;
 };
 
-/// What the current context's device has for textures and buffers.
+/// Memory for textures and buffers of the current context's device.
 struct DeviceMemory {
-    bool software = false;        ///< computes on the CPU, in the machine's memory
-    std::uint64_t freeBytes = 0;  ///< 0 where the driver does not say
+    bool software = false;        ///< a software renderer, which uses the machine's main memory
+    std::uint64_t freeBytes = 0;  ///< 0 if the driver does not report it
 };
 DeviceMemory deviceMemory();
 

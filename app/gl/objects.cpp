@@ -1,4 +1,4 @@
-// objects.cpp: direct-state-access calls behind the owners.
+// objects.cpp: creates, fills and deletes GL objects by direct state access.
 #include "app/gl/objects.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 namespace neph::gl {
 namespace {
 
+/// Only the formats that this program uses.
 std::size_t bytesPerTexel(GLenum format) {
     switch (format) {
         case GL_RGBA32F:
@@ -34,7 +35,7 @@ std::size_t bytesPerTexel(GLenum format) {
         default:
             break;
     }
-    assert(!"a format whose size is not known here");
+    assert(!"format of unknown size");
     return 0;
 }
 
@@ -54,10 +55,10 @@ Texture Texture::make(GLenum target, GLenum format, glm::ivec3 size, int levels)
         glTextureStorage3D(texture.name_, levels, format, size.x, size.y, size.z);
     }
     if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw Error({.what = "the GPU has no room for a texture",
+        throw Error({.what = "the GPU has not enough memory for a texture",
                      .found = fmt::format("{} x {} x {}, {} MiB", size.x, size.y, size.z,
                                           texture.bytes_ >> 20),
-                     .hint = "render a smaller picture, or fewer planes"});
+                     .hint = "render a smaller image, or use fewer planes"});
     }
     glTextureParameteri(texture.name_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.name_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

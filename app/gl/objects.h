@@ -1,5 +1,5 @@
-// objects.h: move-only owners of GL names. Each needs the context that made it to be current when
-// it is destroyed.
+// objects.h: move-only owners of GL objects. The context that created an object must be current
+// when it is destroyed.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -9,7 +9,8 @@
 
 namespace neph::gl {
 
-/// A texture with immutable storage.
+/// A texture with immutable storage; nearest filter and clamped edges unless set otherwise.
+/// Creation throws Error if the GPU has no memory left.
 class Texture {
   public:
     Texture() = default;
@@ -29,7 +30,8 @@ class Texture {
 
     void setLinear();
     void setRepeat();
-    /// Replaces everything of one level, half the size of the one above; `data` is tightly packed.
+    /// Replaces all texels of one level; level n + 1 has half the size of level n. `data` is
+    /// tightly packed.
     void upload(GLenum pixelFormat, GLenum type, const void* data, int level = 0);
     void bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
     void bindImage(GLuint unit, GLenum access) const;
@@ -44,6 +46,7 @@ class Texture {
     std::size_t bytes_ = 0;
 };
 
+/// A buffer, created at the first write.
 class Buffer {
   public:
     Buffer() = default;
@@ -55,7 +58,8 @@ class Buffer {
 
     GLuint name() const { return name_; }
     std::size_t bytes() const { return bytes_; }
-    /// Replaces the contents, growing the buffer when needed.
+    /// Replaces the contents from the start; a buffer that is too small is replaced by a larger
+    /// one.
     void write(const void* data, std::size_t bytes);
     void bind(GLenum target, GLuint unit) const { glBindBufferBase(target, unit, name_); }
 

@@ -1,4 +1,4 @@
-// pass_timer.cpp: marks between passes, on the GPU's clock or the CPU's.
+// pass_timer.cpp: sets marks between passes, by the clock of the GPU or of the CPU.
 #include "app/gl/pass_timer.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void PassTimer::pass(std::string_view name) {
     names_.push_back(name);
 }
 
-/// Of each mark since the first.
+/// Milliseconds from the first mark to each mark. Waits for the results of the queries.
 std::vector<double> PassTimer::markMs() const {
     std::vector<double> marks;
     for (const auto& time : clock_) {

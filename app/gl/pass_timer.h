@@ -1,8 +1,8 @@
-// pass_timer.h: how long each pass of a frame took on the GPU.
+// pass_timer.h: GPU time of each pass of a frame.
 //
-// By timestamps in the command stream. Where the CPU stands in for a GPU, by its clock, with the
-// stream emptied at every mark: llvmpipe runs a compute pass at once, but writes a timestamp only
-// when it draws what was drawn before it.
+// Measured by timestamps in the command stream. With a software renderer the CPU's clock is used
+// and the stream is finished at every mark: llvmpipe runs a compute pass at once, but writes a
+// timestamp only when it executes the draw calls before it.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -14,8 +14,8 @@
 
 namespace neph::gl {
 
-/// Marks the command stream between passes. Does nothing while it is off, so that passes call it
-/// always. Needs the context that made it.
+/// Marks the command stream between passes. While it is off it does nothing, so passes can always
+/// call it. Needs the context in which it was created.
 class PassTimer {
   public:
     PassTimer() = default;
@@ -23,12 +23,13 @@ class PassTimer {
     PassTimer(const PassTimer&) = delete;
     PassTimer& operator=(const PassTimer&) = delete;
 
-    /// Opens a frame; what was measured before is dropped.
+    /// Begins a frame; previous measurements are discarded.
     void start(bool on);
-    /// Ends the pass before, if any, and opens one; `name` is a literal.
+    /// Ends the current pass, if any, and begins another. `name` must outlive the timer, like a
+    /// literal.
     void pass(std::string_view name);
-    /// Ends the last pass and waits for the GPU: name and milliseconds of each pass, those of one
-    /// name added together, in the order in which they first ran.
+    /// Ends the last pass and waits for the GPU. Returns name and milliseconds of each pass, in the
+    /// order in which they first ran; passes of the same name are added up.
     std::vector<std::pair<std::string_view, double>> finish();
 
   private:
@@ -36,9 +37,9 @@ class PassTimer {
     std::vector<double> markMs() const;
 
     bool on_ = false;
-    std::optional<bool> software_;  // once asked
-    std::vector<std::chrono::steady_clock::time_point> clock_;
-    std::vector<GLuint> queries_;  // kept from frame to frame
+    std::optional<bool> software_;                              // known after the first start(true)
+    std::vector<std::chrono::steady_clock::time_point> clock_;  // marks of a software renderer
+    std::vector<GLuint> queries_;  // marks of a GPU; reused in every frame
     std::size_t used_ = 0;
     std::vector<std::string_view> names_;
 };

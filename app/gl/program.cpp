@@ -1,4 +1,4 @@
-// program.cpp: compiling, linking, dispatching and reloading compute programs.
+// program.cpp: compiles, links, dispatches and reloads compute programs.
 #include "app/gl/program.h"
 
 #include <fmt/format.h>
@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The driver's log of a shader or a program.
 std::string logOf(GLuint object, bool program) {
     GLint length = 0;
     program ? glGetProgramiv(object, GL_INFO_LOG_LENGTH, &length)
@@ -28,7 +29,7 @@ std::string logOf(GLuint object, bool program) {
 fs::file_time_type newestOf(const std::vector<fs::path>& files) {
     fs::file_time_type newest = fs::file_time_type::min();
     for (const fs::path& file : files) {
-        std::error_code ignored;
+        std::error_code ignored;  // an editor may be replacing the file
         newest = std::max(newest, fs::last_write_time(file, ignored));
     }
     return newest;
@@ -86,11 +87,11 @@ void Program::dispatch(glm::ivec3 items) const {
 }
 
 void Program::dispatchGroups(int count, int first) const {
-    constexpr int kMostGroups = 65535;  // in one direction, on every driver
+    constexpr int kMaxGroups = 65535;  // in one direction, on every driver
     glUseProgram(name_);
-    for (const int end = first + count; first < end; first += kMostGroups) {
+    for (const int end = first + count; first < end; first += kMaxGroups) {
         setInt(kFirstGroupLocation, first);
-        glDispatchCompute(static_cast<GLuint>(std::min(kMostGroups, end - first)), 1, 1);
+        glDispatchCompute(static_cast<GLuint>(std::min(kMaxGroups, end - first)), 1, 1);
     }
 }
 
@@ -114,7 +115,7 @@ std::vector<std::string> ProgramCache::reload() {
     for (auto& [key, entry] : entries_) {
         if (!entry.program || entry.program->newestOnDisk() <= entry.program->newest()) continue;
         const fs::file_time_type now = entry.program->newestOnDisk();
-        if (now == entry.refused) continue;
+        if (now == entry.refused) continue;  // reported already
         try {
             entry.program = std::make_unique<Program>(root_, entry.file, entry.defines);
             ++generation_;

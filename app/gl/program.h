@@ -1,4 +1,5 @@
-// program.h: compute programs that survive a bad edit.
+// program.h: compute programs that can be edited while they are in use: after an edit that does not
+// compile, the previous program stays.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -13,21 +14,22 @@ namespace neph::gl {
 
 #include "shaders/shared/groups_layout.glsl"
 
-/// A linked compute program and the files it was made of.
+/// A linked compute program, and the files that it was built from.
 class Program {
   public:
-    /// Throws Error with file, line and reason when it does not compile or link, or
-    /// where two of its textures, images or buffers share a binding.
+    /// Throws Error with file, line and reason if it does not compile or link, or if two of its
+    /// textures, images or buffers share a binding. `defines` are as for loadShader().
     Program(const std::filesystem::path& root, const std::string& file,
             const std::vector<std::string>& defines);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    /// Runs enough work groups of `groupSize` to cover `items`.
+    /// Runs enough work groups to cover `items` invocations; the size of a group is the shader's.
     void dispatch(glm::ivec3 items) const;
-    /// Runs work groups `first` to `first + count` in a row. Drivers take 65535 at a time: the
-    /// number of the first is in the uniform at kFirstGroupLocation.
+    /// Runs work groups [first, first + count), in as many dispatches as needed, because drivers
+    /// accept 65535 groups per dispatch. The uniform at kFirstGroupLocation is the number of the
+    /// first.
     void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
@@ -35,7 +37,7 @@ class Program {
         glProgramUniform3f(name_, location, value.x, value.y, value.z);
     }
 
-    /// Newest change of the files it was made of: when they were compiled, and now.
+    /// Latest modification time of the files: when the program was compiled, and now.
     std::filesystem::file_time_type newest() const { return newest_; }
     std::filesystem::file_time_type newestOnDisk() const;
 
@@ -46,20 +48,20 @@ class Program {
     std::filesystem::file_time_type newest_;
 };
 
-/// Programs by file and defines, compiled at first use.
+/// Programs by file and defines, each compiled at first use.
 class ProgramCache {
   public:
     explicit ProgramCache(std::filesystem::path root) : root_(std::move(root)) {}
 
-    /// Throws Error when it has never compiled.
+    /// Throws Error if the program has never compiled successfully.
     const Program& get(const std::string& file, const std::vector<std::string>& defines = {});
 
     const std::filesystem::path& root() const { return root_; }
 
-    /// Recompiles what changed on disk; returns the error messages of those that fail, which stay
-    /// as they were. Programs obtained before are invalid afterwards.
+    /// Recompiles programs whose files have changed. Returns the error messages of those that fail;
+    /// their previous versions stay in use. References to programs become invalid.
     std::vector<std::string> reload();
-    /// How many times anything was replaced by reload().
+    /// Number of programs that reload() has replaced so far.
     int generation() const { return generation_; }
 
   private:
@@ -67,7 +69,7 @@ class ProgramCache {
         std::string file;
         std::vector<std::string> defines;
         std::unique_ptr<Program> program;
-        std::filesystem::file_time_type refused;  ///< when the last failed edit was seen
+        std::filesystem::file_time_type refused;  ///< modification time of the last failed edit
     };
     std::filesystem::path root_;
     std::map<std::string, Entry> entries_;

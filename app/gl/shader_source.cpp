@@ -1,4 +1,4 @@
-// shader_source.cpp: flattening includes and explaining compiler messages.
+// shader_source.cpp: flattens includes and maps compiler messages back to files and lines.
 #include "app/gl/shader_source.h"
 
 #include <fmt/format.h>
@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Appends a file and, recursively, its includes to a ShaderSource.
 class Flattener {
   public:
     Flattener(fs::path root, const std::vector<std::string>& defines, ShaderSource& out)
@@ -37,6 +38,7 @@ class Flattener {
     }
 
   private:
+    /// The target if `line` is an #include directive; otherwise empty.
     static std::string included(const std::string& line) {
         static const std::regex pattern(R"re(^\s*#include\s+"([^"]+)")re");
         std::smatch match;

@@ -1,8 +1,8 @@
-// shader_source.h: a GLSL file with its includes put in, and the way back from a line to the file
-// it came from.
+// shader_source.h: a GLSL file with its includes inserted, and a map from its lines to the files
+// that they come from.
 //
-// Mesa loses the file numbers of #line in some errors, so includes are flattened here and errors
-// mapped back.
+// Mesa omits the file number of #line in some messages. So includes are flattened here, and the
+// lines of messages are mapped back.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -17,16 +17,16 @@ struct SourceLine {
 
 struct ShaderSource {
     std::string text;
-    std::vector<std::filesystem::path> files;  ///< everything read, the main file first
+    std::vector<std::filesystem::path> files;  ///< all files read, the main file first
     std::vector<SourceLine> lines;             ///< origin of each line of `text`
 
-    /// Replaces "0:12(3)" and "0(12)" line references in a driver's log by file names and lines.
+    /// Replaces line references such as "0:12(3)" and "0(12)" in a driver's log by file and line.
     std::string explain(const std::string& driverLog) const;
 };
 
-/// Reads `root / file`; `#include "x"` is looked up beside the including file, then under `root`,
-/// then beside `root`; each file once. `defines` ("NOISE 1") go below #version. Throws Error for a
-/// missing file.
+/// Reads `root / file`. `#include "x"` is searched in the folder of the including file, then in
+/// `root`, then in the folder of `root`; each file is included once. `defines` ("NOISE 1") are
+/// inserted below #version. Throws Error for a missing file.
 ShaderSource loadShader(const std::filesystem::path& root, const std::filesystem::path& file,
                         const std::vector<std::string>& defines);
 

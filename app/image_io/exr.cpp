@@ -1,4 +1,4 @@
-// exr.cpp: OpenEXR behind a few functions; its exceptions end here.
+// exr.cpp: calls of OpenEXR. Its exceptions are caught here and become Errors.
 #include "app/image_io/exr.h"
 
 #include <ImfArray.h>
@@ -24,7 +24,7 @@ namespace neph {
 namespace {
 
 constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
 Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type,
@@ -41,8 +41,8 @@ Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelTy
     return header;
 }
 
-/// A slice whose value at column `lower.x` and row `lower.y` is the first. The library addresses
-/// pixels from (0, 0), which need not be within the picture.
+/// A slice over an array whose first value belongs to column `lower.x` and row `lower.y`. The
+/// library addresses pixels from (0, 0), which may be outside the image.
 template <typename T>
 Imf::Slice sliceFrom(T* first, std::size_t components, glm::ivec2 size, glm::ivec2 lower,
                      Imf::PixelType type, double fill) {
@@ -53,7 +53,7 @@ Imf::Slice sliceFrom(T* first, std::size_t components, glm::ivec2 size, glm::ive
     return {type, origin, xStride, yStride, 1, 1, fill};
 }
 
-/// Slices over interleaved RGBA of the component type T, row 0 on top.
+/// Slices over interleaved RGBA of the component type T, row 0 at the top.
 template <typename T>
 Imf::FrameBuffer interleaved(T* first, glm::ivec2 size, glm::ivec2 lower, Imf::PixelType type) {
     Imf::FrameBuffer frame;
@@ -64,6 +64,7 @@ Imf::FrameBuffer interleaved(T* first, glm::ivec2 size, glm::ivec2 lower, Imf::P
     return frame;
 }
 
+/// Clips instead of overflowing to infinity.
 std::vector<half> toHalf(const ImageF& image) {
     std::vector<half> values;
     values.reserve(image.pixels.size() * 4);
@@ -75,7 +76,7 @@ std::vector<half> toHalf(const ImageF& image) {
     return values;
 }
 
-/// Adds slices over the layers of a band whose first row is `row`.
+/// Adds slices over the layers of a band that begins at row `row`.
 void addLayers(Imf::FrameBuffer& frame, LayeredImage& band, int row) {
     for (ImageLayer& layer : band.layers) {
         assert(layer.values.size() == band.colours.pixels.size());
@@ -84,7 +85,7 @@ void addLayers(Imf::FrameBuffer& frame, LayeredImage& band, int row) {
     }
 }
 
-/// The next rows of the file; `row` is the first of them.
+/// Writes a band of rows that begins at row `row`.
 void writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrPixels pixels) {
     ImageF& colours = band.colours;
     std::vector<half> halves;
@@ -100,6 +101,7 @@ void writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrPixels pixel
     out.writePixels(colours.size.y);
 }
 
+/// Writes all bands; at most one is held in memory.
 void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
              ExrPixels pixels, const std::vector<std::string>& layers,
              const std::function<LayeredImage()>& next) {
@@ -115,13 +117,13 @@ void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadat
     }
 }
 
-/// The size of a picture, if it can be held.
+/// Size of the data window. Throws if the image is too large to be held in memory.
 glm::ivec2 sizeOf(const Imf::InputFile& in) {
     const auto window = in.header().dataWindow();
     const glm::ivec2 size{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
-    if (static_cast<std::int64_t>(size.x) * size.y <= kMostPixels) return size;
+    if (static_cast<std::int64_t>(size.x) * size.y <= kMaxPixels) return size;
     throw Iex::InputExc(
-        fmt::format("{} x {} pixels, more than {} in all", size.x, size.y, kMostPixels));
+        fmt::format("{} x {} pixels, more than {} in total", size.x, size.y, kMaxPixels));
 }
 
 ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
@@ -179,9 +181,9 @@ void append(LayeredImage& image, const LayeredImage& band) {
 void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
               ExrPixels pixels, const std::vector<std::string>& layers,
               const std::function<LayeredImage()>& next) {
-    replaceFile(file, [&](const std::filesystem::path& aside) {
+    replaceFile(file, [&](const std::filesystem::path& temporary) {
         try {
-            writeTo(aside, sizePx, metadata, pixels, layers, next);
+            writeTo(temporary, sizePx, metadata, pixels, layers, next);
         } catch (const Iex::BaseExc& fault) {
             throw Error({file.string(), "cannot be written as OpenEXR", fault.what(), "", ""});
         }

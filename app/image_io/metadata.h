@@ -1,4 +1,4 @@
-// metadata.h: the text that goes with a picture: where it comes from and how to make it again.
+// metadata.h: text stored in an image file: where the image comes from and how to make it again.
 #pragma once
 #include <string>
 #include <utility>
@@ -6,8 +6,8 @@
 
 namespace neph {
 
-/// Pairs of key and UTF-8 text, in the order in which they are written. Keys are 1 to 31 printable
-/// ASCII characters, which both EXR attribute names and PNG keywords allow.
+/// Pairs of key and UTF-8 text, in file order. Keys are 1 to 31 printable ASCII characters, which
+/// both EXR attribute names and PNG keywords allow.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace neph

@@ -1,7 +1,7 @@
-// png.cpp: libpng behind four functions.
+// png.cpp: calls of libpng.
 //
-// libpng reports failure by longjmp, so the functions that call setjmp hold no objects with
-// destructors.
+// libpng reports failures by longjmp, so functions that call setjmp must not have local objects
+// with destructors.
 #include "app/image_io/png.h"
 
 #include <png.h>
@@ -21,6 +21,7 @@
 namespace neph {
 namespace {
 
+/// State of libpng while a file is written.
 struct Writer {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -32,6 +33,7 @@ struct Writer {
     }
 };
 
+/// State of libpng while a file, held in memory, is read.
 struct Reader {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -41,6 +43,7 @@ struct Reader {
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
+/// Keeps the message and returns to the setjmp of the caller.
 template <typename State>
 [[noreturn]] void onError(png_structp png, png_const_charp message) {
     static_cast<State*>(png_get_error_ptr(png))->fault = message;
@@ -68,7 +71,7 @@ bool isAscii(const std::string& text) {
                        [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
-/// The texts point into `metadata`, which libpng copies from without writing to it.
+/// The texts point into `metadata`, which libpng only reads, although its pointers are not const.
 std::vector<png_text> toTexts(const Metadata& metadata) {
     std::vector<png_text> texts;
     for (const auto& [key, text] : metadata) {
@@ -83,6 +86,7 @@ std::vector<png_text> toTexts(const Metadata& metadata) {
     return texts;
 }
 
+/// The encode functions return false after a failure of libpng.
 bool encodeHead(Writer& writer, glm::ivec2 sizePx, const std::vector<png_text>& texts) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &writer, put, onFlush);
@@ -141,21 +145,21 @@ std::string readBytes(const std::filesystem::path& file) {
 
 void writePng(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
               const std::function<Image8()>& next) {
-    replaceFile(file, [&](const std::filesystem::path& aside) {
+    replaceFile(file, [&](const std::filesystem::path& temporary) {
         Writer writer;
-        writer.file = std::fopen(aside.c_str(), "wb");
+        writer.file = std::fopen(temporary.c_str(), "wb");
         writer.png =
             png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, onError<Writer>, onWarning);
         writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
-        bool fine = writer.file != nullptr && writer.info != nullptr &&
-                    encodeHead(writer, sizePx, toTexts(metadata));
-        for (int row = 0; fine && row < sizePx.y;) {
+        bool ok = writer.file != nullptr && writer.info != nullptr &&
+                  encodeHead(writer, sizePx, toTexts(metadata));
+        for (int row = 0; ok && row < sizePx.y;) {
             const Image8 band = next();
             assert(band.size.x == sizePx.x && band.size.y >= 1);
-            fine = encodeRows(writer, rowsOf(band));
+            ok = encodeRows(writer, rowsOf(band));
             row += band.size.y;
         }
-        if (fine && encodeEnd(writer) && std::fflush(writer.file) == 0) return;
+        if (ok && encodeEnd(writer) && std::fflush(writer.file) == 0) return;
         throw Error({file.string(), "cannot be written as PNG",
                      writer.fault.empty() ? std::strerror(errno) : writer.fault, "", ""});
     });

@@ -1,8 +1,8 @@
-// main.cpp of nephoscope-reader: loads one reader library and answers what the host asks of it.
+// main.cpp of nephoscope-reader: loads one reader library and serves the requests of the host.
 //
-// Started by core/plugin/reader_process with a socket and shared memory as descriptors 3 and 4;
-// arguments are the library and the bytes of memory that it may take. Ends when the host goes away,
-// even while the library hangs.
+// Started by core/plugin/reader_process with a socket and shared memory as descriptors 3 and 4. The
+// arguments are the library and the memory, in bytes, that it may use. Ends with the host, even
+// while the library hangs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -29,24 +29,26 @@ namespace {
 
 using namespace neph;
 
-/// The memory shared with the host, mapped anew when the host has made it larger.
-class Shared {
+/// The memory shared with the host, mapped again when the host has enlarged it.
+class SharedMemory {
   public:
-    Shared() { grow(kReaderValuesAt); }
+    SharedMemory() { grow(kReaderValuesAt); }
     ReaderControl& control() { return *reinterpret_cast<ReaderControl*>(at_); }
 
-    std::span<float> room(std::size_t values) {
+    /// Space for `values` values and the guard values that detect writes beyond them.
+    std::span<float> buffer(std::size_t values) {
         const std::size_t count = values + PluginFile::kGuardValues;
         grow(kReaderValuesAt + count * sizeof(float));
         return {reinterpret_cast<float*>(at_ + kReaderValuesAt), count};
     }
 
   private:
+    /// Maps at least `bytes`. Throws Error if the host has not provided so much.
     void grow(std::size_t bytes) {
         if (bytes <= bytes_) return;
         struct stat now {};
         if (fstat(kReaderMemory, &now) != 0 || static_cast<std::size_t>(now.st_size) < bytes) {
-            throw Error({.what = "the shared memory is smaller than what is asked for"});
+            throw Error({.what = "the shared memory is smaller than requested"});
         }
         if (at_ != nullptr) munmap(at_, bytes_);
         at_ = nullptr;
@@ -60,13 +62,14 @@ class Shared {
     std::size_t bytes_ = 0;
 };
 
+/// Executes requests with the library; see core/plugin/reader_wire.h for the messages.
 class Server {
   public:
     explicit Server(PluginLibrary library) : library_(std::move(library)) {}
 
-    /// The answer to one question.
-    std::string answer(std::string_view question) {
-        wire::Unpacker from(question);
+    /// Executes one request; failures become part of the answer.
+    std::string respond(std::string_view request) {
+        wire::Unpacker from(request);
         wire::Packer to;
         try {
             to.number(wire::Answer::ok);
@@ -99,7 +102,7 @@ class Server {
         std::int32_t score = 0;
         try {
             score = library_.calls->score(from.text().c_str());
-        } catch (...) {  // against the rules: it does not know the file
+        } catch (...) {  // the ABI forbids exceptions: treat the file as unknown to this reader
         }
         to.number(score);
     }
@@ -115,33 +118,36 @@ class Server {
 
     void read(wire::Unpacker& from) {
         const auto request = from.number<wire::ReadRequest>();
-        const std::span<float> room = shared_.room(from.number<std::uint64_t>());
+        const std::span<float> buffer = shared_.buffer(from.number<std::uint64_t>());
         ReaderControl& control = shared_.control();
+        // Every call proves that the library is alive, and returns whether to go on.
         const auto tick = [&control](double fraction) {
             std::atomic_ref(control.fraction).store(fraction);
             std::atomic_ref(control.beats).fetch_add(1);
             return std::atomic_ref(control.cancel).load() == 0;
         };
         files_.at(request.handle)
-            .read(request.variable, request.time, request.lower, request.upper, room, tick);
+            .read(request.variable, request.time, request.lower, request.upper, buffer, tick);
     }
 
     PluginLibrary library_;
-    Shared shared_;
+    SharedMemory shared_;
     std::map<std::uint32_t, PluginFile> files_;
     std::uint32_t lastHandle_ = 0;
 };
 
+/// Applies the memory limit, and disables core dumps.
 void limitResources([[maybe_unused]] rlim_t memoryBytes) {
     const rlimit none{0, 0};
-    setrlimit(RLIMIT_CORE, &none);  // a damaged file is no reason to fill a disk
+    setrlimit(RLIMIT_CORE, &none);  // damaged files must not fill the disk with core dumps
 #ifndef NEPH_SANITIZED
     const rlimit memory{memoryBytes, memoryBytes};
     setrlimit(RLIMIT_AS, &memory);  // sanitizers map terabytes that they never touch
 #endif
 }
 
-/// Ends the process and what it started when the host has gone, whatever the library is doing.
+/// Starts a thread that ends this process and its children when the host has ended, whatever the
+/// library is doing.
 void watchHost() {
     std::thread([] {
         pollfd host{kReaderSocket, POLLRDHUP, 0};
@@ -152,8 +158,8 @@ void watchHost() {
     }).detach();
 }
 
-/// Loads the library and tells the host what it is, or why it cannot be used.
-std::optional<Server> introduce(const char* library) {
+/// Loads the library and reports to the host what it is, or why it cannot be used.
+std::optional<Server> sendIdentity(const char* library) {
     wire::Packer hello;
     std::optional<Server> server;
     try {
@@ -171,15 +177,16 @@ std::optional<Server> introduce(const char* library) {
 
 int main(int count, char** arguments) {
     if (count != 3 || fcntl(kReaderSocket, F_GETFD) < 0 || fcntl(kReaderMemory, F_GETFD) < 0) {
-        fmt::print(stderr, "nephoscope-reader is started by nephoscope; it has no use by itself\n");
+        fmt::print(stderr,
+                   "nephoscope-reader is started by nephoscope and cannot be used on its own\n");
         return 2;
     }
     limitResources(std::strtoull(arguments[2], nullptr, 10));
     watchHost();
-    std::optional<Server> server = introduce(arguments[1]);
-    std::string question;
-    while (server && wire::receive(kReaderSocket, question)) {
-        if (!wire::send(kReaderSocket, server->answer(question))) break;
+    std::optional<Server> server = sendIdentity(arguments[1]);
+    std::string request;
+    while (server && wire::receive(kReaderSocket, request)) {
+        if (!wire::send(kReaderSocket, server->respond(request))) break;
     }
     return 0;
 }

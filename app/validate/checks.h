@@ -1,5 +1,5 @@
-// checks.h: what is proved besides the cases in files: laws that have closed forms, and that the
-// same light comes out of the same medium however it is described.
+// checks.h: the built-in checks of the path tracer, beside the scenes in files: laws with closed
+// forms, and invariance of the result to how a medium is described. docs/validation.md lists them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,37 +8,38 @@
 
 namespace neph::validate {
 
-/// Beer-Lambert: direct light through uniform and random media.
+/// Beer-Lambert law: direct light through uniform and random media.
 std::vector<Trial> transmissionTrials();
-/// Light that is scattered once by a slab.
+/// Light scattered once by a slab.
 std::vector<Trial> singleScatteringTrials();
-/// In uniform surroundings a medium that absorbs nothing cannot be seen.
+/// White furnace: in uniform surroundings a medium that does not absorb is invisible.
 std::vector<Trial> furnaceTrials();
-/// The energy that a sphere scatters into ten intervals of cos Theta.
+/// Energy that a sphere scatters into ten intervals of cos Θ.
 std::vector<Trial> sphereTrials();
-/// Mixtures as one field, other majorants, other voxels, the balance of energy, Lambert ground.
+/// A mixture as one field, other majorants and voxel sizes, conservation of energy, Lambertian
+/// ground.
 std::vector<Trial> invarianceTrials();
 
-/// The largest distance between the cumulative of drawn scattering angles and that of the phase
-/// function, for every kind.
+/// The largest distance between the empirical distribution of sampled scattering angles and the
+/// cumulative phase function, for every kind of phase function.
 std::vector<Row> phaseRows(render::TraceMeter& meter, bool quick);
 
-/// Values in [0, 1) that are the same everywhere.
-class Dice {
+/// Pseudo-random numbers in [0, 1), the same on every machine.
+class RandomNumbers {
   public:
-    explicit Dice(std::uint32_t seed) : state_(seed) {}
+    explicit RandomNumbers(std::uint32_t seed) : state_(seed) {}
     double next();
 
   private:
     std::uint64_t state_;
 };
 
-/// Extinction of 0 to 2 `meanPerM`, independent in each voxel; a third of them is empty.
+/// Extinction of 0 to 2 `meanPerM`, independent in each voxel; a third of the voxels is empty.
 Array3f randomExtinction(glm::ivec3 size, double meanPerM, std::uint32_t seed);
 
 PhaseSpec henyeyGreenstein(double g);
 
-/// Directions that stand for the sun's disc: seven rings of equal solid angle.
+/// Directions that sample the sun's disc: seven rings of equal solid angle, six points each.
 std::vector<glm::dvec3> sunDisc(const render::MeterScene& scene);
 
 }  // namespace neph::validate

@@ -1,5 +1,5 @@
-// checks_invariance.cpp: the same light comes out of the same medium, however it is described, and
-// none of it is lost.
+// checks_invariance.cpp: results must not depend on how a medium is described (fields, majorants,
+// bricks, voxels), and energy must be conserved.
 #include <fmt/format.h>
 
 #include <array>
@@ -13,10 +13,10 @@ namespace {
 using render::DetectorKind;
 using render::MeterScene;
 
-// Relative; docs/validation.md.
+// Relative; docs/validation.md has the reasons.
 constexpr double kFluxTolerance = 3e-3;
 constexpr double kRadianceTolerance = 1e-2;
-constexpr double kTwinTolerance = 1.5e-2;  // two measurements differ by both of their errors
+constexpr double kTwinTolerance = 1.5e-2;  // a difference has the errors of both measurements
 
 glm::dvec3 extentOf(const MeterScene& scene) {
     return glm::dvec3(scene.size) * scene.spacingM;
@@ -27,7 +27,8 @@ void aimSun(MeterScene& scene, double zenithDeg) {
     scene.towardsSun = {-std::sin(zenith), 0.0, std::cos(zenith)};
 }
 
-/// `level` is about what is expected: tolerances are relative.
+/// Adds a detector and a quantity that is `factor` times its reading. `level` is the expected
+/// value, or its magnitude if a twin supplies it; tolerances are relative to it.
 void add(Trial& trial, const std::string& name, const render::Detector& detector, double factor,
          double level, double tolerance) {
     trial.detectors.push_back(detector);
@@ -37,7 +38,7 @@ void add(Trial& trial, const std::string& name, const render::Detector& detector
                                 Expected{level, tolerance * level, ""}});
 }
 
-/// R, T and a radiance to the side, as shares of the light that falls in.
+/// Adds reflectance R, transmittance T and an oblique radiance, as shares of the incident light.
 void addFluxes(Trial& trial, double r, double t, double slant) {
     const double fluxTolerance = trial.twin ? kTwinTolerance : kFluxTolerance;
     const glm::dvec3 extentM = extentOf(trial.scene);
@@ -53,7 +54,7 @@ void addFluxes(Trial& trial, double r, double t, double slant) {
         trial.twin ? 2.0 * kTwinTolerance : kRadianceTolerance);
 }
 
-/// A slab of sixteen levels.
+/// A slab of 16 levels and a depth of 1 km.
 MeterScene slabScene() {
     MeterScene scene;
     scene.size = {1, 1, 16};
@@ -67,7 +68,8 @@ render::MeterField uniform(const MeterScene& scene, double extinctionPerM, doubl
     return {Array3f(scene.size, static_cast<float>(extinctionPerM)), albedo, phase};
 }
 
-/// Two fields, one of them absorbing, and the field that Eq. 18 makes of them.
+/// Two fields, one of them absorbing, against a single field with the mean phase function of
+/// [Riley03] eq. 18.
 Trial mixtureTrial() {
     Trial trial;
     trial.name = "Mixture of two fields = one field by Eq. 18";
@@ -89,6 +91,7 @@ Trial mixtureTrial() {
     return trial;
 }
 
+/// Extinction that is independent in each voxel, so that majorants differ much from it.
 MeterScene randomScene(double albedo) {
     MeterScene scene;
     scene.size = {17, 18, 16};
@@ -98,11 +101,12 @@ MeterScene randomScene(double albedo) {
     return scene;
 }
 
+/// Looser majorants and other brick sizes cost more null collisions and change nothing else.
 Trial majorantTrial(double scale, int brickVoxels) {
     Trial trial;
     trial.name =
         fmt::format("Random medium: bounds {:g} times as large, bricks of {}", scale, brickVoxels);
-    trial.source = "bounds as they are, bricks of 4";
+    trial.source = "unscaled majorants, bricks of 4";
     trial.scene = randomScene(0.9);
     trial.quick = false;
     trial.settings.majorantScale = scale;
@@ -112,7 +116,8 @@ Trial majorantTrial(double scale, int brickVoxels) {
     return trial;
 }
 
-/// g 0.85, optical depth 8, sun overhead. docs/validation.md has where the values come from.
+/// The same slab on different grids: g 0.85, optical depth 8, sun overhead. docs/validation.md
+/// states the source of the values.
 Trial resolutionTrial(glm::ivec3 size, bool trilinear) {
     Trial trial;
     trial.name = fmt::format("Uniform slab of {} x {} x {} {}", size.x, size.y, size.z,
@@ -126,7 +131,7 @@ Trial resolutionTrial(glm::ivec3 size, bool trilinear) {
     return trial;
 }
 
-/// What falls in is sent back, comes through or stays.
+/// Incident light is reflected, transmitted or absorbed: R + T + A = 1.
 Trial balanceTrial() {
     Trial trial;
     trial.name = "Random medium that absorbs: balance of energy";
@@ -148,7 +153,7 @@ Trial balanceTrial() {
     return trial;
 }
 
-/// Ground under clear air.
+/// A Lambertian surface under clear air reflects its albedo, in every direction alike.
 Trial groundTrial() {
     constexpr double kAlbedo = 0.3;
     Trial trial;

@@ -1,4 +1,4 @@
-// checks_phase.cpp: Kolmogorov and Smirnov's test of the scattering angles that paths draw.
+// checks_phase.cpp: Kolmogorov-Smirnov test of the scattering angles that paths sample.
 // [Knuth98] 3.3.1
 #include <fmt/format.h>
 
@@ -12,9 +12,10 @@
 namespace neph::validate {
 namespace {
 
-constexpr double kChance = 1e-4;  // that a right sampler is found wrong
+constexpr double kFalseAlarmProbability = 1e-4;  // of rejecting a correct sampler
 
-/// The largest distance between the share of cosines below a value and what it should be.
+/// Kolmogorov-Smirnov statistic D: the largest distance between the empirical distribution of
+/// cosines and the exact one.
 double distance(std::vector<float> cosines, const PhaseSpec& spec) {
     std::ranges::sort(cosines);
     const auto count = static_cast<double>(cosines.size());
@@ -38,12 +39,14 @@ std::vector<Row> phaseRows(render::TraceMeter& meter, bool quick) {
         const auto kind = static_cast<std::size_t>(spec.kind);
         Row row;
         row.trial = fmt::format("Phase functions: {} scattering angles drawn", count);
-        row.source = fmt::format("cumulative of the phase function, p = {}", kChance);
+        row.source =
+            fmt::format("cumulative of the phase function, p = {}", kFalseAlarmProbability);
         row.quantity = fmt::format("D of {}", phaseFunction(spec.kind).id);
         row.expected = 0.0;
         const auto seed = static_cast<std::uint32_t>(1 + kind);
         row.measured = distance(meter.sampledCosines(spec, count, seed), spec);
-        row.tolerance = std::sqrt(-0.5 * std::log(kChance / 2.0) / count);
+        // Asymptotic critical value of D.
+        row.tolerance = std::sqrt(-0.5 * std::log(kFalseAlarmProbability / 2.0) / count);
         row.samples = static_cast<std::uint64_t>(count);
         rows.push_back(std::move(row));
     }

@@ -1,5 +1,5 @@
-// checks_scattering.cpp: light scattered once, which has a closed form, and light scattered any
-// number of times in surroundings that are the same everywhere, which nothing changes.
+// checks_scattering.cpp: single scattering, which has a closed form, and the white furnace, in
+// which multiple scattering must leave uniform radiance unchanged.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +16,18 @@ constexpr double kHeightM = 1000.0;
 constexpr double kWidthM = 8000.0;
 constexpr int kLevels = 16;
 
-/// Radiance that a slab of optical depth t sends up (mu > 0) or down, of a beam of 1 from mu0,
-/// scattered once; P in 1/sr. [Chandrasekhar60] ch. III
+/// Radiance, after one scattering, that leaves a slab of optical depth t upwards (mu > 0) or
+/// downwards, for a beam of irradiance 1 from mu0. `phase` is in 1/sr. [Chandrasekhar60] ch. III
 double scatteredOnce(double t, double albedo, double phase, double mu0, double mu) {
     const double m = std::abs(mu);
     const double front = albedo * phase * mu0;
     if (mu > 0.0) return front / (m + mu0) * (1.0 - std::exp(-t * (1.0 / m + 1.0 / mu0)));
+    // The general form below is 0/0 along the beam.
     if (std::abs(m - mu0) < 1e-9) return front * t / (mu0 * mu0) * std::exp(-t / mu0);
     return front / (mu0 - m) * (std::exp(-t / mu0) - std::exp(-t / m));
 }
 
-/// The mean over the sun's disc: the glory is no wider than a few of them.
+/// Mean phase function over the sun's disc, because the glory is only a few discs wide.
 double phaseOfSun(const PhaseSpec& spec, const render::MeterScene& scene, glm::dvec3 leaving) {
     double sum = 0.0;
     const std::vector<glm::dvec3> disc = sunDisc(scene);
@@ -37,6 +38,7 @@ double phaseOfSun(const PhaseSpec& spec, const render::MeterScene& scene, glm::d
     return sum / static_cast<double>(disc.size());
 }
 
+/// A slab of single-scattering light; `depth` is optical depth.
 struct Slab {
     double depth, albedo;
     PhaseSpec phase;
@@ -56,7 +58,7 @@ Trial singleTrial(const Slab& slab, double sunZenithDeg) {
     trial.scene.towardsSun = {-std::sin(sun), 0.0, std::cos(sun)};
     trial.settings.maxScatterings = 1;
     for (const double zenithDeg : {0.0, 35.0, 70.0, 110.0, 145.0, 180.0}) {
-        // Past straight on: towards the sun's disc itself there is no radiance of a single value.
+        // Skip the forward direction: the phase function varies across the sun's disc.
         if (std::abs(180.0 - zenithDeg - sunZenithDeg) < 1.0 && slab.name != "isotropic") continue;
         const double zenith = glm::radians(zenithDeg);
         const glm::dvec3 leaving{std::sin(zenith), 0.0, std::cos(zenith)};
@@ -80,7 +82,8 @@ PhaseSpec specOf(PhaseKind kind) {
     return spec;
 }
 
-/// Three fields of random extinction, one of them of water droplets.
+/// Three fields of random extinction that do not absorb, one of them water droplets, under a
+/// uniform sky of radiance 1.
 render::MeterScene furnace(bool periodic, bool trilinear) {
     render::MeterScene scene;
     scene.size = {9, 8, 10};
@@ -97,6 +100,7 @@ render::MeterScene furnace(bool periodic, bool trilinear) {
     return scene;
 }
 
+/// Adds detectors inside the medium and at its top; each must read the radiance of the sky.
 void addFurnaceViews(Trial& trial) {
     const glm::dvec3 extentM = glm::dvec3(trial.scene.size) * trial.scene.spacingM;
     const glm::dvec3 middleM = 0.5 * extentM;
@@ -124,12 +128,12 @@ Trial furnaceTrial(bool periodic, bool trilinear) {
     return trial;
 }
 
-/// A white ground sends back what a white medium above it lets through.
-Trial furnaceWithGround() {
+/// White ground below a medium that does not absorb: nothing is lost.
+Trial furnaceOverGroundTrial() {
     Trial trial = furnaceTrial(true, false);
     trial.name = "White furnace: random medium over white ground";
     trial.scene.surfaceAlbedo = 1.0;
-    trial.quick = false;  // light stays long between the two
+    trial.quick = false;  // paths between the two are long
     return trial;
 }
 
@@ -153,7 +157,7 @@ std::vector<Trial> furnaceTrials() {
             trials.push_back(furnaceTrial(periodic, trilinear));
         }
     }
-    trials.push_back(furnaceWithGround());
+    trials.push_back(furnaceOverGroundTrial());
     return trials;
 }
 

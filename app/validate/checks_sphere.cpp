@@ -1,11 +1,10 @@
-// checks_sphere.cpp: parallel light on a uniform sphere: how much goes through, and how much is
-// scattered into which ten equal intervals of cos Theta.
+// checks_sphere.cpp: parallel light on a uniform sphere: the directly transmitted light, and the
+// energy scattered into ten equal intervals of cos Θ.
 //
-// What leaves into a direction is the radiance of the sphere as seen from there, summed over its
-// disc: rays that are parallel, through a plane beyond the sphere. In each interval the nodes of
-// Gauss and Legendre stand for all directions. The sphere is one of voxels, those whose middle is
-// in it: voxels at the edge that hold their share would make the shadow of a thick sphere 1 %
-// wider.
+// The intensity in a direction is the radiance of the sphere seen from there, integrated over its
+// disc by parallel rays through a plane beyond the sphere. Each interval is integrated by
+// Gauss-Legendre quadrature. The sphere consists of the voxels whose centre is inside: voxels with
+// fractional extinction at the edge would widen the shadow of a thick sphere by 1 %.
 #include <fmt/format.h>
 
 #include <array>
@@ -24,10 +23,10 @@ constexpr int kVoxels = 96;  // along a diameter
 constexpr int kBins = 10;
 constexpr double kBinWidth = 2.0 / kBins;
 
-/// Published by an independent Monte Carlo method, one million photons: +-0.0005 a bin, share of
-/// the energy that falls on the sphere; from cos Theta = -1 to 1.
+/// Results of an independent Monte Carlo model with one million photons, ±0.0005 per bin: shares of
+/// the energy incident on the sphere, from cos Θ = -1 to 1.
 struct Published {
-    double depth;  ///< of the radius
+    double depth;  ///< optical depth along the radius
     double g, albedo;
     std::array<double, kBins> bins;
 };
@@ -36,13 +35,14 @@ constexpr std::array<Published, 3> kPublished{{
     {20.0, 0.85, 1.0, {.1162, .1109, .1078, .1038, .1013, .0978, .0952, .0922, .0889, .0846}},
     {5.0, 0.0, 1.0, {.1650, .1487, .1328, .1172, .1042, .0896, .0760, .0626, .0490, .0350}},
 }};
-// Four standard errors of the published values, which leaves room for the voxels.
+// Four standard errors of the published values, which leaves a margin for the voxels.
 constexpr double kBinTolerance = 0.002;
 
 bool isInside(glm::ivec3 voxel) {
     return glm::length((glm::dvec3(voxel) + 0.5) * (2.0 / kVoxels) - 1.0) < 1.0;
 }
 
+/// The sphere of radius kRadiusM in a cube of voxels, with empty surroundings.
 render::MeterScene sphere(const Published& of) {
     render::MeterScene scene;
     scene.size = glm::ivec3(kVoxels);
@@ -61,9 +61,10 @@ render::MeterScene sphere(const Published& of) {
     return scene;
 }
 
-/// Sees all that leaves the sphere into `leaving`, in the plane y = 0, through the plane beyond it
-/// that is more nearly across. The radiance is the mean over a disc's square, 4 r^2.
-Detector farAway(glm::dvec3 leaving) {
+/// Sees all light that leaves the sphere in the direction `leaving`, which lies in the plane y = 0.
+/// The detector is the plane beyond the sphere that is more nearly perpendicular to it. Its reading
+/// is the mean radiance over the square around the disc, 4 r².
+Detector distantDetector(glm::dvec3 leaving) {
     const int axis = std::abs(leaving.z) > std::abs(leaving.x) ? 2 : 0;
     const int other = 2 - axis;
     const double side = leaving[axis] > 0.0 ? 1.0 : -1.0;
@@ -76,7 +77,8 @@ Detector farAway(glm::dvec3 leaving) {
     return {DetectorKind::radiance, middle - reach, middle + reach, -leaving};
 }
 
-/// Nodes and weights of Gauss and Legendre on -1 to 1.
+/// Nodes (x) and weights (y) of Gauss-Legendre quadrature on [-1, 1], by Newton's method on the
+/// Legendre polynomial.
 std::vector<glm::dvec2> gaussLegendre(int count) {
     std::vector<glm::dvec2> rule;
     for (int i = 0; i < count; ++i) {
@@ -96,18 +98,19 @@ std::vector<glm::dvec2> gaussLegendre(int count) {
     return rule;
 }
 
-/// 2 pi times the integral over one bin of the intensity, of a unit of light on pi r^2.
+/// Energy scattered into one bin: 2π times the integral of the intensity, divided by the energy
+/// incident on π r².
 Quantity binOf(Trial& trial, int bin, double expected) {
     const double low = -1.0 + kBinWidth * bin;
     Quantity quantity{fmt::format("scattered, cos {:.1f} to {:.1f}", low, low + kBinWidth),
                       {},
                       0.0,
                       Expected{expected, kBinTolerance, ""}};
-    // The forward peak of g = 0.85 varies by 40 times within the last.
+    // The phase function of g = 0.85 varies by a factor of 40 within the last bin.
     for (const glm::dvec2 node : gaussLegendre(bin == kBins - 1 ? 12 : 4)) {
         const double mu = low + 0.5 * kBinWidth * (node.x + 1.0);
-        // The light travels downwards, so cos Theta = -z.
-        trial.detectors.push_back(farAway({std::sqrt(1.0 - mu * mu), 0.0, -mu}));
+        // Sunlight travels downwards, so cos Θ = -z.
+        trial.detectors.push_back(distantDetector({std::sqrt(1.0 - mu * mu), 0.0, -mu}));
         const double intensity = 4.0 * kRadiusM * kRadiusM;
         quantity.terms.push_back(
             {trial.detectors.size() - 1,
@@ -116,6 +119,7 @@ Quantity binOf(Trial& trial, int bin, double expected) {
     return quantity;
 }
 
+/// Scattered energy, bin by bin and in total.
 Trial binTrial(const Published& of) {
     Trial trial;
     trial.name = fmt::format("Sphere: optical radius {:g}, g {:g}", of.depth, of.g);
@@ -125,10 +129,11 @@ Trial binTrial(const Published& of) {
     for (int bin = 0; bin < kBins; ++bin) {
         trial.quantities.push_back(binOf(trial, bin, of.bins[static_cast<std::size_t>(bin)]));
     }
-    Quantity all{"all that is scattered", {}, 0.0, {}};
+    Quantity all{"scattered in total", {}, 0.0, {}};
     for (const Quantity& quantity : trial.quantities) {
         all.terms.insert(all.terms.end(), quantity.terms.begin(), quantity.terms.end());
     }
+    // Mean of exp(-τ) over the chords of a sphere; t is the optical depth of its diameter.
     const double t = 2.0 * of.depth;
     const double direct = 2.0 * (1.0 - (1.0 + t) * std::exp(-t)) / (t * t);
     all.expected = Expected{1.0 - direct, 3e-3, "1 - 2 (1 - (1 + t) exp(-t)) / t², t = 2 τ"};
@@ -136,6 +141,7 @@ Trial binTrial(const Published& of) {
     return trial;
 }
 
+/// Directly transmitted light: the sphere absorbs everything else.
 Trial directTrial(const Published& of) {
     Trial trial;
     trial.name = fmt::format("Sphere: optical radius {:g}, direct light", of.depth);
@@ -146,7 +152,7 @@ Trial directTrial(const Published& of) {
         {DetectorKind::flux, {0.0, 0.0, 0.0}, {2.0 * kRadiusM, 2.0 * kRadiusM, 0.0}});
     const double t = 2.0 * of.depth;
     const double direct = 2.0 * (1.0 - (1.0 + t) * std::exp(-t)) / (t * t);
-    // The square holds what passes by the sphere as well.
+    // The square also receives the light that passes beside the sphere.
     trial.quantities.push_back(
         {"direct", {{0, 4.0 / M_PI}}, 1.0 - 4.0 / M_PI, Expected{direct, 1e-3, ""}});
     return trial;

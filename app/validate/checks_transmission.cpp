@@ -1,5 +1,5 @@
-// checks_transmission.cpp: T = exp(-integral of extinction), [Riley03] eq. 6, by a plain sum in
-// double precision over the sun's disc.
+// checks_transmission.cpp: Beer-Lambert law, T = exp(-∫ extinction), [Riley03] eq. 6, against a
+// plain sum in double precision over the sun's disc.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double extinctionAt(const MeterScene& scene, glm::dvec3 positionM) {
     return sum;
 }
 
-/// From a point to where the ray leaves the grid.
+/// Optical depth from a point to where the ray leaves the grid, by the midpoint rule.
 double opticalDepth(const MeterScene& scene, glm::dvec3 positionM, glm::dvec3 dir) {
     constexpr int kSteps = 20000;
     const glm::dvec3 extentM = glm::dvec3(scene.size) * scene.spacingM;
@@ -51,7 +51,7 @@ double opticalDepth(const MeterScene& scene, glm::dvec3 positionM, glm::dvec3 di
     return sum * lengthM / kSteps;
 }
 
-/// Irradiance of level ground, of a beam of 1 from a disc.
+/// Direct irradiance of a horizontal plane, for a beam of irradiance 1 from the sun's disc.
 double directIrradiance(const MeterScene& scene, glm::dvec3 positionM) {
     double sum = 0.0;
     const std::vector<glm::dvec3> disc = sunDisc(scene);
@@ -68,7 +68,7 @@ MeterScene randomScene(bool trilinear) {
     scene.trilinear = trilinear;
     scene.periodic = false;
     Array3f extinction = randomExtinction(scene.size, 2e-3, 7);
-    // The outermost voxels are empty, so that what interpolation does at the border plays no part.
+    // The outermost voxels are empty, so that interpolation at the boundary does not matter.
     for (int z = 0; z < 12; ++z) {
         for (int y = 0; y < 12; ++y) {
             for (int x = 0; x < 12; ++x) {
@@ -81,6 +81,7 @@ MeterScene randomScene(bool trilinear) {
     return scene;
 }
 
+/// Direct irradiance at two points of a random medium, on the ground and inside.
 Trial randomTrial(bool trilinear, double zenithDeg, const render::MeterSettings& settings) {
     Trial trial;
     trial.name =
@@ -104,7 +105,7 @@ Trial randomTrial(bool trilinear, double zenithDeg, const render::MeterSettings&
     return trial;
 }
 
-/// A slab of one voxel; light comes down through it.
+/// A slab that is a single voxel.
 Trial uniformTrial(double depth, double mu) {
     Trial trial;
     trial.name = fmt::format("Beer-Lambert: uniform slab, optical depth {:g}", depth / mu);
@@ -147,24 +148,24 @@ std::vector<glm::dvec3> sunDisc(const render::MeterScene& scene) {
     for (int ring = 0; ring < kRings; ++ring) {
         const double radius = scene.sunRadiusRad * std::sqrt((ring + 0.5) / kRings);
         for (int spoke = 0; spoke < kSpokes; ++spoke) {
-            const double turn = 2.0 * M_PI * (spoke + 0.5 * (ring % 2)) / kSpokes;
+            const double angle = 2.0 * M_PI * (spoke + 0.5 * (ring % 2)) / kSpokes;
             disc.push_back(glm::normalize(scene.towardsSun +
-                                          radius * (std::cos(turn) * a + std::sin(turn) * b)));
+                                          radius * (std::cos(angle) * a + std::sin(angle) * b)));
         }
     }
     return disc;
 }
 
-double Dice::next() {
+double RandomNumbers::next() {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;  // [Knuth] MMIX
     return static_cast<double>(state_ >> 11U) * 0x1p-53;
 }
 
 Array3f randomExtinction(glm::ivec3 size, double meanPerM, std::uint32_t seed) {
     Array3f extinction(size);
-    Dice dice(seed);
+    RandomNumbers numbers(seed);
     for (float& value : extinction.values) {
-        const double here = dice.next();
+        const double here = numbers.next();  // the lower third of its range leaves a voxel empty
         value = here < 1.0 / 3.0 ? 0.0f : static_cast<float>(3.0 * meanPerM * (here - 1.0 / 3.0));
     }
     return extinction;

@@ -1,5 +1,5 @@
-// json_object.h: an object of a scene file, whose keys are asked for one by one; unknown keys are
-// errors, as are values of the wrong kind or beyond their range.
+// json_object.h: checked access to an object of a scene file. Unknown keys, values of the wrong
+// type and values outside their range are errors.
 #pragma once
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,11 +22,13 @@ namespace neph::validate {
 
 using Json = nlohmann::ordered_json;
 
+/// Both ends are allowed values.
 struct Range {
     double low = 0.0, high = 0.0;
 };
 
-/// An object whose keys are asked for one by one; keys that are not known are errors.
+/// An object and its place in the file, for messages. `known` are all keys that it may have.
+/// Getters with a fallback return it if the key is absent. All functions throw Error.
 struct Object {
     const Json& json;
     std::string where;
@@ -51,13 +53,13 @@ struct Object {
         return found == json.end() ? nullptr : &*found;
     }
     bool has(std::string_view key) const { return find(key) != nullptr; }
-    const Json& need(std::string_view key, std::string_view expected) const {
+    const Json& require(std::string_view key, std::string_view expected) const {
         if (const Json* value = find(key)) return *value;
         throw Error({where, fmt::format("\"{}\" is missing", key), "", std::string(expected), ""});
     }
     double number(std::string_view key, Range range) const {
         const std::string expected = fmt::format("a number from {} to {}", range.low, range.high);
-        const Json& value = need(key, expected);
+        const Json& value = require(key, expected);
         const double number =
             value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
         if (!(number >= range.low && number <= range.high)) {
@@ -65,29 +67,30 @@ struct Object {
         }
         return number;
     }
-    double number(std::string_view key, Range range, double otherwise) const {
-        return has(key) ? number(key, range) : otherwise;
+    double number(std::string_view key, Range range, double fallback) const {
+        return has(key) ? number(key, range) : fallback;
     }
-    int integer(std::string_view key, int low, int high, int otherwise) const {
+    int integer(std::string_view key, int low, int high, int fallback) const {
         const double value = number(key, {static_cast<double>(low), static_cast<double>(high)},
-                                    static_cast<double>(otherwise));
+                                    static_cast<double>(fallback));
         if (value != std::floor(value)) {
             refuseJson(where, key, fmt::format("{}", value), "a whole number");
         }
         return static_cast<int>(value);
     }
-    bool flag(std::string_view key, bool otherwise) const {
+    bool flag(std::string_view key, bool fallback) const {
         const Json* value = find(key);
-        if (value == nullptr) return otherwise;
+        if (value == nullptr) return fallback;
         if (!value->is_boolean()) refuseJson(where, key, excerpt(*value), "true or false");
         return value->get<bool>();
     }
+    /// Empty if there is no such key.
     std::string text(std::string_view key) const { return jsonText(json, key, where); }
-    std::string neededText(std::string_view key) const {
-        need(key, "text in quotes");
+    std::string requiredText(std::string_view key) const {
+        require(key, "text in quotes");
         return text(key);
     }
-    /// One of some words; the first where there is no such key.
+    /// One of `words`; the first if there is no such key.
     std::string word(std::string_view key, std::span<const std::string_view> words) const {
         const std::string found = text(key);
         if (!has(key)) return std::string(words.front());
@@ -97,7 +100,7 @@ struct Object {
                      fmt::format("one of {}", fmt::join(words, ", ")),
                      near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
     }
-    /// Empty where there is no such key.
+    /// Empty if there is no such key.
     const Json& list(std::string_view key, std::size_t most) const {
         static const Json kNone = Json::array();
         const Json* value = find(key);
@@ -105,8 +108,9 @@ struct Object {
         if (value->is_array() && value->size() <= most) return *value;
         refuseJson(where, key,
                    value->is_array() ? fmt::format("{} items", value->size()) : excerpt(*value),
-                   fmt::format("a list in brackets of at most {}", most));
+                   fmt::format("a list in brackets with at most {} items", most));
     }
+    /// Place of item `index` of a list, for messages.
     std::string below(std::string_view key, std::size_t index) const {
         return fmt::format("{}: {}[{}]", where, key, index);
     }

@@ -1,8 +1,8 @@
-// runner.cpp: a first round of paths tells how many each detector needs; up to three more supply
-// them.
+// runner.cpp: a first round of paths shows how many each detector needs; up to three more rounds
+// supply them.
 //
-// That the number of paths depends on what the first of them measured biases a mean by less than
-// its standard error over the square root of their number.
+// Because the number of paths depends on the first measurements, a mean is biased, but by less than
+// its standard error divided by the square root of that number.
 #include "app/validate/runner.h"
 
 #include <fmt/format.h>
@@ -18,13 +18,13 @@ namespace neph::validate {
 namespace {
 
 using render::Measured;
-using Wanted = std::vector<std::uint64_t>;  // more paths, for each detector
+using SampleCounts = std::vector<std::uint64_t>;  // paths, for each detector
 
-constexpr std::size_t kMostAtOnce = 1024;  // detectors
+constexpr std::size_t kMaxDetectorsPerCall = 1024;
 constexpr int kMoreRounds = 3;
-constexpr double kGrowthOfARound = 32.0;  // a first estimate of a standard error is a rough one
+constexpr double kMaxGrowthPerRound = 32.0;  // the first estimate of a standard error is rough
 
-/// Both together, each by its share of the paths.
+/// Both measurements combined, weighted by their numbers of paths.
 Measured pooled(const Measured& a, const Measured& b) {
     const auto n = static_cast<double>(a.samples), m = static_cast<double>(b.samples);
     if (n + m <= 0.0) return a;
@@ -32,11 +32,13 @@ Measured pooled(const Measured& a, const Measured& b) {
             a.samples + b.samples};
 }
 
+/// Measured value of a quantity.
 struct Value {
     double mean = 0.0, sigma = 0.0;
     std::uint64_t samples = 0;
 };
 
+/// Weighted sum of the readings. Detectors use separate paths, so their errors are independent.
 Value valueOf(const Quantity& quantity, const std::vector<Measured>& readings) {
     Value value{quantity.offset, 0.0, 0};
     for (const Term& term : quantity.terms) {
@@ -48,6 +50,7 @@ Value valueOf(const Quantity& quantity, const std::vector<Measured>& readings) {
     return value;
 }
 
+/// Readings of all detectors of a trial in one scene.
 class Measurement {
   public:
     Measurement(render::TraceMeter& meter, const Trial& trial, const render::MeterScene& scene,
@@ -61,12 +64,12 @@ class Measurement {
         settings_.seed ^= static_cast<std::uint32_t>(hashOf(trial.name));
     }
 
-    /// Until the standard error of each quantity is `share` of its tolerance, as far as `effort`
-    /// goes.
+    /// Measures until the standard error of each quantity is `share` of its tolerance, within the
+    /// limits of `effort`.
     void run(const Effort& effort, double share) {
-        add(Wanted(readings_.size(), effort.first));
+        add(SampleCounts(readings_.size(), effort.first));
         for (int round = 0; round < kMoreRounds; ++round) {
-            const Wanted more = wanted(effort, share);
+            const SampleCounts more = missingSamples(effort, share);
             if (std::ranges::all_of(more, [](std::uint64_t n) { return n == 0; })) return;
             add(more);
         }
@@ -74,15 +77,17 @@ class Measurement {
     Value of(const Quantity& quantity) const { return valueOf(quantity, readings_); }
 
   private:
-    Wanted wanted(const Effort& effort, double share) const {
-        constexpr double kReserve = 1.2;
-        Wanted more(readings_.size(), 0);
+    /// Further paths that each detector needs: the standard error decreases with the square root of
+    /// their number. A detector of several quantities gets the largest number.
+    SampleCounts missingSamples(const Effort& effort, double share) const {
+        constexpr double kMargin = 1.2;
+        SampleCounts more(readings_.size(), 0);
         for (const Quantity& quantity : trial_.quantities) {
             if (!quantity.expected) continue;
             const double target = share * effort.toleranceFactor * quantity.expected->tolerance;
             const double ratio = of(quantity).sigma / target;
             if (ratio <= 1.0) continue;
-            const double growth = std::min(kReserve * ratio * ratio, kGrowthOfARound);
+            const double growth = std::min(kMargin * ratio * ratio, kMaxGrowthPerRound);
             for (const Term& term : quantity.terms) {
                 const std::uint64_t have = readings_[term.detector].samples;
                 const auto want = std::min(
@@ -93,28 +98,29 @@ class Measurement {
         return more;
     }
 
-    /// Detectors that want about as many paths are measured together.
-    void add(const Wanted& more) {
+    /// Measures detectors that need about the same number of paths together, because all detectors
+    /// of one call get equally many.
+    void add(const SampleCounts& more) {
         std::map<std::uint64_t, std::vector<std::size_t>> groups;
         for (std::size_t i = 0; i < more.size(); ++i) {
             if (more[i] > 0) groups[std::bit_ceil(more[i])].push_back(i);
         }
         for (const auto& [samples, members] : groups) {
-            for (std::size_t k = 0; k < members.size(); k += kMostAtOnce) {
-                const std::size_t count = std::min(members.size() - k, kMostAtOnce);
+            for (std::size_t k = 0; k < members.size(); k += kMaxDetectorsPerCall) {
+                const std::size_t count = std::min(members.size() - k, kMaxDetectorsPerCall);
                 addTogether(std::span(members).subspan(k, count), more);
             }
         }
     }
 
-    void addTogether(std::span<const std::size_t> members, const Wanted& more) {
+    void addTogether(std::span<const std::size_t> members, const SampleCounts& more) {
         std::vector<render::Detector> detectors;
         settings_.samples = 0;
         for (const std::size_t i : members) {
             detectors.push_back(trial_.detectors[i]);
             settings_.samples = std::max(settings_.samples, more[i]);
         }
-        settings_.seed += 0x9E3779B9U;  // other paths in every call
+        settings_.seed += 0x9E3779B9U;  // different paths in every call
         const auto read = meter_.measure(scene_, detectors, settings_, progress_);
         for (std::size_t k = 0; k < members.size(); ++k) {
             readings_[members[k]] = pooled(readings_[members[k]], read[k]);
@@ -133,7 +139,7 @@ class Measurement {
 
 std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const Effort& effort,
                           const Progress& progress) {
-    // Two measurements share the standard error of their difference.
+    // A difference of two measurements has √2 times the standard error of each.
     const double share = effort.sigmaOverTolerance / (trial.twin ? std::sqrt(2.0) : 1.0);
     Measurement here(meter, trial, trial.scene, trial.settings, progress);
     here.run(effort, share);
@@ -166,16 +172,16 @@ std::vector<Row> runTrial(render::TraceMeter& meter, const Trial& trial, const E
 }
 
 std::optional<Row> allTogether(const std::vector<Row>& rows, const Effort& effort) {
-    constexpr double kSharp = 0.005;
+    constexpr double kPreciseTolerance = 0.005;
     constexpr double kTolerance = 0.001;
-    constexpr int kFewest = 10;
+    constexpr int kMinCount = 10;
     double sum = 0.0, weights = 0.0, variance = 0.0;
     int count = 0;
     for (const Row& row : rows) {
         if (!row.expected || *row.expected == 0.0) continue;
         const double scale = 1.0 / std::abs(*row.expected);
         const double tolerance = row.tolerance / effort.toleranceFactor * scale;
-        if (tolerance > kSharp) continue;
+        if (tolerance > kPreciseTolerance) continue;
         const double sigma = row.sigma * scale;
         const double weight = 1.0 / (sigma * sigma + tolerance * tolerance);
         sum += weight * (row.measured - *row.expected) * scale;
@@ -183,7 +189,7 @@ std::optional<Row> allTogether(const std::vector<Row>& rows, const Effort& effor
         variance += weight * weight * sigma * sigma;
         ++count;
     }
-    if (count < kFewest) return {};
+    if (count < kMinCount) return {};
     Row all;
     all.trial = fmt::format("All together: {} of the above", count);
     all.source = "no bias";

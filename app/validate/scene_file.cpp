@@ -1,4 +1,4 @@
-// scene_file.cpp: scenes out of JSON from strangers; every fault becomes an Error.
+// scene_file.cpp: parses scenes from untrusted JSON; every fault becomes an Error.
 #include "app/validate/scene_file.h"
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace neph::validate {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  // a grid of a few million cells, inline
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  // an inline grid of a few million cells
 constexpr double kMaxLengthM = 1e6;
 constexpr double kMaxExtinctionPerM = 1e3;
 constexpr double kMaxOpticalDepth = 1e4;
@@ -18,13 +18,14 @@ constexpr double kMaxLight = 1e9;
 constexpr int kMaxRepeat = 2048;
 constexpr std::size_t kMaxViews = 1000;
 constexpr std::size_t kMaxExperiments = 50;
-constexpr std::size_t kMaxValues = std::size_t{1} << 26;  // of all fields, in each experiment
+constexpr std::size_t kMaxValues = std::size_t{1} << 26;  // all fields times all experiments
 
+/// A parameter of phase functions, as a key of the file.
 struct PhaseParameter {
     std::string_view key;
     float PhaseSpec::*member;
     Range range;
-    double unit;  ///< in SI
+    double unit;  ///< factor from the file's unit to SI
 };
 
 constexpr std::array<PhaseParameter, 5> kPhaseParameters{
@@ -34,6 +35,7 @@ constexpr std::array<PhaseParameter, 5> kPhaseParameters{
      {"alpha", &PhaseSpec::alpha, {0.0, 1000.0}, 1.0},
      {"radius_um", &PhaseSpec::radiusM, {1.0, 110.0}, 1e-6}}};
 
+/// `"g": 0.85` is short for Henyey-Greenstein; `"phase"` is a name, or an object with parameters.
 PhaseSpec parsePhase(const Object& entry) {
     PhaseSpec spec;
     if (entry.has("g") && entry.has("phase")) {
@@ -44,11 +46,11 @@ PhaseSpec parsePhase(const Object& entry) {
         spec.g = static_cast<float>(entry.number("g", kPhaseParameters[0].range));
         return spec;
     }
-    const Json& phase = entry.need("phase", "the name of a phase function, or \"g\"");
+    const Json& phase = entry.require("phase", "the name of a phase function, or \"g\"");
     const Json named = Json::object({{"kind", phase}});
     const Object object(phase.is_string() ? named : phase, entry.where + ": phase",
                         {"kind", "g", "g2", "weight", "alpha", "radius_um"});
-    object.need("kind", "the name of a phase function");
+    object.require("kind", "the name of a phase function");
     std::vector<std::string_view> ids;
     for (const PhaseFunction& function : phaseFunctions()) ids.push_back(function.id);
     const std::string id = object.word("kind", ids);
@@ -65,7 +67,7 @@ PhaseSpec parsePhase(const Object& entry) {
     return spec;
 }
 
-/// The keys that layers and columns share; `baseM` is that of an entry that states none.
+/// Parses the keys that layers and columns share. `baseM` is used if the entry has no base.
 Slab parseSlab(const Object& entry, double baseM) {
     Slab slab;
     slab.baseM = entry.number("base_m", {0.0, kMaxLengthM}, baseM);
@@ -92,6 +94,7 @@ Slab parseSlab(const Object& entry, double baseM) {
     return slab;
 }
 
+/// A layer without a base lies on the one before it.
 Medium parseLayers(const Object& scene) {
     std::vector<Slab> slabs;
     double baseM = 0.0;
@@ -106,6 +109,7 @@ Medium parseLayers(const Object& scene) {
     return rasterise(slabs, scene.where + ": layers");
 }
 
+/// Columns stand side by side in x, from x = 0 on.
 Medium parseColumns(const Object& scene) {
     std::vector<Slab> slabs;
     double leftM = 0.0;
@@ -117,7 +121,7 @@ Medium parseColumns(const Object& scene) {
         Slab slab = parseSlab(entry, 0.0);
         const double widthM = entry.number("width_m", {1e-3, kMaxLengthM});
         const int repeat = entry.integer("repeat", 1, kMaxRepeat, 1);
-        // One box a column, so that the grid's cells are no wider than the columns.
+        // One box per column, so that the cells of the grid are no wider than the columns.
         for (int n = 0; n < repeat && slabs.size() <= kMaxRepeat; ++n) {
             slab.leftM = leftM;
             slab.rightM = leftM += widthM;
@@ -127,10 +131,11 @@ Medium parseColumns(const Object& scene) {
     return rasterise(slabs, scene.where + ": columns");
 }
 
+/// A list of three numbers, for x, y and z.
 glm::dvec3 parseThree(const Object& object, std::string_view key, Range range) {
     glm::dvec3 three{0.0};
     const std::string expected = fmt::format("three numbers from {} to {}", range.low, range.high);
-    const Json& list = object.need(key, expected);
+    const Json& list = object.require(key, expected);
     if (!list.is_array() || list.size() != 3)
         refuseJson(object.where, key, excerpt(list), expected);
     for (int axis = 0; axis < 3; ++axis) {
@@ -143,6 +148,7 @@ glm::dvec3 parseThree(const Object& object, std::string_view key, Range range) {
     return three;
 }
 
+/// Extinction of a grid: inline, or from a file in `folder`.
 std::vector<float> parseValues(const Object& entry, std::size_t count,
                                const std::filesystem::path& folder) {
     if (entry.has("csv") + entry.has("raw") + entry.has("values") != 1) {
@@ -171,7 +177,7 @@ Medium parseGrid(const Object& scene, const std::filesystem::path& folder, bool&
     checkCellCount(medium.size, grid.where);
     medium.spacingM = parseThree(grid, "spacing_m", {1e-3, kMaxLengthM});
     trilinear = grid.flag("trilinear", false);
-    grid.need("fields", "a list");
+    grid.require("fields", "a list");
     const Json& list = grid.list("fields", kMaxFields);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Object entry(list[i], grid.below("fields", i),
@@ -196,6 +202,7 @@ Medium parseMedium(const Object& scene, const std::filesystem::path& folder, boo
     return parseGrid(scene, folder, trilinear);
 }
 
+/// Without a sun its irradiance is zero.
 void parseSun(const Object& experiment, render::MeterScene& scene) {
     scene.sunIrradiance = 0.0;
     const Json* json = experiment.find("sun");
@@ -214,7 +221,7 @@ void parseSun(const Object& experiment, render::MeterScene& scene) {
 void parseDetectors(const Object& parent, Experiment& experiment) {
     constexpr std::array<std::string_view, 6> kFluxes{"R",         "T", "T_direct",
                                                       "T_diffuse", "A", "balance"};
-    const Object detectors(parent.need("detectors", "an object in braces"),
+    const Object detectors(parent.require("detectors", "an object in braces"),
                            parent.where + ": detectors", {"fluxes", "radiances", "per_column"});
     experiment.perColumn = detectors.flag("per_column", false);
     for (const Json& item : detectors.list("fluxes", kFluxes.size())) {
@@ -227,7 +234,7 @@ void parseDetectors(const Object& parent, Experiment& experiment) {
         constexpr std::array<std::string_view, 2> kSides{"top", "bottom"};
         const Object entry(list[i], detectors.below("radiances", i),
                            {"name", "leaving", "zenith_deg", "azimuth_deg"});
-        experiment.views.push_back({entry.neededText("name"),
+        experiment.views.push_back({entry.requiredText("name"),
                                     entry.word("leaving", kSides) == "top",
                                     entry.number("zenith_deg", {0.0, 89.9}),
                                     entry.number("azimuth_deg", {-360.0, 360.0}, 0.0)});
@@ -235,8 +242,8 @@ void parseDetectors(const Object& parent, Experiment& experiment) {
 }
 
 void parseExpected(const Object& parent, Experiment& experiment) {
-    constexpr std::size_t kMostExpected = 10000;
-    const Json& list = parent.list("expect", kMostExpected);
+    constexpr std::size_t kMaxExpected = 10000;
+    const Json& list = parent.list("expect", kMaxExpected);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Object entry(list[i], parent.below("expect", i),
                            {"quantity", "value", "relative", "absolute", "source"});
@@ -248,7 +255,7 @@ void parseExpected(const Object& parent, Experiment& experiment) {
                                      ? entry.number("absolute", {1e-9, kMaxLight})
                                      : entry.number("relative", {1e-6, 1.0}) * std::abs(value);
         experiment.expected.push_back(
-            {entry.neededText("quantity"), {value, tolerance, entry.text("source")}});
+            {entry.requiredText("quantity"), {value, tolerance, entry.text("source")}});
     }
 }
 
@@ -270,7 +277,7 @@ Experiment parseExperiment(const Json& json, const std::string& where) {
     return experiment;
 }
 
-/// Every experiment has a copy of its own.
+/// Throws Error if the fields take too much memory: every experiment has its own copy of them.
 void checkMemory(const std::vector<render::MeterField>& fields, std::size_t experiments,
                  const std::string& where) {
     std::size_t values = 0;
@@ -278,7 +285,8 @@ void checkMemory(const std::vector<render::MeterField>& fields, std::size_t expe
     if (values <= kMaxValues) return;
     throw Error({where, "is too large",
                  fmt::format("{} values of extinction in {} experiments", values, experiments),
-                 fmt::format("at most {}", kMaxValues), "spread the experiments over files"});
+                 fmt::format("at most {}", kMaxValues),
+                 "split the experiments into several files"});
 }
 
 }  // namespace
@@ -291,14 +299,14 @@ SceneFile parseSceneFile(std::string_view text, const std::string& where,
                         {"type", "version", "name", "source", "quick", "layers", "columns", "grid",
                          "sides", "experiments"});
     SceneFile file;
-    file.name = object.neededText("name");
+    file.name = object.requiredText("name");
     file.source = object.text("source");
     file.quick = object.flag("quick", true);
     bool trilinear = false;
     Medium medium = parseMedium(object, folder, trilinear);
     file.fields = std::move(medium.fields);
     constexpr std::array<std::string_view, 2> kSides{"periodic", "open"};
-    object.need("experiments", "a list");
+    object.require("experiments", "a list");
     const Json& list = object.list("experiments", kMaxExperiments);
     checkMemory(file.fields, list.size(), where);
     for (std::size_t i = 0; i < list.size(); ++i) {

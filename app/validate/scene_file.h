@@ -1,9 +1,8 @@
-// scene_file.h: a case of validation kept as JSON: a medium, experiments on it, and what is
-// expected of them.
+// scene_file.h: a validation case in JSON: a medium, experiments on it, and the expected results.
 //
-// The schema is in docs/validation.md. Files are untrusted: unknown keys, sizes and ranges are
-// errors. Angles are of the way light travels: zenith from the vertical, azimuth from +x towards
-// +y.
+// The schema is in docs/validation.md. Files are untrusted: unknown keys, and values outside their
+// range, are errors. Angles describe the direction in which light travels: zenith from the
+// vertical, azimuth from +x towards +y.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -14,44 +13,47 @@
 
 namespace neph::validate {
 
-/// Light that leaves the top upwards, or the bottom downwards.
+/// A radiance: light that leaves the top upwards, or the bottom downwards.
 struct View {
     std::string name;
     bool top = true;
     double zenithDeg = 0.0, azimuthDeg = 0.0;
 };
 
+/// What the file expects of a quantity, by its name.
 struct NamedExpected {
     std::string quantity;
     Expected expected;
 };
 
+/// Illumination and detectors.
 struct Experiment {
     std::string name;
-    render::MeterScene scene;  ///< without its fields
-    std::vector<std::string> fluxes;
+    render::MeterScene scene;         ///< without its fields, which all experiments share
+    std::vector<std::string> fluxes;  ///< of R, T, T_direct, T_diffuse, A and balance
     std::vector<View> views;
-    bool perColumn = false;
+    bool perColumn = false;  ///< also measure each column by itself
     std::vector<NamedExpected> expected;
 };
 
+/// A parsed file.
 struct SceneFile {
     std::string name, source;
-    bool quick = true;
+    bool quick = true;  ///< part of a quick run
     std::vector<render::MeterField> fields;
     std::vector<Experiment> experiments;
 };
 
-/// `where` opens the messages; files that the text names are looked for in `folder`. Throws Error.
+/// `where` begins the messages. Files named in the text are relative to `folder`. Throws Error.
 SceneFile parseSceneFile(std::string_view text, const std::string& where,
                          const std::filesystem::path& folder);
 
-/// Throws Error.
+/// Reads and parses a file. Throws Error.
 SceneFile loadSceneFile(const std::filesystem::path& file);
 
-/// What is to be measured. Fluxes are shares of the light that falls on the top, radiances are
-/// pi I over that light: as I3RC has them. Throws Error where a quantity is expected that no
-/// detector gives.
+/// The measurements that a file asks for. Fluxes are shares of the light incident on the top;
+/// radiances are π I divided by the same light, as in I3RC [Cahalan05]. Throws Error if a quantity
+/// is expected that no detector measures.
 std::vector<Trial> trialsOf(const SceneFile& file, const std::string& where);
 
 }  // namespace neph::validate

@@ -1,4 +1,5 @@
-// scene_medium.cpp: lengths are taken in whole micrometres, so that a common step can be found.
+// scene_medium.cpp: puts slabs on a grid, and reads grids from files. Lengths are counted in whole
+// micrometres, so that a common step can be found.
 #include "app/validate/scene_medium.h"
 
 #include <fmt/format.h>
@@ -19,25 +20,27 @@ namespace neph::validate {
 namespace {
 
 constexpr double kStepsPerM = 1e6;
-constexpr std::int64_t kMaxCells = std::int64_t{1} << 25;  // 128 MiB a field
+constexpr std::int64_t kMaxCells = std::int64_t{1} << 25;  // 128 MiB per field
 constexpr int kMaxSide = 2048;                             // of a 3-D texture
 constexpr std::size_t kMaxFields = 6;
-// Endless layers are cells that repeat; the wider they are, the fewer a path has to cross.
+// Infinite layers are periodic cells; the wider they are, the fewer a path has to cross.
 constexpr double kWidthOverHeight = 16.0;
-// The tracer chooses where to spend work by what it knows of each cell; too few, and its results
-// are as right but noisier.
-constexpr int kFewestLevels = 16;
+// The tracer distributes its work by what it knows of each cell; with too few cells its results are
+// still correct, but noisier.
+constexpr int kMinLevels = 16;
 
+/// A length in micrometres.
 std::int64_t steps(double lengthM) {
     return std::llround(lengthM * kStepsPerM);
 }
 
-/// Of one axis: the size of a cell and how many there are from 0 to the last edge.
+/// Cells of one axis: their size, in micrometres, and their number from 0 to the last edge.
 struct Axis {
     std::int64_t cell = 0;
     int count = 0;
 };
 
+/// The largest cell of which all edges are multiples. Throws Error if there are too many cells.
 Axis axisOf(const std::vector<double>& edgesM, std::string_view name, const std::string& where) {
     Axis axis;
     std::int64_t last = 0;
@@ -55,6 +58,7 @@ Axis axisOf(const std::vector<double>& edgesM, std::string_view name, const std:
     return axis;
 }
 
+/// The field with the albedo and phase function of `slab`, added if there is none yet.
 render::MeterField& fieldOf(Medium& medium, const Slab& slab, const std::string& where) {
     for (render::MeterField& field : medium.fields) {
         if (field.albedo == slab.albedo && field.phase == slab.phase) return field;
@@ -67,6 +71,7 @@ render::MeterField& fieldOf(Medium& medium, const Slab& slab, const std::string&
     return medium.fields.back();
 }
 
+/// The first `most` + 1 bytes of a file, so that a longer file is noticed. Throws Error.
 std::string contentOf(const std::filesystem::path& file, std::size_t most) {
     std::ifstream stream(file, std::ios::binary);
     std::error_code error;
@@ -95,7 +100,7 @@ Medium rasterise(const std::vector<Slab>& slabs, const std::string& where) {
         edgesZ.insert(edgesZ.end(), {slab.baseM, slab.topM});
     }
     const Axis z = axisOf(edgesZ, "heights", where);
-    const int parts = (kFewestLevels + z.count - 1) / z.count;  // of each cell
+    const int parts = (kMinLevels + z.count - 1) / z.count;  // levels per cell
     const double heightM = static_cast<double>(z.cell) * z.count / kStepsPerM;
     const bool endless =
         std::ranges::all_of(slabs, [](const Slab& slab) { return slab.rightM == slab.leftM; });
@@ -124,13 +129,13 @@ Medium rasterise(const std::vector<Slab>& slabs, const std::string& where) {
 void checkExtinction(const std::vector<float>& values, std::size_t count,
                      const std::string& where) {
     if (values.size() != count) {
-        throw Error({where, "holds the wrong number of values", fmt::format("{}", values.size()),
+        throw Error({where, "contains the wrong number of values", fmt::format("{}", values.size()),
                      fmt::format("{}, the product of \"size\"", count), ""});
     }
     const auto wrong = std::ranges::find_if(
         values, [](float value) { return !(value >= 0.0f && std::isfinite(value)); });
     if (wrong == values.end()) return;
-    throw Error({where, fmt::format("value {} is no extinction", wrong - values.begin()),
+    throw Error({where, fmt::format("value {} is not an extinction", wrong - values.begin()),
                  fmt::format("{}", *wrong), "a finite number, 0 or more", ""});
 }
 
@@ -146,8 +151,9 @@ std::vector<float> readCsv(const std::filesystem::path& file, std::size_t count)
             char* end = nullptr;
             values.push_back(std::strtof(word.c_str(), &end));
             if (*end == '\0') continue;
-            throw Error({file.string(), fmt::format("value {} is no number", values.size() - 1),
-                         word.substr(0, 40), "numbers between commas, spaces or line ends", ""});
+            throw Error({file.string(), fmt::format("value {} is not a number", values.size() - 1),
+                         word.substr(0, 40), "numbers separated by commas, spaces or line ends",
+                         ""});
         }
     }
     checkExtinction(values, count, file.string());
@@ -158,11 +164,11 @@ std::vector<float> readRaw(const std::filesystem::path& file, std::size_t count)
     static_assert(std::endian::native == std::endian::little);
     const std::string content = contentOf(file, count * sizeof(float));
     if (content.size() != count * sizeof(float)) {
-        throw Error({file.string(), "is of the wrong size",
+        throw Error({file.string(), "has the wrong size",
                      content.size() > count * sizeof(float)
                          ? "more bytes"
                          : fmt::format("{} bytes", content.size()),
-                     fmt::format("{} bytes, four a cell", count * sizeof(float)), ""});
+                     fmt::format("{} bytes, four per cell", count * sizeof(float)), ""});
     }
     std::vector<float> values(count);
     std::memcpy(values.data(), content.data(), content.size());

@@ -9,7 +9,7 @@
 
 namespace neph::validate {
 
-/// A box of one medium that is endless in y, and in x unless it has a width.
+/// A box of one medium, infinite in y, and in x if its width is 0.
 struct Slab {
     double leftM = 0.0, rightM = 0.0;
     double baseM = 0.0, topM = 0.0;
@@ -18,25 +18,25 @@ struct Slab {
     PhaseSpec phase;
 };
 
+/// A medium on a grid, as the meter needs it.
 struct Medium {
     glm::ivec3 size{1};
     glm::dvec3 spacingM{1.0};
     std::vector<render::MeterField> fields;
 };
 
-/// The slabs on the coarsest grid of 16 levels or more that their edges lie on; what overlaps adds
-/// up. Throws Error
-/// where that grid is too fine or there are too many media.
+/// The slabs on the coarsest grid of 16 levels or more that contains all of their edges.
+/// Overlapping slabs add up. Throws Error if that grid is too fine or there are too many media.
 Medium rasterise(const std::vector<Slab>& slabs, const std::string& where);
 
-/// Throws Error where a grid has no cells or more than a scene may have.
+/// Throws Error if a grid has more cells than a scene may have.
 void checkCellCount(glm::ivec3 size, const std::string& where);
 
-/// Numbers between commas, spaces or line ends; # opens a comment. Throws Error unless there are
-/// `count`, none negative.
+/// Reads numbers separated by commas, spaces or line ends; # starts a comment. Throws Error unless
+/// there are `count` of them, none negative.
 std::vector<float> readCsv(const std::filesystem::path& file, std::size_t count);
 
-/// Little-endian float32. Throws Error unless there are `count`, none negative.
+/// Reads little-endian float32. Throws Error unless there are `count` of them, none negative.
 std::vector<float> readRaw(const std::filesystem::path& file, std::size_t count);
 
 /// Throws Error unless there are `count` values, none negative.

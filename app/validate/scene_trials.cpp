@@ -1,4 +1,4 @@
-// scene_trials.cpp: the instruments that a scene file asks for.
+// scene_trials.cpp: turns the experiments of a scene file into detectors and quantities.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,9 +17,9 @@ using render::DetectorKind;
 using render::MeterScene;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr std::size_t kMostQuantities = 20000;
+constexpr std::size_t kMaxQuantities = 20000;
 
-/// A part of the scene seen from above, and what is added to the names of its quantities.
+/// A part of the scene seen from above, and the suffix of the names of its quantities.
 struct Footprint {
     glm::dvec2 lowerM{0.0}, upperM{0.0};
     std::string suffix;
@@ -29,17 +29,17 @@ glm::dvec3 extentOf(const MeterScene& scene) {
     return glm::dvec3(scene.size) * scene.spacingM;
 }
 
-/// The whole, then each column, x fastest.
+/// The whole scene, then each column, x fastest. Throws Error if there are too many.
 std::vector<Footprint> footprints(const Experiment& experiment, const std::string& where) {
     const MeterScene& scene = experiment.scene;
     std::vector<Footprint> all{{{0.0, 0.0}, glm::dvec2(extentOf(scene)), ""}};
     if (!experiment.perColumn) return all;
     const int columns = scene.size.x * scene.size.y;
     const std::size_t each = experiment.fluxes.size() + experiment.views.size();
-    if (static_cast<std::size_t>(columns) * each > kMostQuantities) {
+    if (static_cast<std::size_t>(columns) * each > kMaxQuantities) {
         throw Error({where, "has too many detectors",
                      fmt::format("{} columns, {} quantities of each", columns, each),
-                     fmt::format("a product of at most {}", kMostQuantities),
+                     fmt::format("a product of at most {}", kMaxQuantities),
                      "leave out \"per_column\", or ask for fewer quantities"});
     }
     const glm::dvec2 step(scene.spacingM);
@@ -50,11 +50,12 @@ std::vector<Footprint> footprints(const Experiment& experiment, const std::strin
     return all;
 }
 
-/// Light on a horizontal plane above the scene.
+/// Light incident on a horizontal plane above the scene: μ₀ F₀ + π L.
 double incidentOn(const MeterScene& scene) {
     return scene.towardsSun.z * scene.sunIrradiance + kPi * scene.skyRadiance;
 }
 
+/// Builds the trial of one experiment, detector by detector.
 class TrialMaker {
   public:
     TrialMaker(const SceneFile& file, const Experiment& experiment)
@@ -74,7 +75,7 @@ class TrialMaker {
             terms.push_back({plane(DetectorKind::flux, part, heightM_, -1.0), share});
         }
         if (flux == "T" || flux == "balance") {
-            // What a surface sends back is not lost to the scene.
+            // Light that the surface reflects is not lost to the scene.
             const double kept = flux == "T" ? 1.0 : 1.0 - trial_.scene.surfaceAlbedo.value_or(0.0);
             terms.push_back({plane(DetectorKind::flux, part, 0.0, 1.0), share * kept});
         }
@@ -108,6 +109,7 @@ class TrialMaker {
     Trial& trial() { return trial_; }
 
   private:
+    /// Adds a horizontal plane that faces up or down; returns its index.
     std::size_t plane(DetectorKind kind, const Footprint& part, double z, double up) {
         trial_.detectors.push_back(
             {kind, {part.lowerM, z}, {part.upperM, z}, glm::dvec3(0.0, 0.0, up)});
@@ -118,13 +120,14 @@ class TrialMaker {
     double incident_ = 1.0, heightM_ = 0.0;
 };
 
-/// Direct light is all that comes through where nothing scatters.
-void makeBlack(MeterScene& scene) {
+/// Where nothing scatters, all transmitted light is direct.
+void makeAbsorbing(MeterScene& scene) {
     for (render::MeterField& field : scene.fields) field.albedo = 0.0;
     scene.skyRadiance = 0.0;
     scene.surfaceAlbedo.reset();
 }
 
+/// Assigns the expected values to the quantities of their names. Throws Error for an unknown name.
 void attachExpected(std::vector<Trial>& trials, const Experiment& experiment,
                     const std::string& where) {
     std::vector<std::string_view> names;
@@ -155,9 +158,10 @@ void attachExpected(std::vector<Trial>& trials, const Experiment& experiment,
 std::vector<Trial> trialsOf(const SceneFile& file, const std::string& where) {
     std::vector<Trial> all;
     for (const Experiment& experiment : file.experiments) {
+        // Direct transmission is measured in a scene of its own, which absorbs all scattered light.
         const bool direct = std::ranges::count(experiment.fluxes, "T_direct") > 0;
         std::vector<TrialMaker> makers(direct ? 2 : 1, TrialMaker(file, experiment));
-        if (direct) makeBlack(makers.back().trial().scene);
+        if (direct) makeAbsorbing(makers.back().trial().scene);
         for (const Footprint& part : footprints(experiment, where)) {
             for (const std::string& flux : experiment.fluxes) {
                 (flux == "T_direct" ? makers.back() : makers.front()).addFlux(flux, part);

@@ -1,7 +1,7 @@
-// trial.h: one measurement of a small scene, what it should come to, and what it came to.
+// trial.h: measurements of a small scene, their expected results and the verdict.
 //
-// A quantity is a weighted sum of what detectors read. It is right when it is within its tolerance
-// and three standard errors of what is expected, and the standard error is no larger than the
+// A quantity is a weighted sum of detector readings. It passes if it is within its tolerance plus
+// three standard errors of the expected value, and its standard error is no larger than the
 // tolerance, so that noise alone passes nothing.
 #pragma once
 #include <cmath>
@@ -14,6 +14,7 @@
 
 namespace neph::validate {
 
+/// A reading and its weight.
 struct Term {
     std::size_t detector = 0;  ///< index in Trial::detectors
     double factor = 1.0;
@@ -22,10 +23,10 @@ struct Term {
 struct Expected {
     double value = 0.0;
     double tolerance = 0.0;  ///< absolute
-    std::string source;      ///< where it differs from the trial's
+    std::string source;      ///< if it differs from that of the trial
 };
 
-/// offset + the terms' sum.
+/// `offset` plus the sum of the terms.
 struct Quantity {
     std::string name;
     std::vector<Term> terms;
@@ -33,24 +34,26 @@ struct Quantity {
     std::optional<Expected> expected;
 };
 
-/// Another way to the same quantities.
+/// Another scene in which the same quantities must result.
 struct Twin {
     render::MeterScene scene;
     render::MeterSettings settings;
 };
 
+/// One scene with its detectors. The name also determines the seed, so a renamed trial measures
+/// slightly different values.
 struct Trial {
     std::string name, source;
     render::MeterScene scene;
-    render::MeterSettings settings;  ///< the number of samples is the runner's to choose
+    render::MeterSettings settings;  ///< the runner chooses the number of samples
     std::vector<render::Detector> detectors;
     std::vector<Quantity> quantities;
-    /// Where there is one, what it measures is what is expected, not Expected::value.
+    /// If present, its results replace Expected::value.
     std::optional<Twin> twin;
-    bool quick = true;  ///< is part of a quick run
+    bool quick = true;  ///< part of a quick run
 };
 
-/// A line of the report. Without an expectation nothing is judged.
+/// A line of the report. Without an expected value there is no verdict.
 struct Row {
     std::string trial, quantity, source;
     std::optional<double> expected;
@@ -60,6 +63,7 @@ struct Row {
 
 enum class Verdict { none, pass, fail, noisy };
 
+/// A result that is not a number fails.
 inline Verdict verdict(const Row& row) {
     constexpr double kSigmas = 3.0;
     if (!row.expected) return Verdict::none;

@@ -1,4 +1,5 @@
-// air.cpp: gas laws. Equations of docs/physics.md §7, constants of the model at hand.
+// air.cpp: gas laws. The equations are those of docs/physics.md §7, with the constants of the model
+// that wrote the data.
 #include "readers/raw_les/air.h"
 
 #include <algorithm>
@@ -13,8 +14,9 @@ constexpr double kEarthRadiusM = 6'356'766.0;
 constexpr double kGravity = 9.80665;
 constexpr double kGas = 8314.32 / 28.9644;
 
+/// A layer of constant lapse rate. Heights are geopotential. [USSA76] table 4
 struct Layer {
-    double baseM, baseK, lapseKPerM;  // geopotential height
+    double baseM, baseK, lapseKPerM;
 };
 constexpr std::array kLayers{
     Layer{0.0, 288.15, -6.5e-3},
@@ -25,7 +27,8 @@ constexpr std::array kLayers{
 constexpr double kTopM = 47'000.0;
 constexpr double kSeaLevelPa = 101'325.0;
 
-/// Pressure at `heightM` over that at the base of its layer.
+/// Pressure at `heightM` divided by the pressure at the base of its layer: hydrostatic, with the
+/// exponential form where the layer is isothermal. [USSA76] eq. 33a, 33b
 double pressureRatio(const Layer& layer, double heightM) {
     const double climb = heightM - layer.baseM;
     if (layer.lapseKPerM == 0.0) return std::exp(-kGravity * climb / (kGas * layer.baseK));
@@ -41,14 +44,16 @@ double temperatureK(double thetaK, double pressurePa, const GasConstants& gas) {
 
 double dryDensity(double temperatureK, double pressurePa, double vapourRatio,
                   const GasConstants& gas) {
+    // Advection may leave small negative mixing ratios of vapour.
     const double moisture = 1.0 + std::max(vapourRatio, 0.0) * gas.vapour / gas.dryGas;
     return pressurePa / (gas.dryGas * temperatureK * moisture);
 }
 
 Air standardAtmosphere(double heightM) {
-    // From geometric to geopotential height.
+    // Geometric to geopotential height. [USSA76] eq. 18
     const double geopotential = kEarthRadiusM * heightM / (kEarthRadiusM + heightM);
     const double height = std::clamp(geopotential, -5000.0, kTopM);
+    // Pressure accumulates over the layers below.
     double pressure = kSeaLevelPa;
     std::size_t i = 0;
     for (; i + 1 < kLayers.size() && height > kLayers[i + 1].baseM; ++i) {

@@ -1,5 +1,5 @@
-// air.h: the air that hydrometeors float in: temperature and density from what a model wrote, or a
-// standard atmosphere where it wrote nothing.
+// air.h: state of the air around the hydrometeors: temperature and density from the variables that
+// a model wrote, or a standard atmosphere where it wrote none.
 #pragma once
 
 namespace raw {
@@ -12,18 +12,21 @@ struct GasConstants {
     double referencePressure = 1.0e5;  ///< Pa, of potential temperature
 };
 
+/// Temperature from potential temperature: T = θ (p / p₀)^(R_d / c_p), p₀ = gas.referencePressure.
 double temperatureK(double thetaK, double pressurePa, const GasConstants& gas = {});
 
-/// Of dry air, kg/m³, where `vapourRatio` kg of vapour come with each kg of it.
+/// Density of dry air, kg/m³; `vapourRatio` is the water vapour mixing ratio, kg/kg.
 double dryDensity(double temperatureK, double pressurePa, double vapourRatio,
                   const GasConstants& gas = {});
 
+/// One level of a standard atmosphere.
 struct Air {
     double temperatureK, pressurePa, densityKgPerM3;
 };
 
-/// The U.S. Standard Atmosphere 1976, which is the ICAO one below 32 km: dry air. [USSA76]
-/// From 0 to 47 km above sea level; what lies outside is taken from the nearest layer.
+/// The U.S. Standard Atmosphere 1976, dry air, identical to the ICAO atmosphere below 32 km.
+/// [USSA76] Defined here for heights of 0 to 47 km above sea level; beyond them the nearest layer
+/// is extrapolated to -5 km, and held constant above 47 km.
 Air standardAtmosphere(double heightM);
 
 }  // namespace raw

@@ -1,4 +1,4 @@
-// brick_file.cpp: from a sidecar to fields.
+// brick_file.cpp: turns a parsed sidecar into variables that can be read.
 #include "readers/raw_les/brick_file.h"
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
+/// What a role of the sidecar means to the host. Without a quantity the unit is passed on as it is.
 struct Meaning {
     NephRole role;
     std::optional<Quantity> quantity;
@@ -46,13 +47,15 @@ Meaning meaningOf(BrickRole role) {
     return {NEPH_ROLE_OTHER, {}, ""};
 }
 
+/// Bytes of one variable at one time.
 std::uint64_t fieldBytes(const Sidecar& sidecar, const BrickVariable& variable) {
     std::uint64_t bytes = bytesOf(variable.type);
     for (const std::size_t n : sidecar.shape) bytes *= n;  // at most 8 · 2⁶⁰
     return bytes;
 }
 
-/// Every file must end where the last variable in it ends.
+/// Throws Error unless every file ends where the last variable in it ends: a size that does not
+/// fit is the only hint that the shape or the number type is wrong.
 void requireSizes(const Sidecar& sidecar, const fs::path& folder) {
     std::map<std::string, std::uint64_t> ends;
     for (const BrickVariable& variable : sidecar.variables) {
@@ -72,17 +75,17 @@ void requireSizes(const Sidecar& sidecar, const fs::path& folder) {
         const auto found = fileSize(path);
         if (found == end) continue;
         const char* what = !found         ? "is missing"
-                           : *found < end ? "is shorter than its sidecar says"
-                                          : "is longer than its sidecar says";
+                           : *found < end ? "is shorter than its sidecar states"
+                                          : "is longer than its sidecar states";
         throw Error{
             what, found ? fmt::format("{} bytes", *found) : std::string(),
-            fmt::format("{} bytes: {} x {} x {} cells, {} time(s) in all", end, sidecar.shape[0],
+            fmt::format("{} bytes: {} x {} x {} cells, {} time(s) in total", end, sidecar.shape[0],
                         sidecar.shape[1], sidecar.shape[2], sidecar.times.size()),
             "check shape, numbers and times in the sidecar", path};
     }
 }
 
-/// Factor from the unit of the sidecar to SI.
+/// Factor from the unit in the sidecar to SI. Throws Error for an unknown unit.
 double factorOf(const BrickVariable& variable, const Meaning& meaning) {
     if (!meaning.quantity) return 1.0;
     const auto factor = siFactor(*meaning.quantity, variable.unit);
@@ -93,6 +96,7 @@ double factorOf(const BrickVariable& variable, const Meaning& meaning) {
                 {}};
 }
 
+/// Adds one variable. A profile is held in memory; a stored one is located when a time is read.
 void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVariable& from,
                  Contents& contents) {
     const Meaning meaning = meaningOf(from.role);
@@ -137,6 +141,7 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
     contents.add(std::move(variable), std::move(source));
 }
 
+/// Description and sources of all variables. Throws Error.
 Contents describe(const Sidecar& sidecar, const fs::path& folder) {
     requireSizes(sidecar, folder);
     Contents contents;

@@ -1,4 +1,4 @@
-// brick_file.h: bare bricks of numbers, described by a JSON sidecar.
+// brick_file.h: binary files without headers ("bricks"), described by a JSON sidecar.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,7 +11,7 @@ namespace raw {
 /// 80 for a sidecar, 0 otherwise.
 int scoreSidecar(const std::string& path);
 
-/// Opens a sidecar; every file's size is checked before anything is read. Throws Error.
+/// Opens a sidecar. The size of every file is checked before anything is read. Throws Error.
 std::unique_ptr<neph::plugin::File> openBrick(const std::string& sidecarPath);
 
 /// The sidecars in a folder, sorted.

@@ -1,4 +1,5 @@
-// cm1.cpp: tables after CM1's README.namelist (cm1r21.1) and the names of its output.
+// cm1.cpp: tables of CM1's output variables and of its microphysics schemes, after README.namelist
+// of cm1r21.1.
 #include "readers/raw_les/cm1.h"
 
 #include <fmt/format.h>
@@ -45,12 +46,13 @@ constexpr std::array kKnown{
                   "humidity_mixing_ratio"},
 };
 
+/// A value of ptype, and the scheme whose size distributions it uses.
 struct Scheme {
     int number;
     std::string_view name;
     NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
 };
-// Goddard's and Gilmore's schemes are versions of Lin, Farley and Orville's.
+// The Goddard and Gilmore schemes are versions of the scheme by Lin, Farley and Orville.
 constexpr std::array kSchemes{
     Scheme{0, "no microphysics"},
     Scheme{1, "Kessler"},
@@ -70,15 +72,15 @@ constexpr std::array kSchemes{
     Scheme{55, "Jensen ISHMAEL"},
 };
 
-/// `key = value,` of a Fortran namelist, the first one; comments start with !.
+/// Value of the first `key = value,` in a Fortran namelist; comments start with !.
 std::optional<double> namelistNumber(std::string_view text, std::string_view key) {
-    for (std::string_view line : linesOf(text)) {
+    for (std::string_view line : splitLines(text)) {
         line = line.substr(0, line.find('!'));
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos) continue;
-        if (lower(trimmed(line.substr(0, equals))) != key) continue;
+        if (toLower(trimmed(line.substr(0, equals))) != key) continue;
         std::string_view value = line.substr(equals + 1);
-        return numberIn(trimmed(value.substr(0, value.find_first_of(",/"))));
+        return parseNumber(trimmed(value.substr(0, value.find_first_of(",/"))));
     }
     return {};
 }
@@ -86,7 +88,7 @@ std::optional<double> namelistNumber(std::string_view text, std::string_view key
 }  // namespace
 
 const KnownVariable* findKnown(std::string_view name) {
-    const std::string spelling = lower(name);
+    const std::string spelling = toLower(name);
     const auto found = std::ranges::find(kKnown, spelling, &KnownVariable::name);
     return found == kKnown.end() ? nullptr : &*found;
 }
@@ -96,11 +98,11 @@ std::string knownHydrometeors() {
     for (const KnownVariable& known : kKnown) {
         if (known.role == NEPH_ROLE_MIXING_RATIO) names.emplace_back(known.name);
     }
-    return listed(names);
+    return joined(names);
 }
 
 std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
-    constexpr std::size_t kMostTimes = 1'000'000;
+    constexpr std::size_t kMaxTimes = 1'000'000;
     const auto text = findText((std::filesystem::path(folder) / "cm1out_metadata.ctl").string());
     if (!text) return {};
     Ctl ctl;
@@ -115,9 +117,10 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
     const std::string data = (std::filesystem::path(folder) / name).string();
     const auto bytes = fileSize(data);
     if (mtime == ctl.variables.end() || ctl.x.count != 1 || ctl.y.count != 1 || !bytes ||
-        ctl.t.count > kMostTimes || record * ctl.t.count * 4 > *bytes) {
+        ctl.t.count > kMaxTimes || record * ctl.t.count * 4 > *bytes) {
         return {};
     }
+    // mtime stands after the planes of the variables listed before it, once per record.
     std::uint64_t before = 0;
     for (auto it = ctl.variables.begin(); it != mtime; ++it) before += it->planes();
     const auto numbers =
@@ -125,7 +128,7 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
     std::vector<double> seconds;
     for (std::size_t i = before; i < numbers.size(); i += record) {
         const bool later = seconds.empty() || numbers[i] > seconds.back();
-        if (!std::isfinite(numbers[i]) || !later) return {};  // damaged: files are in order of time
+        if (!std::isfinite(numbers[i]) || !later) return {};  // damaged: CM1 writes in time order
         seconds.push_back(numbers[i]);
     }
     return seconds;
@@ -143,11 +146,11 @@ Cm1Run parseCm1Namelist(std::string_view text) {
     }
     run.scheme = fmt::format("{} (ptype {})", scheme->name, ptype);
     run.microphysics = scheme->microphysics;
-    // Per cm³: ndcnst is of Morrison's scheme, nt_c of Thompson's.
+    // Both per cm³: ndcnst belongs to the Morrison scheme, nt_c to the Thompson scheme.
     const char* key = ptype == 5 ? "ndcnst" : ptype == 3 ? "nt_c" : nullptr;
     const auto droplets = key != nullptr ? namelistNumber(text, key) : std::nullopt;
     if (droplets && *droplets > 0.0 && *droplets < 1e6) run.cloudDropletsPerM3 = *droplets * 1e6;
-    // ihail: the large ice of ptype 2 and 5 is hail rather than graupel.
+    // ihail = 1: the rimed ice of ptype 2 and 5 is hail rather than graupel.
     run.hail = (ptype == 2 || ptype == 5) && namelistNumber(text, "ihail") == 1.0;
     return run;
 }

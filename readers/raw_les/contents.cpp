@@ -1,4 +1,4 @@
-// contents.cpp: reads of stored, uniform and derived variables.
+// contents.cpp: reading of stored, horizontally uniform and derived variables.
 #include "readers/raw_les/contents.h"
 
 #include <fmt/format.h>
@@ -13,18 +13,20 @@ namespace {
 
 namespace plugin = neph::plugin;
 
-// Derived fields come in slabs of at most this many values, so that little is held at once.
+// Derived fields are computed in slabs of at most this many values, to limit memory and to respond
+// to a cancellation soon.
 constexpr std::size_t kSlabValues = 1U << 18U;
 
+/// The opened data set as the host sees it.
 class ContentsFile : public plugin::File {
   public:
     explicit ContentsFile(Contents contents) : contents_(std::move(contents)) {
         std::set<std::string> names;
         for (const plugin::Variable& variable : contents_.description.variables) {
             if (names.insert(variable.name).second) continue;
-            throw Error{fmt::format("variable {} is there twice", variable.name),
+            throw Error{fmt::format("variable {} occurs twice", variable.name),
                         {},
-                        "a name for one variable alone",
+                        "a unique name for each variable",
                         {}};
         }
     }
@@ -43,7 +45,8 @@ class ContentsFile : public plugin::File {
                     const Tick& tick) const;
     void readDerived(Source::Derived derived, std::size_t time, const Box& box,
                      std::span<float> values, const Tick& tick) const;
-    std::vector<float> slabOf(std::size_t variable, std::size_t time, const Box& slab) const;
+    /// All values of a slab; profiles are expanded to its horizontal size.
+    std::vector<float> readSlab(std::size_t variable, std::size_t time, const Box& slab) const;
 
     Contents contents_;
 };
@@ -61,6 +64,7 @@ void ContentsFile::read(std::size_t variable, std::size_t time, const Box& box,
     tick(1.0);
 }
 
+/// Levels above the stored ones are filled with zeros.
 void ContentsFile::readStored(const Source& source, std::size_t time, Box box,
                               std::span<float> values, const Tick& tick) const {
     if (source.storedLevels > 0) {
@@ -71,12 +75,13 @@ void ContentsFile::readStored(const Source& source, std::size_t time, Box box,
     readBox(source.stored(time), box, values.first(box.count()), tick);
 }
 
-std::vector<float> ContentsFile::slabOf(std::size_t variable, std::size_t time,
-                                        const Box& slab) const {
+std::vector<float> ContentsFile::readSlab(std::size_t variable, std::size_t time,
+                                          const Box& slab) const {
     std::vector<float> values(slab.count());
     const plugin::Variable& info = contents_.description.variables[variable];
     Box box = slab;
-    if (info.size[0] == 1 && info.size[1] == 1) {  // a profile
+    const bool isProfile = info.size[0] == 1 && info.size[1] == 1;
+    if (isProfile) {
         box.lower[0] = box.lower[1] = 0;
         box.upper[0] = box.upper[1] = 1;
     }
@@ -87,6 +92,8 @@ std::vector<float> ContentsFile::slabOf(std::size_t variable, std::size_t time,
     return values;
 }
 
+/// Temperature from potential temperature and pressure, or dry air density from temperature,
+/// pressure and vapour; docs/physics.md §7.
 void ContentsFile::readDerived(Source::Derived derived, std::size_t time, const Box& box,
                                std::span<float> values, const Tick& tick) const {
     const std::size_t levels = std::max<std::size_t>(1, kSlabValues / box.plane());
@@ -95,13 +102,13 @@ void ContentsFile::readDerived(Source::Derived derived, std::size_t time, const 
         Box slab = box;
         slab.lower[2] = z;
         slab.upper[2] = std::min(z + levels, box.upper[2]);
-        const auto pressure = slabOf(*contents_.find(NEPH_ROLE_AIR_PRESSURE), time, slab);
+        const auto pressure = readSlab(*contents_.find(NEPH_ROLE_AIR_PRESSURE), time, slab);
         const bool wantsDensity = derived == Source::Derived::density;
-        const auto heat = slabOf(wantsDensity ? *contents_.find(NEPH_ROLE_AIR_TEMPERATURE)
-                                              : *contents_.potentialTemperature,
-                                 time, slab);
+        const auto heat = readSlab(wantsDensity ? *contents_.find(NEPH_ROLE_AIR_TEMPERATURE)
+                                                : *contents_.potentialTemperature,
+                                   time, slab);
         std::vector<float> vapour(slab.count());
-        if (wantsDensity && contents_.vapour) vapour = slabOf(*contents_.vapour, time, slab);
+        if (wantsDensity && contents_.vapour) vapour = readSlab(*contents_.vapour, time, slab);
         const auto target = values.subspan((z - box.lower[2]) * box.plane(), slab.count());
         for (std::size_t i = 0; i < target.size(); ++i) {
             const double value =
@@ -171,14 +178,14 @@ void Contents::completeAir() {
              NEPH_SPECIES_NONE, description.size},
             {.derived = Source::Derived::density});
         if (!vapour)
-            description.notes.push_back("Water vapour is missing: the air is taken as dry.");
+            description.notes.push_back("Water vapour is missing: the air is treated as dry.");
         return;
     }
     addProfile({"dry_air_density", "", "kg m-3", kStandard, NEPH_ROLE_DRY_AIR_DENSITY},
                standard(&Air::densityKgPerM3));
     description.notes.push_back(fmt::format(
-        "The density of the air is not in the files and cannot be derived from them: it "
-        "is the {}'s, {:.3f} kg/m³ at {:.0f} m and {:.3f} kg/m³ at {:.0f} m.",
+        "Air density is neither in the files nor derivable from them; the {} is used instead: "
+        "{:.3f} kg/m³ at {:.0f} m and {:.3f} kg/m³ at {:.0f} m.",
         kStandard, air.front().densityKgPerM3, centresOf(interfacesM).front(),
         air.back().densityKgPerM3, centresOf(interfacesM).back()));
 }

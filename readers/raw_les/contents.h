@@ -1,5 +1,5 @@
-// contents.h: what the three raw formats have in common once their descriptors are understood: a
-// description and, for every variable, where its values come from.
+// contents.h: the common result of parsing any of the three raw formats: a description and, for
+// every variable, the source of its values.
 #pragma once
 #include <functional>
 #include <optional>
@@ -12,38 +12,40 @@
 
 namespace raw {
 
-/// Where the values of a variable come from: exactly one of these.
+/// The source of a variable's values: exactly one of `stored`, `profile` and `derived`.
 struct Source {
-    /// Stored: where they lie at a time. Throws Error where the variable lacks that time.
+    /// In a file: returns the location at a time. Throws Error if the variable lacks that time.
     std::function<RawField(std::size_t time)> stored{};
-    /// The same everywhere on a level and at all times, bottom to top.
+    /// One value per level, bottom to top, the same at all times.
     std::vector<float> profile{};
-    /// Derived from other variables of the same file.
+    /// Computed from other variables of the same file.
     enum class Derived { none, temperature, density } derived = Derived::none;
-    /// Levels that are stored; those above are zero. 0: all.
+    /// Number of levels in the file; the levels above are zero. 0: all levels are stored.
     std::size_t storedLevels = 0;
 };
 
+/// Everything that is known about a data set after parsing, before any field is read.
 struct Contents {
     neph::plugin::Description description;
-    std::vector<Source> sources;  ///< one for each variable of the description
-    std::vector<double> interfacesM;
-    /// Stored variables that have no role of their own but that air is derived from.
+    std::vector<Source> sources;      ///< parallel to description.variables
+    std::vector<double> interfacesM;  ///< one more than there are levels, increasing
+    /// Variables without a role of their own from which the state of the air is derived.
     std::optional<std::size_t> potentialTemperature, vapour;
     GasConstants gas;
 
     void add(neph::plugin::Variable variable, Source source);
     std::optional<std::size_t> find(NephRole role) const;
 
-    /// Adds interface heights, and the pressure, temperature and density of the air as far as they
-    /// are not stored: derived, or else the standard atmosphere's, which a note says. Call last.
+    /// Adds interface heights, and those of pressure, temperature and density of the air that are
+    /// not stored: derived if possible, otherwise from the standard atmosphere, which a note
+    /// reports. Call this last.
     void completeAir();
 
   private:
     void addProfile(neph::plugin::Variable variable, const std::vector<double>& values);
 };
 
-/// Description and reads. Throws Error where one name stands for two variables.
+/// Throws Error if two variables have the same name.
 std::unique_ptr<neph::plugin::File> makeFile(Contents contents);
 
 }  // namespace raw

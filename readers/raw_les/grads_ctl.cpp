@@ -1,4 +1,4 @@
-// grads_ctl.cpp: a descriptor line by line.
+// grads_ctl.cpp: parses a descriptor line by line.
 #include "readers/raw_les/grads_ctl.h"
 
 #include <fmt/format.h>
@@ -12,26 +12,30 @@
 namespace raw {
 namespace {
 
-constexpr std::size_t kMostCells = 1U << 20U;  // along an axis; no model comes near
-constexpr std::size_t kMostTimes = 1'000'000;
-constexpr std::size_t kMostVariables = 10'000;
+// Limits that no model comes near; they keep sizes from overflowing.
+constexpr std::size_t kMaxCells = 1U << 20U;  // along one axis
+constexpr std::size_t kMaxTimes = 1'000'000;
+constexpr std::size_t kMaxVariables = 10'000;
 
 using Words = std::vector<std::string_view>;
 
+/// Parser of one descriptor. Each function starts at line `line_`, whose words it is given, and
+/// leaves `line_` at the last line that it used.
 class Parser {
   public:
-    explicit Parser(std::string_view text) : lines_(linesOf(text)) {}
+    explicit Parser(std::string_view text) : lines_(splitLines(text)) {}
     Ctl parse();
 
   private:
-    void takeLine(const std::string& keyword, std::string_view line, const Words& words);
-    void takeAxis(CtlAxis& axis, const char* name, const Words& words);
-    void takeTimes(const Words& words);
-    void takeOptions(const Words& words);
-    void takeVariables(const Words& words);
-    CtlVariable variableIn(std::string_view line) const;
-    void takeUnits(std::string_view line);
+    void parseLine(const std::string& keyword, std::string_view line, const Words& words);
+    void parseAxis(CtlAxis& axis, const char* name, const Words& words);
+    void parseTimes(const Words& words);
+    void parseOptions(const Words& words);
+    void parseVariables(const Words& words);
+    CtlVariable parseVariable(std::string_view line) const;
+    void parseUnits(std::string_view line);
     void requireComplete() const;
+    /// The number after a keyword, from 1 to `most`.
     std::size_t count(const Words& words, std::size_t most, const char* of) const;
     [[noreturn]] void fail(const std::string& what, const std::string& expected,
                            const std::string& hint = {}) const;
@@ -49,30 +53,31 @@ void Parser::fail(const std::string& what, const std::string& expected,
 }
 
 std::size_t Parser::count(const Words& words, std::size_t most, const char* of) const {
-    const auto value = words.size() > 1 ? integerIn(words[1]) : std::nullopt;
+    const auto value = words.size() > 1 ? parseInteger(words[1]) : std::nullopt;
     if (!value || *value < 1 || static_cast<std::uint64_t>(*value) > most) {
-        fail(fmt::format("{} needs a number of them", of), fmt::format("1 to {}", most));
+        fail(fmt::format("{} needs a count", of), fmt::format("1 to {}", most));
     }
     return static_cast<std::size_t>(*value);
 }
 
-void Parser::takeAxis(CtlAxis& axis, const char* name, const Words& words) {
+void Parser::parseAxis(CtlAxis& axis, const char* name, const Words& words) {
     axis = {};
-    axis.count = count(words, kMostCells, name);
-    const std::string kind = words.size() > 2 ? lower(words[2]) : std::string();
+    axis.count = count(words, kMaxCells, name);
+    const std::string kind = words.size() > 2 ? toLower(words[2]) : std::string();
     if (kind == "linear") {
-        const auto start = words.size() > 3 ? numberIn(words[3]) : std::nullopt;
-        const auto step = words.size() > 4 ? numberIn(words[4]) : std::nullopt;
+        const auto start = words.size() > 3 ? parseNumber(words[3]) : std::nullopt;
+        const auto step = words.size() > 4 ? parseNumber(words[4]) : std::nullopt;
         if (!start || !step) fail(fmt::format("{} linear needs two numbers", name), "start, step");
         axis.start = *start;
         axis.step = *step;
         return;
     }
-    if (kind != "levels") fail(fmt::format("{} is of another kind", name), "linear or levels");
+    if (kind != "levels") fail(fmt::format("{} is of an unknown kind", name), "linear or levels");
+    // The list of levels may continue on the following lines.
     Words rest(words.begin() + 3, words.end());
     while (true) {
         for (const std::string_view word : rest) {
-            const auto value = numberIn(word);
+            const auto value = parseNumber(word);
             if (!value || axis.levels.size() == axis.count) {
                 fail(fmt::format("{} has {} of {} levels", name, axis.levels.size(), axis.count),
                      fmt::format("{} numbers", axis.count));
@@ -84,21 +89,21 @@ void Parser::takeAxis(CtlAxis& axis, const char* name, const Words& words) {
             fail(fmt::format("{} has {} of {} levels", name, axis.levels.size(), axis.count),
                  fmt::format("{} numbers", axis.count));
         }
-        rest = wordsOf(lines_[line_]);
+        rest = splitWords(lines_[line_]);
     }
 }
 
-void Parser::takeTimes(const Words& words) {
-    const std::size_t times = count(words, kMostTimes, "tdef");
-    if (words.size() < 5 || lower(words[2]) != "linear") {
+void Parser::parseTimes(const Words& words) {
+    const std::size_t times = count(words, kMaxTimes, "tdef");
+    if (words.size() < 5 || toLower(words[2]) != "linear") {
         fail("tdef is incomplete", "tdef <number> linear <start> <step>");
     }
     ctl_.t = parseTimeAxis(times, words[3], words[4]);
 }
 
-void Parser::takeOptions(const Words& words) {
+void Parser::parseOptions(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string option = lower(words[i]);
+        const std::string option = toLower(words[i]);
         if (option == "template") {
             ctl_.isTemplate = true;
         } else if (option == "sequential") {
@@ -120,25 +125,26 @@ void Parser::takeOptions(const Words& words) {
     }
 }
 
-CtlVariable Parser::variableIn(std::string_view line) const {
-    const Words words = wordsOf(line);
+CtlVariable Parser::parseVariable(std::string_view line) const {
+    const Words words = splitWords(line);
     if (words.size() < 3) {
         fail("a variable is incomplete", "name, levels, units, description",
-             "the number after vars counts the lines up to endvars");
+             "the number after vars is the number of lines up to endvars");
     }
     CtlVariable variable;
     variable.name = words[0].substr(0, words[0].find("=>"));
     if (variable.name.empty()) fail("a variable has no name", "name, levels, units, description");
-    const auto levels = integerIn(words[1].substr(0, words[1].find(',')));
-    if (!levels || *levels < 0 || static_cast<std::uint64_t>(*levels) > kMostCells) {
+    const auto levels = parseInteger(words[1].substr(0, words[1].find(',')));
+    if (!levels || *levels < 0 || static_cast<std::uint64_t>(*levels) > kMaxCells) {
         fail(fmt::format("variable {} needs a number of levels", variable.name),
-             "0 for a plane, or 1 and more");
+             "0 for a single plane, or 1 or more");
     }
     variable.levels = static_cast<std::size_t>(*levels);
     if (words[2].starts_with("-1")) {
-        fail(fmt::format("variable {} is stored in a special way", variable.name),
+        fail(fmt::format("variable {} has a storage layout that is not supported", variable.name),
              "units 99: floats, plane by plane");
     }
+    // The rest of the line is the description, by convention with the unit in brackets at its end.
     const char* afterUnits = words[2].data() + words[2].size();
     std::string_view text =
         trimmed(line.substr(static_cast<std::size_t>(afterUnits - line.data())));
@@ -153,25 +159,26 @@ CtlVariable Parser::variableIn(std::string_view line) const {
     return variable;
 }
 
-void Parser::takeVariables(const Words& words) {
-    const std::size_t number = count(words, kMostVariables, "vars");
+void Parser::parseVariables(const Words& words) {
+    const std::size_t number = count(words, kMaxVariables, "vars");
     while (++line_ < lines_.size()) {
         const std::string_view line = trimmed(lines_[line_]);
-        if (lower(line).starts_with("endvars")) break;
+        if (toLower(line).starts_with("endvars")) break;
         if (line.empty() || line.starts_with('*') || line.starts_with('@')) continue;
-        ctl_.variables.push_back(variableIn(line));
+        ctl_.variables.push_back(parseVariable(line));
     }
     if (line_ >= lines_.size()) fail("endvars is missing", "endvars after the last variable");
     if (ctl_.variables.size() != number) {
-        fail(fmt::format("vars counts {} variables, {} are listed", number, ctl_.variables.size()),
+        fail(fmt::format("vars states {} variables, but {} are listed", number,
+                         ctl_.variables.size()),
              "the same number");
     }
 }
 
-/// "units of x,y,z are km", as CM1 puts it into the title.
-void Parser::takeUnits(std::string_view line) {
+/// Finds "units of x,y,z are km", which CM1 writes into the title. GrADS itself has no such entry.
+void Parser::parseUnits(std::string_view line) {
     constexpr std::string_view kPhrase = "units of x,y,z are ";
-    const std::string text = lower(line);
+    const std::string text = toLower(line);
     const std::size_t start = text.find(kPhrase);
     if (start == std::string::npos) return;
     const std::size_t from = start + kPhrase.size();
@@ -186,7 +193,8 @@ void Parser::takeUnits(std::string_view line) {
     }
 }
 
-void Parser::takeLine(const std::string& keyword, std::string_view line, const Words& words) {
+void Parser::parseLine(const std::string& keyword, std::string_view line, const Words& words) {
+    // Entries that change how data are laid out: ignoring one would give wrong values.
     constexpr std::array<std::string_view, 14> kUnsupported{
         "dtype", "index",  "pdef",        "edef",         "fileheader", "xyheader", "theader",
         "chsub", "unpack", "headerbytes", "trailerbytes", "stnmap",     "xvar",     "yvar"};
@@ -195,21 +203,21 @@ void Parser::takeLine(const std::string& keyword, std::string_view line, const W
     } else if (keyword == "title") {
         ctl_.title = trimmed(line.substr(std::min<std::size_t>(6, line.size())));
     } else if (keyword == "undef") {
-        const auto value = words.size() > 1 ? numberIn(words[1]) : std::nullopt;
+        const auto value = words.size() > 1 ? parseNumber(words[1]) : std::nullopt;
         if (!value) fail("undef needs a number", "undef -999999.9");
         ctl_.undef = *value;
     } else if (keyword == "options") {
-        takeOptions(words);
+        parseOptions(words);
     } else if (keyword == "xdef") {
-        takeAxis(ctl_.x, "xdef", words);
+        parseAxis(ctl_.x, "xdef", words);
     } else if (keyword == "ydef") {
-        takeAxis(ctl_.y, "ydef", words);
+        parseAxis(ctl_.y, "ydef", words);
     } else if (keyword == "zdef") {
-        takeAxis(ctl_.z, "zdef", words);
+        parseAxis(ctl_.z, "zdef", words);
     } else if (keyword == "tdef") {
-        takeTimes(words);
+        parseTimes(words);
     } else if (keyword == "vars") {
-        takeVariables(words);
+        parseVariables(words);
     } else if (std::ranges::find(kUnsupported, keyword) != kUnsupported.end()) {
         fail(fmt::format("{} is not supported", keyword), "plain gridded binary data");
     } else if (keyword != "cachesize" && keyword != "vectorpairs" && keyword != "zvar" &&
@@ -224,7 +232,7 @@ void Parser::requireComplete() const {
         throw Error{fmt::format("{} is missing", name),
                     {},
                     "dset, xdef, ydef, zdef, tdef and vars",
-                    "was the descriptor cut short?"};
+                    "check that the descriptor is complete"};
     };
     if (ctl_.dset.empty()) missing("dset");
     if (ctl_.x.count == 0) missing("xdef");
@@ -244,10 +252,10 @@ void Parser::requireComplete() const {
 Ctl Parser::parse() {
     for (; line_ < lines_.size(); ++line_) {
         const std::string_view line = trimmed(lines_[line_]);
-        takeUnits(line);
+        parseUnits(line);
         if (line.empty() || line.starts_with('*') || line.starts_with('@')) continue;
-        const Words words = wordsOf(line);
-        takeLine(lower(words[0]), line, words);
+        const Words words = splitWords(line);
+        parseLine(toLower(words[0]), line, words);
     }
     requireComplete();
     return std::move(ctl_);
@@ -274,8 +282,8 @@ Ctl parseCtl(std::string_view text) {
 
 bool looksLikeCtl(std::string_view text) {
     bool dset = false;
-    for (const std::string_view line : linesOf(text)) {
-        const std::string start = lower(trimmed(line).substr(0, 5));
+    for (const std::string_view line : splitLines(text)) {
+        const std::string start = toLower(trimmed(line).substr(0, 5));
         if (start.starts_with("dset ") || start == "dset\t") dset = true;
         if (dset && (start.starts_with("xdef ") || start == "xdef\t")) return true;
     }

@@ -1,9 +1,8 @@
-// grads_ctl.h: a GrADS descriptor as values: which file, which grid, which variables in which
-// order.
+// grads_ctl.h: a parsed GrADS descriptor: the data file, the grid, and the variables in file order.
 //
-// Parsing looks at the text alone; it is total and linear in the length of the text. Facts are
-// those of the GrADS documentation ("Elements of a GrADS Data Descriptor File") for gridded binary
-// data.
+// Parsing uses only the text. Any text gives a descriptor or an Error, in time linear in its
+// length. The format is that of the GrADS documentation ("Elements of a GrADS Data Descriptor
+// File") for gridded binary data.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -15,11 +14,11 @@
 
 namespace raw {
 
-/// Positions in the unit of the descriptor.
+/// Grid positions along one axis, in the unit of the descriptor.
 struct CtlAxis {
     std::size_t count = 0;
-    double start = 0.0, step = 0.0;  ///< of a linear axis
-    std::vector<double> levels;      ///< otherwise all of them
+    double start = 0.0, step = 0.0;  ///< used if `levels` is empty
+    std::vector<double> levels;      ///< every position of an axis that is not linear
 
     double at(std::size_t i) const {
         return levels.empty() ? start + step * static_cast<double>(i) : levels[i];
@@ -28,20 +27,21 @@ struct CtlAxis {
 
 struct CtlVariable {
     std::string name;
-    std::size_t levels = 0;   ///< 0: one horizontal plane that has no height
+    std::size_t levels = 0;   ///< 0: a single plane without a height, such as surface rain
     std::string description;  ///< without the unit
-    std::string unit;         ///< as in parentheses or brackets at the end; may be empty
+    std::string unit;         ///< from parentheses or brackets at the end; may be empty
 
+    /// Horizontal planes that the variable occupies in the file.
     std::size_t planes() const { return levels == 0 ? 1 : levels; }
 };
 
 enum class ByteOrder { machine, other, little, big };
 
-/// Whether it is another than this machine's.
+/// Whether `order` differs from this machine's.
 bool isSwapped(ByteOrder order);
 
 struct Ctl {
-    std::string dset;  ///< as written, with ^ and templates
+    std::string dset;  ///< verbatim, with ^ (the descriptor's folder) and templates
     std::string title;
     bool isTemplate = false, sequential = false, yrev = false, zrev = false;
     ByteOrder byteOrder = ByteOrder::machine;
@@ -49,17 +49,17 @@ struct Ctl {
     CtlAxis x, y, z;
     TimeAxis t;
     std::vector<CtlVariable> variables;
-    /// Of x, y and z where title or a comment says "units of x,y,z are …"; nothing when none does.
+    /// Unit of x, y and z if the title or a comment states "units of x,y,z are …".
     std::optional<double> metresPerUnit;
 
-    /// Horizontal planes of one time.
+    /// Horizontal planes of all variables at one time.
     std::uint64_t planes() const;
 };
 
-/// Throws Error with the number and the text of the line.
+/// Throws Error with the number and the text of the offending line.
 Ctl parseCtl(std::string_view text);
 
-/// Whether the start of a file could be such a descriptor: cheap, no Error.
+/// Whether a text could be such a descriptor. Cheap; never throws.
 bool looksLikeCtl(std::string_view text);
 
 }  // namespace raw

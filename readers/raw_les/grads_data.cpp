@@ -1,4 +1,4 @@
-// grads_data.cpp: file names, sizes, times.
+// grads_data.cpp: finds the data files, verifies their sizes, and determines the times they hold.
 #include "readers/raw_les/grads_data.h"
 
 #include <fmt/format.h>
@@ -10,9 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostNamed = 8;  // of missing files, in a note
+constexpr std::size_t kMaxNamed = 8;  // missing files that a note lists by name
 
-/// Whether `name` is the part of `whole` that one MPI rank wrote: cm1out_000003_s.dat of
+/// Whether one MPI rank wrote `name` as its part of `whole`: cm1out_000003_s.dat is a tile of
 /// cm1out_s.dat.
 bool isTileOf(std::string_view name, std::string_view whole) {
     const std::size_t cut = whole.find('_');
@@ -29,7 +29,7 @@ std::string dataPath(const Ctl& ctl, const fs::path& folder, std::size_t time) {
     std::string name = ctl.dset;
     if (ctl.isTemplate) name = expandTemplate(name, ctl.t, time);
     if (name.starts_with('^')) name.erase(0, 1);
-    return (folder / name).string();  // an absolute name stays what it is
+    return (folder / name).string();  // operator/ leaves an absolute name unchanged
 }
 
 GradsData::GradsData(const Ctl& ctl, const fs::path& folder) : ctl_(ctl), folder_(folder) {
@@ -38,7 +38,7 @@ GradsData::GradsData(const Ctl& ctl, const fs::path& folder) : ctl_(ctl), folder
     plane_.records = ctl.sequential;
     plane_.missing = ctl.undef;
     if (__builtin_mul_overflow(ctl.planes(), plane_.planeStride(), &timeBytes_)) {
-        throw Error{"describes more than any disk holds",
+        throw Error{"describes more data than any disk holds",
                     fmt::format("{} planes of {} x {}", ctl.planes(), ctl.x.count, ctl.y.count),
                     {},
                     {}};
@@ -59,7 +59,8 @@ RawField GradsData::fieldAt(std::size_t i, std::uint64_t firstPlane) const {
     return field;
 }
 
-/// All times in one file. A running model may have written more than it has counted yet.
+/// All times in one file. A running model may have written more complete times than its descriptor
+/// states yet; those are ignored with a note.
 void GradsData::findOne() {
     const std::string path = dataPath(ctl_, folder_, 0);
     const auto found = fileSize(path);
@@ -69,14 +70,15 @@ void GradsData::findOne() {
         requireSize(path, *found, ctl_.t.count);
     } else {
         notes.push_back(
-            fmt::format("{} holds {} times, its descriptor counts {}: the others are left out.",
+            fmt::format("{} contains {} times, but its descriptor states {}: the others are left "
+                        "out.",
                         fs::path(path).filename().string(), held, ctl_.t.count));
     }
     times.resize(ctl_.t.count);
     std::iota(times.begin(), times.end(), std::size_t{0});
 }
 
-/// One file a time.
+/// One file per time. Times without a file are left out with a note.
 void GradsData::findSeries() {
     std::vector<std::string> missing;
     for (std::size_t i = 0; i < ctl_.t.count; ++i) {
@@ -85,15 +87,15 @@ void GradsData::findSeries() {
         if (found) {
             requireSize(path, *found, 1);
             times.push_back(i);
-        } else if (missing.size() < kMostNamed) {
+        } else if (missing.size() < kMaxNamed) {
             missing.push_back(fs::path(path).filename().string());
         }
     }
     if (times.empty()) failMissing();
     if (missing.empty()) return;
     notes.push_back(
-        fmt::format("{} of {} times are left out, because their files are not there: {}{}.",
-                    ctl_.t.count - times.size(), ctl_.t.count, listed(missing),
+        fmt::format("{} of {} times are left out, because their files are missing: {}{}.",
+                    ctl_.t.count - times.size(), ctl_.t.count, joined(missing),
                     ctl_.t.count - times.size() > missing.size() ? " …" : ""));
 }
 
@@ -105,13 +107,13 @@ void GradsData::requireSize(const std::string& path, std::uint64_t found,
     if (const auto name = tile()) failWithTile(*name);
     const bool longer = !overflow && found > expected;
     throw Error{
-        fmt::format("is {} than its descriptor says", longer ? "longer" : "shorter"),
+        fmt::format("is {} than its descriptor states", longer ? "longer" : "shorter"),
         fmt::format("{} bytes", found),
         fmt::format("{} bytes: {} time(s), {} planes of {} x {} floats{}",
                     overflow ? "far more" : fmt::format("{}", expected), count, ctl_.planes(),
                     ctl_.x.count, ctl_.y.count, ctl_.sequential ? " with record lengths" : ""),
-        longer ? "is it still being written, or does the .ctl belong to another run?"
-               : "the run or the copy that wrote this file was broken off, or the .ctl belongs to "
+        longer ? "the file may still be being written, or the .ctl may belong to another run"
+               : "the run or the copy that wrote this file was interrupted, or the .ctl belongs to "
                  "another run",
         path};
 }
@@ -127,17 +129,17 @@ std::optional<std::string> GradsData::tile() const {
 }
 
 void GradsData::failWithTile(const std::string& name) const {
-    throw Error{"the run wrote one file for each MPI rank; these tiles are not put together here",
-                name, fs::path(dataPath(ctl_, folder_, 0)).filename().string() + ", the whole grid",
+    throw Error{"the run wrote one file per MPI rank, and such tiles cannot be read", name,
+                fs::path(dataPath(ctl_, folder_, 0)).filename().string() + ", the whole grid",
                 "join the tiles first, or run CM1 with output_filetype 1 or 2"};
 }
 
 void GradsData::failMissing() const {
     if (const auto name = tile()) failWithTile(*name);
-    throw Error{"its data file is not there",
+    throw Error{"its data file is missing",
                 {},
                 dataPath(ctl_, folder_, 0),
-                "keep the descriptor beside the data; dset ^name is relative to it"};
+                "keep the descriptor in the folder of its data; dset ^name is relative to it"};
 }
 
 }  // namespace raw

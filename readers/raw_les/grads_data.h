@@ -1,5 +1,5 @@
-// grads_data.h: the flat files that a GrADS descriptor names: where they are, how large they must
-// be, which times they hold. Nothing is read before every size is right.
+// grads_data.h: the binary files that a GrADS descriptor names: their paths, their expected sizes
+// and the times that they contain. Nothing is read before every size is verified.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -11,32 +11,34 @@
 
 namespace raw {
 
-/// Path of the data file of a time of tdef.
+/// Path of the data file of time `time` of tdef.
 std::string dataPath(const Ctl& ctl, const std::filesystem::path& folder, std::size_t time);
 
+/// The data files of one descriptor.
 struct GradsData {
     /// Finds the files and checks their sizes. Throws Error.
     GradsData(const Ctl& ctl, const std::filesystem::path& folder);
 
-    /// Where the plane with number `firstPlane` of the time `times[i]` begins, and how its numbers
-    /// are written; the caller says the rest.
+    /// Location and encoding of plane number `firstPlane` at time `times[i]`. The caller sets the
+    /// number of planes, the flips and the scale.
     RawField fieldAt(std::size_t i, std::uint64_t firstPlane) const;
 
-    std::vector<std::size_t> times;  ///< of tdef, those that are there; at least one
+    std::vector<std::size_t> times;  ///< indices into tdef of the times with data; at least one
     std::vector<std::string> notes;
 
   private:
     void findOne();
     void findSeries();
     void requireSize(const std::string& path, std::uint64_t found, std::uint64_t count) const;
+    /// Name of a file that a single MPI rank wrote, if the folder has one.
     std::optional<std::string> tile() const;
     [[noreturn]] void failWithTile(const std::string& name) const;
     [[noreturn]] void failMissing() const;
 
     Ctl ctl_;
     std::filesystem::path folder_;
-    RawField plane_;  ///< one horizontal plane
-    std::uint64_t timeBytes_ = 0;
+    RawField plane_;               ///< the properties that all planes share
+    std::uint64_t timeBytes_ = 0;  ///< of all variables at one time
 };
 
 }  // namespace raw

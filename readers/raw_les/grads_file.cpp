@@ -1,4 +1,5 @@
-// grads_file.cpp: from a descriptor to fields: files found, sizes checked, variables understood.
+// grads_file.cpp: turns a parsed descriptor into a description: checks the data files, and
+// recognises model, grid, times and variables.
 #include "readers/raw_les/grads_file.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
-/// What is known of a descriptor and the files it names.
+/// Builds the description of one descriptor, step by step; describe() states the order.
 class GradsFile {
   public:
     explicit GradsFile(const std::string& ctlPath)
@@ -29,8 +30,10 @@ class GradsFile {
     void describeGrid();
     void describeTimes();
     void addVariable(const CtlVariable& variable, std::uint64_t planesBefore);
-    const KnownVariable* takeAs(const CtlVariable& variable, plugin::Variable& entry,
-                                double& scale);
+    /// Sets role, species and unit of `entry`, and the factor to SI, if the name is known. Null
+    /// otherwise. Throws Error for an unknown unit.
+    const KnownVariable* identify(const CtlVariable& variable, plugin::Variable& entry,
+                                  double& scale);
     void noteCompanions();
 
     fs::path ctlPath_, folder_;
@@ -42,16 +45,17 @@ class GradsFile {
     Contents contents_;
 };
 
+/// Throws Error unless there is a hydrometeor on the grid, with the descriptor to open instead.
 void GradsFile::requireModelOutput() const {
     std::vector<std::string> names;
     for (const CtlVariable& variable : ctl_.variables) names.push_back(variable.name);
     const std::string scalars = (folder_ / "cm1out_s.ctl").string();
     const std::string hint = fileSize(scalars) && ctlPath_.filename() != "cm1out_s.ctl"
-                                 ? "open " + scalars + ", which lies beside it"
+                                 ? "open " + scalars + " in the same folder"
                                  : "open the descriptor of the model's scalars, CM1's cm1out_s.ctl";
     if (std::ranges::find(ctl_.variables, "mtime", &CtlVariable::name) != ctl_.variables.end() &&
         ctl_.x.count * ctl_.y.count == 1) {
-        throw Error{"is CM1's list of times, not its output", listed(names),
+        throw Error{"is CM1's list of times, not its output", joined(names),
                     "hydrometeors on a grid", hint};
     }
     const bool any = std::ranges::any_of(ctl_.variables, [](const CtlVariable& variable) {
@@ -59,14 +63,15 @@ void GradsFile::requireModelOutput() const {
         return known != nullptr && known->role == NEPH_ROLE_MIXING_RATIO && variable.levels > 0;
     });
     if (any) return;
+    // CM1 writes winds, which are on staggered grids, with descriptors of their own.
     const bool winds = std::ranges::all_of(ctl_.variables, [](const CtlVariable& variable) {
-        return std::string_view("uvw").find(lower(variable.name).front()) != std::string::npos;
+        return std::string_view("uvw").find(toLower(variable.name).front()) != std::string::npos;
     });
-    throw Error{
-        winds ? "is a staggered companion that holds winds alone" : "no variable is a hydrometeor",
-        listed(names), "at least one of " + knownHydrometeors(), hint};
+    throw Error{winds ? "contains only staggered winds" : "no variable is a hydrometeor",
+                joined(names), "at least one of " + knownHydrometeors(), hint};
 }
 
+/// Version from the title, "CM1 … using version cm1r21.1"; microphysics from namelist.input.
 void GradsFile::describeModel() {
     plugin::Description& d = contents_.description;
     const std::size_t version = ctl_.title.find("using version ");
@@ -87,6 +92,8 @@ void GradsFile::describeModel() {
     d.attributes.emplace_back("descriptor", ctlPath_.filename().string());
 }
 
+/// Spacing, interfaces and orientation. GrADS has no unit of length for its axes, so a descriptor
+/// without a stated one is an Error rather than a guess.
 void GradsFile::describeGrid() {
     if (!ctl_.metresPerUnit) {
         throw Error{"the unit of xdef, ydef and zdef is not stated",
@@ -101,10 +108,12 @@ void GradsFile::describeGrid() {
     const double dx = spacing("xdef", ctl_.x);
     const double dy = spacing("ydef", ctl_.y);
     if (dx < 0.0) {
-        throw Error{"xdef decreases", fmt::format("a step of {} m", dx), "x runs east", {}};
+        throw Error{
+            "xdef decreases", fmt::format("a step of {} m", dx), "x increasing eastwards", {}};
     }
     flipY_ = ctl_.yrev != (dy < 0.0);
-    // A slice of a two-dimensional run has one cell across; it is as deep as it is wide.
+    // A two-dimensional run has a single cell in one direction; its spacing is taken from the
+    // other.
     const double one = dx > 0.0 ? dx : std::abs(dy);
     contents_.description.spacingM = {one, dy != 0.0 ? std::abs(dy) : one};
     std::vector<double> centres;
@@ -119,6 +128,7 @@ void GradsFile::describeGrid() {
     throw Error{"the grid has a single column", {}, "at least two cells in x or y", {}};
 }
 
+/// Times from cm1out_metadata for CM1, from tdef for other models.
 void GradsFile::describeTimes() {
     auto& d = contents_.description;
     const auto seconds = cm1_ ? cm1Seconds(folder_.string()) : std::nullopt;
@@ -130,8 +140,9 @@ void GradsFile::describeTimes() {
     }
     if (cm1_) {
         d.notes.push_back(
-            seconds ? "cm1out_metadata lacks some of the times: they are counted, not in seconds."
-                    : "cm1out_metadata is not there or cannot be read: times are counted, not in "
+            seconds ? "cm1out_metadata does not contain all times: times are numbered, not in "
+                      "seconds."
+                    : "cm1out_metadata is missing or cannot be read: times are numbered, not in "
                       "seconds.");
     }
     for (const std::size_t i : data_->times) {
@@ -144,9 +155,10 @@ void GradsFile::describeTimes() {
     }
 }
 
-/// Role, species and unit of a variable that is known by its name; null for any other.
-const KnownVariable* GradsFile::takeAs(const CtlVariable& variable, plugin::Variable& entry,
-                                       double& scale) {
+/// A variable on fewer levels than the grid has no role, unless it is a mixing ratio, which can be
+/// extended upwards by zeros.
+const KnownVariable* GradsFile::identify(const CtlVariable& variable, plugin::Variable& entry,
+                                         double& scale) {
     const KnownVariable* known = variable.levels > 0 ? findKnown(variable.name) : nullptr;
     if (known == nullptr) return nullptr;
     if (variable.levels < ctl_.z.count && known->role != NEPH_ROLE_MIXING_RATIO) return nullptr;
@@ -171,10 +183,11 @@ const KnownVariable* GradsFile::takeAs(const CtlVariable& variable, plugin::Vari
     return known;
 }
 
+/// `planesBefore`: horizontal planes of all variables before this one in a record.
 void GradsFile::addVariable(const CtlVariable& variable, std::uint64_t planesBefore) {
     plugin::Variable entry{variable.name, "", variable.unit, variable.description};
     double scale = 1.0;
-    const KnownVariable* known = takeAs(variable, entry, scale);
+    const KnownVariable* known = identify(variable, entry, scale);
     const std::size_t planes = variable.planes();
     entry.size = contents_.description.size;
     Source source;
@@ -183,8 +196,8 @@ void GradsFile::addVariable(const CtlVariable& variable, std::uint64_t planesBef
     } else if (planes < ctl_.z.count) {
         source.storedLevels = planes;
         contents_.description.notes.push_back(
-            fmt::format("{} has {} of {} levels: it is taken as zero above.", variable.name, planes,
-                        ctl_.z.count));
+            fmt::format("{} has {} of {} levels: it is set to zero above them.", variable.name,
+                        planes, ctl_.z.count));
     }
     if (known != nullptr && known->name == "th") {
         contents_.potentialTemperature = contents_.sources.size();
@@ -201,6 +214,7 @@ void GradsFile::addVariable(const CtlVariable& variable, std::uint64_t planesBef
     contents_.add(std::move(entry), std::move(source));
 }
 
+/// Notes the staggered winds of the same run, so that nobody looks for them among the variables.
 void GradsFile::noteCompanions() {
     const std::string name = ctlPath_.filename().string();
     if (!name.ends_with("_s.ctl")) return;
@@ -210,8 +224,8 @@ void GradsFile::noteCompanions() {
         if (fileSize((folder_ / companion).string())) found.push_back(companion);
     }
     if (found.empty()) return;
-    contents_.description.notes.push_back(
-        fmt::format("Staggered winds lie beside it and are not read: {}.", listed(found)));
+    contents_.description.notes.push_back(fmt::format(
+        "Files with staggered winds in the same folder are not read: {}.", joined(found)));
 }
 
 Contents GradsFile::describe() {
@@ -273,22 +287,22 @@ std::vector<std::string> modelCtls(const std::string& folder) {
                 found.push_back(path);
                 break;
             }
-        } catch (const Error&) {  // opened by itself it says what is wrong
+        } catch (const Error&) {  // opening it by name reports what is wrong
         }
     }
     std::ranges::sort(found);
     return found;
 }
 
-std::optional<std::string> ctlThatNames(const std::string& path) {
-    constexpr std::size_t kMostTimes = 10'000;
+std::optional<std::string> findCtlOf(const std::string& path) {
+    constexpr std::size_t kMaxTimes = 10'000;  // file names tried per descriptor
     std::error_code error;
     const std::string folder = folderOf(path);
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         if (entry.path().extension() != ".ctl") continue;
         try {
             const Ctl ctl = parseCtl(readText(entry.path().string()));
-            const std::size_t times = ctl.isTemplate ? std::min(ctl.t.count, kMostTimes) : 1;
+            const std::size_t times = ctl.isTemplate ? std::min(ctl.t.count, kMaxTimes) : 1;
             for (std::size_t i = 0; i < times; ++i) {
                 if (fs::path(dataPath(ctl, folder, i)) == path) return entry.path().string();
             }

@@ -1,4 +1,4 @@
-// grads_file.h: GrADS descriptors and the flat files they describe, as CM1 writes them.
+// grads_file.h: opens GrADS descriptors and the binary files that they describe, as written by CM1.
 #pragma once
 #include <memory>
 #include <optional>
@@ -9,16 +9,17 @@
 
 namespace raw {
 
-/// 80: a descriptor of a grid in three dimensions. 5: another descriptor. 0: none.
+/// 80: a descriptor of a three-dimensional grid. 5: any other descriptor. 0: not a descriptor.
 int scoreCtl(const std::string& path);
 
-/// Opens a descriptor; every data file's size is checked before anything is read. Throws Error.
+/// Opens a descriptor. The size of every data file is checked before anything is read. Throws
+/// Error.
 std::unique_ptr<neph::plugin::File> openGrads(const std::string& ctlPath);
 
-/// Descriptor in the folder of `path` that names it as its data file.
-std::optional<std::string> ctlThatNames(const std::string& path);
+/// The descriptor in the folder of `path` that names `path` as its data file.
+std::optional<std::string> findCtlOf(const std::string& path);
 
-/// The descriptors of model output in a folder, sorted: those that openGrads would take.
+/// The descriptors of model output in a folder, sorted: those with at least one hydrometeor.
 std::vector<std::string> modelCtls(const std::string& folder);
 
 }  // namespace raw

@@ -1,4 +1,4 @@
-// grads_time.cpp: calendar arithmetic in integers, and substitution into file names.
+// grads_time.cpp: calendar arithmetic in whole minutes, and substitution into file names.
 #include "readers/raw_les/grads_time.h"
 
 #include <fmt/format.h>
@@ -14,21 +14,24 @@ namespace {
 
 constexpr std::array<std::string_view, 12> kMonths{"jan", "feb", "mar", "apr", "may", "jun",
                                                    "jul", "aug", "sep", "oct", "nov", "dec"};
-constexpr std::int64_t kMinutesADay = 1440;
+constexpr std::int64_t kMinutesPerDay = 1440;
 constexpr int kLastYear = 9999;
 
+/// Day 0 of minutesOf().
 std::chrono::sys_days firstDay() {
     return std::chrono::sys_days{std::chrono::year{1} / 1 / 1};
 }
 
+/// Inverse of minutesOf().
 CalendarTime calendarOf(std::int64_t minutes) {
-    const auto days = static_cast<int>(minutes / kMinutesADay);
-    const auto rest = static_cast<int>(minutes % kMinutesADay);
+    const auto days = static_cast<int>(minutes / kMinutesPerDay);
+    const auto rest = static_cast<int>(minutes % kMinutesPerDay);
     const std::chrono::year_month_day date{firstDay() + std::chrono::days{days}};
     return {static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())),
             static_cast<int>(static_cast<unsigned>(date.day())), rest / 60, rest % 60};
 }
 
+/// Whether the calendar has this date and a descriptor can express it.
 bool exists(const CalendarTime& time) {
     const std::chrono::year_month_day date{std::chrono::year{time.year},
                                            std::chrono::month{static_cast<unsigned>(time.month)},
@@ -37,13 +40,13 @@ bool exists(const CalendarTime& time) {
            time.minute <= 59;
 }
 
-/// [hh[:mm]Z][dd]mmmyyyy; nothing else.
-std::optional<CalendarTime> calendarIn(std::string_view text) {
+/// Accepts [hh[:mm]Z][dd]mmmyyyy and nothing else.
+std::optional<CalendarTime> parseCalendarTime(std::string_view text) {
     CalendarTime time;
-    const std::string all = lower(text);
+    const std::string all = toLower(text);
     std::string_view rest = all;
     const auto number = [](std::string_view digits) -> std::optional<int> {
-        const auto value = digits.size() > 4 ? std::nullopt : integerIn(digits);
+        const auto value = digits.size() > 4 ? std::nullopt : parseInteger(digits);
         if (!value || *value < 0) return {};
         return static_cast<int>(*value);
     };
@@ -70,7 +73,7 @@ std::optional<CalendarTime> calendarIn(std::string_view text) {
     return exists(time) ? std::optional{time} : std::nullopt;
 }
 
-/// What stands for `code` (without %); nothing when it is not known.
+/// Replacement of `code` (without %); nothing for an unknown one.
 std::optional<std::string> substitute(std::string_view code, const TimeAxis& axis, std::size_t i) {
     const bool initial = code.starts_with('i');
     if (initial) code.remove_prefix(1);
@@ -109,15 +112,16 @@ CalendarTime TimeAxis::at(std::size_t i) const {
         time.year = static_cast<int>(std::min<std::int64_t>(months / 12, kLastYear + 1));
         time.month = static_cast<int>(months % 12) + 1;
     } else {
-        const std::int64_t scale = unit == Unit::day ? kMinutesADay : unit == Unit::hour ? 60 : 1;
+        const std::int64_t scale = unit == Unit::day ? kMinutesPerDay : unit == Unit::hour ? 60 : 1;
         const std::int64_t minutes = minutesOf(start) + steps * scale;
-        constexpr std::int64_t kMostMinutes = std::int64_t{kLastYear} * 366 * kMinutesADay;
-        time = calendarOf(std::min(minutes, kMostMinutes));
+        // Clamped just beyond the last year, so that the arithmetic below cannot overflow.
+        constexpr std::int64_t kMaxMinutes = std::int64_t{kLastYear} * 366 * kMinutesPerDay;
+        time = calendarOf(std::min(minutes, kMaxMinutes));
     }
     if (exists(time)) return time;
-    throw Error{fmt::format("tdef has no calendar date for its time {}", i + 1),
+    throw Error{fmt::format("time {} of tdef is not a calendar date", i + 1),
                 fmt::format("from {} in steps of {}", labelOf(start), step),
-                "dates up to the year 9999 that the calendar has",
+                "existing dates up to the year 9999",
                 {}};
 }
 
@@ -125,7 +129,7 @@ std::int64_t minutesOf(const CalendarTime& time) {
     const std::chrono::sys_days day{std::chrono::year{time.year} /
                                     std::chrono::month{static_cast<unsigned>(time.month)} /
                                     std::chrono::day{static_cast<unsigned>(time.day)}};
-    return std::int64_t{(day - firstDay()).count()} * kMinutesADay + time.hour * 60 + time.minute;
+    return std::int64_t{(day - firstDay()).count()} * kMinutesPerDay + time.hour * 60 + time.minute;
 }
 
 std::string labelOf(const CalendarTime& time) {
@@ -136,32 +140,32 @@ std::string labelOf(const CalendarTime& time) {
 }
 
 TimeAxis parseTimeAxis(std::size_t count, std::string_view start, std::string_view step) {
-    constexpr std::int64_t kMostSteps = 1'000'000;
+    constexpr std::int64_t kMaxSteps = 1'000'000;
     TimeAxis axis;
     axis.count = count;
-    const auto first = calendarIn(start);
+    const auto first = parseCalendarTime(start);
     if (!first) {
-        throw Error{"the start of tdef is no time",
+        throw Error{"the start of tdef is not a time",
                     inQuotes(start),
                     "hh:mmZddmmmyyyy, for example 00:00Z01JAN0001",
                     {}};
     }
     axis.start = *first;
-    const std::string text = lower(step);
+    const std::string text = toLower(step);
     const std::size_t letters = std::min(text.find_first_not_of("0123456789"), text.size());
-    const auto amount = integerIn(std::string_view(text).substr(0, letters));
+    const auto amount = parseInteger(std::string_view(text).substr(0, letters));
     const std::string unit = text.substr(letters);
     constexpr std::array<std::string_view, 5> kUnits{"mn", "hr", "dy", "mo", "yr"};
     const auto known = std::ranges::find(kUnits, unit);
-    if (!amount || *amount < 1 || *amount > kMostSteps || known == kUnits.end()) {
-        throw Error{"the step of tdef is no length of time",
+    if (!amount || *amount < 1 || *amount > kMaxSteps || known == kUnits.end()) {
+        throw Error{"the step of tdef is not a length of time",
                     inQuotes(step),
                     "a whole number and mn, hr, dy, mo or yr, for example 5mn",
                     {}};
     }
     axis.step = static_cast<int>(*amount);
     axis.unit = static_cast<TimeAxis::Unit>(known - kUnits.begin());
-    axis.at(count - 1);
+    axis.at(count - 1);  // throws if the axis runs past the last year
     return axis;
 }
 
@@ -173,15 +177,16 @@ std::string expandTemplate(std::string_view pattern, const TimeAxis& axis, std::
             pattern.remove_prefix(1);
             continue;
         }
+        // Codes have two or three characters after the %.
         std::optional<std::string> text;
         std::size_t length = 3;
         for (; length <= 4 && !text; ++length) {
             if (length <= pattern.size()) text = substitute(pattern.substr(1, length - 1), axis, i);
         }
         if (!text) {
-            throw Error{"dset holds a template that is not supported",
+            throw Error{"dset contains a template that is not supported",
                         inQuotes(pattern.substr(0, std::min<std::size_t>(4, pattern.size()))),
-                        "%y4 %m2 %d2 %h2 %n2 %f2 %f3 %fn2 %fhn %t1 to %t6 and their like",
+                        "%y4 %m2 %d2 %h2 %n2 %f2 %f3 %fn2 %fhn %t1 to %t6 and similar codes",
                         "write one file for all times, or rename the files"};
         }
         name += *text;

@@ -1,4 +1,4 @@
-// ini.cpp: an .ini line by line.
+// ini.cpp: parses an .ini file line by line; a line that is neither section nor key is ignored.
 #include "readers/raw_les/ini.h"
 
 #include "readers/raw_les/text.h"
@@ -8,7 +8,7 @@ namespace raw {
 std::map<std::string, std::string> parseIni(std::string_view text) {
     std::map<std::string, std::string> keys;
     std::string section;
-    for (std::string_view line : linesOf(text)) {
+    for (std::string_view line : splitLines(text)) {
         line = trimmed(line.substr(0, line.find('#')));
         if (line.starts_with('[') && line.ends_with(']')) {
             section = trimmed(line.substr(1, line.size() - 2));

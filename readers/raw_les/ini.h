@@ -1,4 +1,4 @@
-// ini.h: MicroHH's .ini files: sections, keys and values. Total and linear in the text.
+// ini.h: MicroHH's .ini files: sections, keys and values. Any text can be parsed, in linear time.
 #pragma once
 #include <map>
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace raw {
 
-/// By "section/key"; the first of a key counts; comments start with #.
+/// Values by "section/key". The first occurrence of a key counts; comments start with #.
 std::map<std::string, std::string> parseIni(std::string_view text);
 
 }  // namespace raw

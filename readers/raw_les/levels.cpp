@@ -1,4 +1,4 @@
-// levels.cpp: from centres to interfaces and back.
+// levels.cpp: computes interfaces from centres and centres from interfaces.
 #include "readers/raw_les/levels.h"
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 namespace raw {
 namespace {
 
-constexpr double kUneven = 1e-3;       // of a step; formatted coordinates are good to 1e-6
-constexpr double kMirrorShift = 0.05;  // of the local spacing
+constexpr double kSpacingTolerance = 1e-3;  // of a step; printed coordinates are accurate to 1e-6
+constexpr double kMirrorTolerance = 0.05;   // of the local spacing
 
 void requireIncreasing(std::span<const double> centresM) {
     for (std::size_t k = 1; k < centresM.size(); ++k) {
@@ -27,11 +27,12 @@ bool isEven(std::span<const double> centresM) {
     const double step =
         (centresM.back() - centresM.front()) / static_cast<double>(centresM.size() - 1);
     for (std::size_t k = 1; k < centresM.size(); ++k) {
-        if (std::abs(centresM[k] - centresM[k - 1] - step) > kUneven * step) return false;
+        if (std::abs(centresM[k] - centresM[k - 1] - step) > kSpacingTolerance * step) return false;
     }
     return true;
 }
 
+/// Rule 2 of the header; nothing if the interfaces deviate too far from the midpoints.
 std::optional<std::vector<double>> mirrored(std::span<const double> centresM) {
     std::vector<double> interfaces{0.0};
     for (std::size_t k = 0; k < centresM.size(); ++k) {
@@ -39,7 +40,7 @@ std::optional<std::vector<double>> mirrored(std::span<const double> centresM) {
         if (k + 1 == centresM.size()) break;
         const double spacing = centresM[k + 1] - centresM[k];
         const double halfWay = 0.5 * (centresM[k] + centresM[k + 1]);
-        if (std::abs(interfaces.back() - halfWay) > kMirrorShift * spacing) return {};
+        if (std::abs(interfaces.back() - halfWay) > kMirrorTolerance * spacing) return {};
     }
     if (interfaces.back() <= centresM.back()) return {};
     return interfaces;
@@ -53,16 +54,16 @@ double evenSpacing(const std::string& axis, std::size_t count,
     const double step = (at(count - 1) - at(0)) / static_cast<double>(count - 1);
     for (std::size_t i = 1; i < count; ++i) {
         const double found = at(i) - at(i - 1);
-        if (std::isfinite(found) && std::abs(found - step) <= kUneven * std::abs(step) &&
+        if (std::isfinite(found) && std::abs(found - step) <= kSpacingTolerance * std::abs(step) &&
             step != 0.0) {
             continue;
         }
-        throw Error{fmt::format("the spacing in {} is not even", axis),
+        throw Error{fmt::format("the spacing of {} is not even", axis),
                     fmt::format("a step of {:.6g} before position {}, {:.6g} on average", found,
                                 i + 1, step),
                     "the same step everywhere, to 0.1 %",
-                    "grids stretched in the horizontal are not supported: interpolate to an even "
-                    "grid first"};
+                    "horizontally stretched grids are not supported: interpolate to an even grid "
+                    "first"};
     }
     return step;
 }
@@ -71,13 +72,14 @@ std::vector<double> interfacesOf(std::span<const double> centresM) {
     if (centresM.size() < 2) {
         throw Error{"there is a single level",
                     fmt::format("{} level(s)", centresM.size()),
-                    "at least two, so that the depth of layers is known",
+                    "at least two, which determine the depth of layers",
                     {}};
     }
     requireIncreasing(centresM);
     if (!isEven(centresM)) {
         if (auto interfaces = mirrored(centresM)) return *std::move(interfaces);
     }
+    // Rules 1 and 3, which agree for even spacing.
     const std::size_t n = centresM.size();
     const double below = 1.5 * centresM[0] - 0.5 * centresM[1];
     std::vector<double> interfaces{centresM[0] > 0.0 ? std::max(below, 0.0) : below};

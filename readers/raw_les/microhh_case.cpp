@@ -1,4 +1,4 @@
-// microhh_case.cpp: the grid, the times and the fields of a case, told apart by their sizes.
+// microhh_case.cpp: finds grid, times and fields of a case; files are recognised by their sizes.
 #include "readers/raw_les/microhh_case.h"
 
 #include <fmt/format.h>
@@ -18,38 +18,40 @@ namespace {
 namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
-constexpr double kMostCells = 1U << 20U;  // along an axis
+constexpr double kMaxCells = 1U << 20U;  // along one axis; no model comes near
 constexpr const char* kGridName = "grid.0000000";
 
-struct Known {
+/// Meaning of a field, by its name.
+struct KnownField {
     std::string_view name;
     NephRole role;
     NephSpecies species;
     std::string_view units, description;
 };
-// Contents are per kg of moist air, specific humidities; their density is rhoref.
+// Hydrometeors are mass fractions, per kg of moist air; the density to multiply by is rhoref.
 constexpr std::array kKnown{
-    Known{"ql", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, "kg kg-1", "cloud water"},
-    Known{"qi", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "kg kg-1", "cloud ice"},
-    Known{"qr", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "kg kg-1", "rain"},
-    Known{"qs", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "kg kg-1", "snow"},
-    Known{"qg", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "kg kg-1", "graupel"},
-    Known{"qh", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "kg kg-1", "hail"},
-    Known{"nr", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "kg-1", "number of rain drops"},
+    KnownField{"ql", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, "kg kg-1", "cloud water"},
+    KnownField{"qi", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "kg kg-1", "cloud ice"},
+    KnownField{"qr", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "kg kg-1", "rain"},
+    KnownField{"qs", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "kg kg-1", "snow"},
+    KnownField{"qg", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "kg kg-1", "graupel"},
+    KnownField{"qh", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "kg kg-1", "hail"},
+    KnownField{"nr", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "kg-1",
+               "number of rain drops"},
 };
 
 struct FieldName {
     std::string variable;
-    std::int64_t number = 0;  ///< the digits
+    std::int64_t number = 0;  ///< the digits: time in units of 10^iotimeprec seconds
 };
 
-/// `<variable>.<7 or more digits>`; nothing for any other name.
+/// Splits `<variable>.<7 or more digits>`; nothing for any other name.
 std::optional<FieldName> fieldName(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || dot == 0 || name.size() - dot - 1 < 7) return {};
     const std::string_view digits = std::string_view(name).substr(dot + 1);
     if (digits.find_first_not_of("0123456789") != std::string_view::npos) return {};
-    const auto number = integerIn(digits);
+    const auto number = parseInteger(digits);
     if (!number) return {};
     return FieldName{name.substr(0, dot), *number};
 }
@@ -70,6 +72,7 @@ std::vector<std::string> iniFiles(const std::string& folder) {
     return found;
 }
 
+/// One case directory. describe() runs the steps in order.
 class Case {
   public:
     explicit Case(const std::string& path);
@@ -77,6 +80,7 @@ class Case {
 
   private:
     double number(const std::string& key, double fallback) const;
+    /// A number above 0 and up to `most`. Throws Error otherwise.
     double required(const std::string& key, double most) const;
     void readGrid();
     void requireGridOf(const std::vector<double>& numbers) const;
@@ -85,6 +89,7 @@ class Case {
     void describeModel();
     void addFields();
     void addAir();
+    /// The values of all levels, starting at `first`.
     std::vector<double> profile(const std::vector<double>& numbers, std::size_t first) const;
     std::size_t wordBytes() const { return bytesOf(type_); }
 
@@ -92,10 +97,10 @@ class Case {
     std::string ini_;
     std::map<std::string, std::string> keys_;
     std::array<std::size_t, 3> size_{};
-    NumberType type_ = NumberType::float32;
+    NumberType type_ = NumberType::float32;  ///< of all files of the case
     bool swapped_ = false;
     std::map<std::string, std::map<std::int64_t, std::string>> fields_;  ///< name, digits, path
-    std::vector<std::int64_t> times_;
+    std::vector<std::int64_t> times_;                                    ///< digits, increasing
     Contents contents_;
 };
 
@@ -106,9 +111,9 @@ Case::Case(const std::string& path) {
     } else {
         const auto found = iniFiles(folder_.string());
         if (found.size() != 1) {
-            throw Error{found.empty() ? "has no .ini with a section [grid] beside its fields"
+            throw Error{found.empty() ? "has no .ini file with a section [grid] in its folder"
                                       : "has several .ini files",
-                        listed(found), "the .ini of the run",
+                        joined(found), "the .ini of the run",
                         found.empty() ? "copy it there" : "open the .ini itself"};
         }
         ini_ = found.front();
@@ -118,29 +123,31 @@ Case::Case(const std::string& path) {
 
 double Case::number(const std::string& key, double fallback) const {
     const auto found = keys_.find(key);
-    return found == keys_.end() ? fallback : numberIn(found->second).value_or(fallback);
+    return found == keys_.end() ? fallback : parseNumber(found->second).value_or(fallback);
 }
 
 double Case::required(const std::string& key, double most) const {
     const auto found = keys_.find(key);
-    const auto value = found == keys_.end() ? std::nullopt : numberIn(found->second);
+    const auto value = found == keys_.end() ? std::nullopt : parseNumber(found->second);
     if (value && *value > 0.0 && *value <= most) return *value;
-    throw Error{fmt::format("{} is {}", key, found == keys_.end() ? "missing" : "no size"),
+    throw Error{fmt::format("{} is {}", key, found == keys_.end() ? "missing" : "not a valid size"),
                 found == keys_.end() ? "" : inQuotes(found->second), "a number above 0", "", ini_};
 }
 
+/// Sizes from the .ini. The size of grid.0000000 shows whether numbers are float or double, its
+/// first value whether they are in the other byte order.
 void Case::readGrid() {
     std::array<std::size_t, 3> size{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::array<const char*, 3> kNames{"grid/itot", "grid/jtot", "grid/ktot"};
-        size[axis] = static_cast<std::size_t>(required(kNames[axis], kMostCells));
+        size[axis] = static_cast<std::size_t>(required(kNames[axis], kMaxCells));
     }
     size_ = size;
     const std::string path = (folder_ / kGridName).string();
     const std::size_t count = 2 * (size[0] + size[1] + size[2]);
     const auto found = fileSize(path);
     if (!found || (*found != count * 4 && *found != count * 8)) {
-        throw Error{found ? "is not as large as the grid of the .ini" : "is missing",
+        throw Error{found ? "does not have the size of the grid in the .ini" : "is missing",
                     found ? fmt::format("{} bytes", *found) : std::string(),
                     fmt::format("{} bytes (float) or {} bytes (double): x, xh, y, yh, z, zh of "
                                 "{} x {} x {} cells",
@@ -157,7 +164,7 @@ void Case::readGrid() {
     requireGridOf(numbers);
 }
 
-/// x, xh, y, yh, z, zh in metres.
+/// Checks x and y against the .ini. `numbers` are x, xh, y, yh, z, zh in metres. Throws Error.
 void Case::requireGridOf(const std::vector<double>& numbers) const {
     std::size_t first = 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -166,7 +173,7 @@ void Case::requireGridOf(const std::vector<double>& numbers) const {
             required("grid/" + name + "size", 1e9) / static_cast<double>(size_[axis]);
         const double found = numbers[first];
         if (!(std::abs(found - 0.5 * step) < 1e-3 * step)) {
-            throw Error{fmt::format("its {} is not that of the .ini", name),
+            throw Error{fmt::format("its {} coordinates differ from the .ini", name),
                         fmt::format("the first centre at {:.6g} m", found),
                         fmt::format("{:.6g} m, half of {}size / {}tot", 0.5 * step, name,
                                     axis == 0 ? "i" : "j"),
@@ -177,7 +184,8 @@ void Case::requireGridOf(const std::vector<double>& numbers) const {
     }
 }
 
-/// Which files hold whole fields: the others that share the pattern have other sizes.
+/// Finds the files that hold whole fields. Other files with such names, such as cross-sections and
+/// restart data, have other sizes; a hydrometeor of another size is an Error.
 void Case::findFields() {
     const std::uint64_t expected = std::uint64_t{size_[0]} * size_[1] * size_[2] * wordBytes();
     std::error_code error;
@@ -188,23 +196,23 @@ void Case::findFields() {
         const auto found = fileSize(path);
         if (found == expected) {
             fields_[name->variable][name->number] = path;
-        } else if (std::ranges::find(kKnown, name->variable, &Known::name) != kKnown.end()) {
+        } else if (std::ranges::find(kKnown, name->variable, &KnownField::name) != kKnown.end()) {
             throw Error{fmt::format("is {} than a field of this grid",
                                     found.value_or(0) < expected ? "shorter" : "longer"),
                         fmt::format("{} bytes", found.value_or(0)),
                         fmt::format("{} bytes: {} x {} x {} numbers of {} bytes", expected,
                                     size_[0], size_[1], size_[2], wordBytes()),
-                        "the run or the copy that wrote it was broken off", path};
+                        "the run or the copy that wrote it was interrupted", path};
         }
     }
 }
 
-/// Times at which every hydrometeor of the case is there: without its rain a cloud would mislead.
+/// Keeps the times with all hydrometeors of the case: a cloud without its rain would mislead.
 void Case::chooseTimes() {
     std::set<std::int64_t> any;
     std::vector<std::string> names;
     std::vector<const std::map<std::int64_t, std::string>*> all;
-    for (const Known& known : kKnown) {
+    for (const KnownField& known : kKnown) {
         const auto field = fields_.find(std::string(known.name));
         if (known.role != NEPH_ROLE_MIXING_RATIO || field == fields_.end()) continue;
         names.push_back(fmt::format("{} at {} times", known.name, field->second.size()));
@@ -216,17 +224,18 @@ void Case::chooseTimes() {
         if (std::ranges::all_of(all, has)) times_.push_back(time);
     }
     if (times_.empty()) {
-        throw Error{all.empty() ? "holds no hydrometeor"
-                                : "has no time at which all its hydrometeors are there",
-                    all.empty() ? "" : listed(names), "files such as ql.0003600 and qr.0003600",
-                    "dump them together: dumplist=ql,qr in section [dump]"};
+        throw Error{
+            all.empty() ? "contains no hydrometeor" : "has no time with all of its hydrometeors",
+            all.empty() ? "" : joined(names), "files such as ql.0003600 and qr.0003600",
+            "write them together: dumplist=ql,qr in section [dump]"};
     }
     if (times_.size() == any.size()) return;
     contents_.description.notes.push_back(
-        fmt::format("{} of {} times are left out, because not every hydrometeor is there: {}.",
-                    any.size() - times_.size(), any.size(), listed(names)));
+        fmt::format("{} of {} times are left out, because hydrometeors are missing: {}.",
+                    any.size() - times_.size(), any.size(), joined(names)));
 }
 
+/// Scheme, droplet number, grid spacing and times, from the .ini.
 void Case::describeModel() {
     plugin::Description& d = contents_.description;
     d.model = "MicroHH";
@@ -256,11 +265,12 @@ void Case::describeModel() {
     }
 }
 
+/// Adds every field; those that are not known have no role.
 void Case::addFields() {
     for (const auto& [name, files] : fields_) {
         plugin::Variable variable;
         variable.name = name;
-        const auto known = std::ranges::find(kKnown, name, &Known::name);
+        const auto known = std::ranges::find(kKnown, name, &KnownField::name);
         if (known != kKnown.end()) {
             variable.role = known->role;
             variable.species = known->species;
@@ -277,8 +287,8 @@ void Case::addFields() {
             {.stored = [field, files = files, name = name, times = times_](std::size_t time) {
                 const auto file = files.find(times[time]);
                 if (file == files.end()) {
-                    throw Error{fmt::format("variable {} is not there at this time", name),
-                                fmt::format("{} other times", files.size()),
+                    throw Error{fmt::format("variable {} was not written at this time", name),
+                                fmt::format("files of {} other times", files.size()),
                                 fmt::format("{}.{:07}", name, times[time]),
                                 {}};
                 }
@@ -294,10 +304,10 @@ std::vector<double> Case::profile(const std::vector<double>& numbers, std::size_
             numbers.begin() + static_cast<std::ptrdiff_t>(first + size_[2])};
 }
 
-/// Reference density, pressure and temperature: of moist air, horizontally uniform.
+/// Adds reference density, pressure and temperature: moist air, horizontally uniform.
 ///
-/// thermo_basestate holds, with n = ktot: θ_l and q_t on n levels; θ_v, pressure, Exner function
-/// and density each on n levels and then on n + 1 interfaces. rhoref holds the last of these alone.
+/// thermo_basestate contains, with n = ktot: θ_l and q_t on n levels; then θ_v, pressure, Exner
+/// function and density, each on n levels and on n + 1 interfaces. rhoref contains only the last.
 void Case::addAir() {
     const std::size_t n = size_[2];
     const auto numbersOf = [&](const char* name, std::size_t count) -> std::vector<double> {
@@ -315,8 +325,7 @@ void Case::addAir() {
     std::vector<double> density = numbersOf("rhoref.0000000", 2 * n + 1);
     if (density.empty() && !base.empty()) density = profile(base, 8 * n + 3);
     if (!density.empty()) {
-        add({"rhoref", "", "kg m-3", "reference density, which contents are relative to",
-             NEPH_ROLE_DRY_AIR_DENSITY},
+        add({"rhoref", "", "kg m-3", "reference density of moist air", NEPH_ROLE_DRY_AIR_DENSITY},
             profile(density, 0));
     }
     if (base.empty()) return;
@@ -340,6 +349,7 @@ Contents Case::describe() {
     findFields();
     chooseTimes();
     describeModel();
+    // zh lists n interfaces; the top one is zsize.
     const std::string path = (folder_ / kGridName).string();
     const std::size_t n = size_[2];
     const std::size_t first = 2 * (size_[0] + size_[1]);

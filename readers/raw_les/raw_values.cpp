@@ -1,4 +1,5 @@
-// raw_values.cpp: boxes of numbers by pread, in pieces, so that cancelling acts soon.
+// raw_values.cpp: reads boxes with pread, in pieces, so that cancelling takes effect soon. Threads
+// share nothing: every call opens the file.
 #include "readers/raw_les/raw_values.h"
 
 #include <fcntl.h>
@@ -19,9 +20,10 @@ namespace raw {
 namespace {
 
 constexpr std::size_t kPieceBytes = 1U << 20U;
-// GrADS takes as missing what is within this share of the number that stands for it.
+// GrADS treats a value as missing if it is within this relative tolerance of undef.
 constexpr double kMissingTolerance = 1e-5;
 
+/// A file opened for positioned reads.
 class InputFile {
   public:
     explicit InputFile(std::string path)
@@ -34,6 +36,7 @@ class InputFile {
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
+    /// Fills `bytes` from `position` on. Throws Error if the file ends before.
     void readAt(std::uint64_t position, std::span<std::byte> bytes) const {
         std::size_t done = 0;
         while (done < bytes.size()) {
@@ -41,7 +44,7 @@ class InputFile {
                                           static_cast<off_t>(position + done));
             if (count < 0 && errno == EINTR) continue;
             if (count <= 0) {
-                throw Error{count < 0 ? "cannot be read" : "is cut short",
+                throw Error{count < 0 ? "cannot be read" : "is truncated",
                             count < 0 ? std::generic_category().message(errno)
                                       : fmt::format("it ends at byte {}", position + done),
                             fmt::format("{} bytes from byte {} on", bytes.size(), position),
@@ -72,6 +75,7 @@ Number numberAt(const std::byte* from, bool swapped) {
     return number;
 }
 
+/// Numbers of one type to values of the field: byte order, missing values, scale and offset.
 template <typename Number>
 void decode(const RawField& field, const std::byte* from, std::span<float> values) {
     const double missing = field.missing.value_or(0.0);
@@ -102,12 +106,14 @@ void decodeAs(const RawField& field, const std::byte* from, std::span<float> val
     }
 }
 
-/// Position of plane `z` of the field as the host counts, at its first number.
+/// Byte position of the first number of plane `z`, which counts from the bottom.
 std::uint64_t planePosition(const RawField& field, std::size_t z) {
     const std::size_t plane = field.flipZ ? field.size[2] - 1 - z : z;
     return field.firstByte + plane * field.planeStride() + (field.records ? 4 : 0);
 }
 
+/// Fortran writes the length of a record before and after it. Wrong lengths mean that the file is
+/// not sequential, or in the other byte order.
 void checkRecord(const RawField& field, const InputFile& file, std::uint64_t firstNumber) {
     const std::uint64_t expected = field.planeBytes();
     for (const std::uint64_t position : {firstNumber - 4, firstNumber + expected}) {
@@ -120,13 +126,14 @@ void checkRecord(const RawField& field, const InputFile& file, std::uint64_t fir
                     fmt::format("{}", found), fmt::format("{}", expected),
                     other ? "the other byte order fits: change big_endian, little_endian or "
                             "byteswapped in the .ctl's options"
-                          : "was it written as sequential records? If not, take sequential out of "
-                            "the .ctl's options",
+                          : "if the file has no Fortran records, remove sequential from the "
+                            "options in the .ctl",
                     field.path};
     }
 }
 
-/// Rows [firstRow, firstRow + rows) of the box in one plane, through `buffer`.
+/// Reads rows [firstRow, firstRow + rows) of the box in plane `z`. `buffer` is reused between
+/// calls.
 void readRows(const RawField& field, const InputFile& file, const Box& box, std::size_t z,
               std::size_t firstRow, std::size_t rows, std::vector<std::byte>& buffer,
               std::span<float> values) {
@@ -134,7 +141,7 @@ void readRows(const RawField& field, const InputFile& file, const Box& box, std:
     const std::size_t rowNumbers = field.size[0];
     const std::size_t y =
         field.flipY ? field.size[1] - (box.lower[1] + firstRow + rows) : box.lower[1] + firstRow;
-    const std::size_t count = rows * width;  // whole rows where there is more than one
+    const std::size_t count = rows * width;  // several rows at once only if they are whole
     buffer.resize(count * bytesOf(field.type));
     file.readAt(planePosition(field, z) + (y * rowNumbers + box.lower[0]) * bytesOf(field.type),
                 buffer);

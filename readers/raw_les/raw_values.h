@@ -1,8 +1,8 @@
-// raw_values.h: numbers in files without headers: where they lie, how they are spelt, boxes of
-// them.
+// raw_values.h: numbers in files without headers: their location, their encoding, and reading boxes
+// of them.
 //
-// A field is a stack of horizontal planes, x fastest. Boxes are x, y, z, half-open. Everything
-// fails by throwing Error or Cancelled.
+// A field is a stack of horizontal planes, x fastest. Boxes are x, y, z, half-open. Failures are
+// thrown as Error or Cancelled.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -20,11 +20,13 @@ namespace raw {
 enum class NumberType { float32, float64, uint8, int16, uint16, int32 };
 
 std::size_t bytesOf(NumberType type);
+/// Type by its name in a sidecar, such as "uint16"; nothing for an unknown name.
 std::optional<NumberType> numberTypeNamed(std::string_view name);
 
-/// Called between pieces with a fraction; throws Cancelled to stop.
+/// Called between pieces with the fraction done, 0 to 1; throws Cancelled to stop.
 using Tick = std::function<void(double)>;
 
+/// Cells [lower, upper) of a field.
 struct Box {
     std::array<std::size_t, 3> lower{}, upper{};
     std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
@@ -32,38 +34,38 @@ struct Box {
     std::size_t count() const { return plane() * length(2); }
 };
 
-/// One variable at one time as it lies in a file. `size` has been checked against the file.
+/// Location and encoding of one variable at one time. `size` was checked against the file.
 struct RawField {
     std::string path;  ///< empty: zero everywhere
     std::uint64_t firstByte = 0;
     std::array<std::size_t, 3> size{1, 1, 1};
     NumberType type = NumberType::float32;
-    bool swapped = false;  ///< the other byte order than this machine's
-    bool records = false;  ///< every plane between two 4-byte lengths, as Fortran writes them
-    bool flipY = false, flipZ = false;  ///< the file counts from the other end
-    std::optional<double> missing;      ///< the number that stands for no value
-    double scale = 1.0, offset = 0.0;   ///< value = scale · number + offset, missing values aside
+    bool swapped = false;  ///< byte order differs from this machine's
+    bool records = false;  ///< each plane is a Fortran record, between two 4-byte lengths
+    bool flipY = false, flipZ = false;  ///< stored from north to south, from top to bottom
+    std::optional<double> missing;      ///< the number that marks a missing value
+    double scale = 1.0, offset = 0.0;   ///< value = scale · number + offset
 
     std::uint64_t planeBytes() const { return size[0] * size[1] * bytesOf(type); }
-    /// From one plane to the next.
+    /// Bytes from the start of one plane to the start of the next.
     std::uint64_t planeStride() const { return planeBytes() + (records ? 8 : 0); }
 };
 
-/// Fills `values` (as many as the box has) with SI values, NaN where missing, in pieces of about
-/// one megabyte.
+/// Fills `values`, one for each cell of the box, in SI with NaN for missing values. Reads pieces of
+/// about one megabyte.
 void readBox(const RawField& field, const Box& box, std::span<float> values, const Tick& tick);
 
-/// Size of a regular file; nothing when there is no such file.
+/// Size of a regular file in bytes; nothing if there is no such file.
 std::optional<std::uint64_t> fileSize(const std::string& path);
 
-/// "." for a bare name.
+/// Folder of a path; "." for a bare name.
 std::string folderOf(const std::string& path);
 
-/// `count` numbers from the start of a small file, all of it. Throws Error.
+/// Reads `count` numbers from the start of a file, for small files only. Throws Error.
 std::vector<double> readNumbers(const std::string& path, NumberType type, bool swapped,
                                 std::size_t count);
 
-/// Throws Error unless the first plane of a field with records has the length that it should have.
+/// Throws Error unless the first record of a field has the length of a plane.
 void checkFirstRecord(const RawField& field);
 
 }  // namespace raw

@@ -1,5 +1,5 @@
-// reader.cpp: the door of the raw reader: which of its three formats a path is, and what to open
-// instead where it is a part of one.
+// reader.cpp: entry point of the raw reader: recognises which of the three formats a path has, and
+// reports what to open instead of a file that is only part of a data set.
 #include <filesystem>
 #include <functional>
 
@@ -13,15 +13,15 @@ namespace {
 namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
-constexpr int kPart = 5;    // open says what to do
-constexpr int kWhole = 80;  // a folder that is one data set
+constexpr int kPart = 5;    // part of a data set: opening it reports what to open
+constexpr int kWhole = 80;  // a folder with exactly one data set
 
 bool isFolder(const std::string& path) {
     std::error_code error;
     return fs::is_directory(path, error);
 }
 
-/// Descriptors of a folder: with one it is that data set, with several open asks which.
+/// Descriptors in a folder. A single one is the data set; of several, the user must choose.
 std::vector<std::string> descriptors(const std::string& folder) {
     std::vector<std::string> found = raw::modelCtls(folder);
     for (std::string& sidecar : raw::sidecars(folder)) found.push_back(std::move(sidecar));
@@ -36,7 +36,7 @@ int scoreOf(const std::string& path) {
     }
     if (const int score = raw::scoreCtl(path); score > 0) return score;
     if (const int score = raw::scoreSidecar(path); score > 0) return score;
-    return raw::ctlThatNames(path) ? kPart : 0;
+    return raw::findCtlOf(path) ? kPart : 0;
 }
 
 std::unique_ptr<plugin::File> openPath(const std::string& path) {
@@ -44,15 +44,15 @@ std::unique_ptr<plugin::File> openPath(const std::string& path) {
     if (isFolder(path)) {
         const auto found = descriptors(path);
         if (found.size() == 1) return openPath(found.front());
-        throw raw::Error{found.empty() ? "holds no descriptor of raw model output"
-                                       : "holds several descriptors of model output",
-                         raw::listed(found), "one .ctl or one nephoscope-brick sidecar",
+        throw raw::Error{found.empty() ? "contains no descriptor of raw model output"
+                                       : "contains several descriptors of model output",
+                         raw::joined(found), "one .ctl or one nephoscope-brick sidecar",
                          found.empty() ? "" : "open one of them"};
     }
     if (raw::scoreSidecar(path) > 0) return raw::openBrick(path);
     if (raw::scoreCtl(path) > 0) return raw::openGrads(path);
-    const auto ctl = raw::ctlThatNames(path);
-    throw raw::Error{"holds numbers without a header",
+    const auto ctl = raw::findCtlOf(path);
+    throw raw::Error{"contains numbers without a header",
                      {},
                      "the descriptor of such a file",
                      ctl ? "open " + *ctl : "open its .ctl"};

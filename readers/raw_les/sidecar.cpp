@@ -1,5 +1,5 @@
-// sidecar.cpp: keys checked one by one; a key that is not known is an error, so that none is spelt
-// wrong unnoticed.
+// sidecar.cpp: parses and checks key by key. An unknown key is an error, so that a misspelt one
+// does not go unnoticed.
 #include "readers/raw_les/sidecar.h"
 
 #include <fmt/format.h>
@@ -16,56 +16,60 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostCells = 1U << 20U;  // along an axis; no model comes near
-constexpr std::size_t kMostTimes = 1'000'000;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 60U;
+// Limits that no model comes near; they keep sizes from overflowing.
+constexpr std::size_t kMaxCells = 1U << 20U;  // along one axis
+constexpr std::size_t kMaxTimes = 1'000'000;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 60U;
 
+/// A value of an enumeration, and its name in the file.
 template <typename Value>
-struct Word {
-    std::string_view word;
+struct NamedValue {
+    std::string_view name;
     Value value;
 };
 constexpr std::array kRoles{
-    Word<BrickRole>{"mixing_ratio", BrickRole::mixingRatio},
-    Word<BrickRole>{"number_concentration", BrickRole::numberConcentration},
-    Word<BrickRole>{"effective_radius", BrickRole::effectiveRadius},
-    Word<BrickRole>{"dry_air_density", BrickRole::dryAirDensity},
-    Word<BrickRole>{"air_pressure", BrickRole::airPressure},
-    Word<BrickRole>{"air_temperature", BrickRole::airTemperature},
-    Word<BrickRole>{"potential_temperature", BrickRole::potentialTemperature},
-    Word<BrickRole>{"vapour_mixing_ratio", BrickRole::vapourMixingRatio},
-    Word<BrickRole>{"other", BrickRole::other},
+    NamedValue<BrickRole>{"mixing_ratio", BrickRole::mixingRatio},
+    NamedValue<BrickRole>{"number_concentration", BrickRole::numberConcentration},
+    NamedValue<BrickRole>{"effective_radius", BrickRole::effectiveRadius},
+    NamedValue<BrickRole>{"dry_air_density", BrickRole::dryAirDensity},
+    NamedValue<BrickRole>{"air_pressure", BrickRole::airPressure},
+    NamedValue<BrickRole>{"air_temperature", BrickRole::airTemperature},
+    NamedValue<BrickRole>{"potential_temperature", BrickRole::potentialTemperature},
+    NamedValue<BrickRole>{"vapour_mixing_ratio", BrickRole::vapourMixingRatio},
+    NamedValue<BrickRole>{"other", BrickRole::other},
 };
 constexpr std::array kSpecies{
-    Word<NephSpecies>{"cloud", NEPH_SPECIES_CLOUD},
-    Word<NephSpecies>{"ice", NEPH_SPECIES_ICE},
-    Word<NephSpecies>{"rain", NEPH_SPECIES_RAIN},
-    Word<NephSpecies>{"snow", NEPH_SPECIES_SNOW},
-    Word<NephSpecies>{"graupel", NEPH_SPECIES_GRAUPEL},
-    Word<NephSpecies>{"hail", NEPH_SPECIES_HAIL},
+    NamedValue<NephSpecies>{"cloud", NEPH_SPECIES_CLOUD},
+    NamedValue<NephSpecies>{"ice", NEPH_SPECIES_ICE},
+    NamedValue<NephSpecies>{"rain", NEPH_SPECIES_RAIN},
+    NamedValue<NephSpecies>{"snow", NEPH_SPECIES_SNOW},
+    NamedValue<NephSpecies>{"graupel", NEPH_SPECIES_GRAUPEL},
+    NamedValue<NephSpecies>{"hail", NEPH_SPECIES_HAIL},
 };
 constexpr std::array kSchemes{
-    Word<NephMicrophysics>{"unknown", NEPH_MICROPHYSICS_UNKNOWN},
-    Word<NephMicrophysics>{"lin", NEPH_MICROPHYSICS_LIN},
-    Word<NephMicrophysics>{"wsm6", NEPH_MICROPHYSICS_WSM6},
-    Word<NephMicrophysics>{"thompson", NEPH_MICROPHYSICS_THOMPSON},
-    Word<NephMicrophysics>{"morrison", NEPH_MICROPHYSICS_MORRISON},
+    NamedValue<NephMicrophysics>{"unknown", NEPH_MICROPHYSICS_UNKNOWN},
+    NamedValue<NephMicrophysics>{"lin", NEPH_MICROPHYSICS_LIN},
+    NamedValue<NephMicrophysics>{"wsm6", NEPH_MICROPHYSICS_WSM6},
+    NamedValue<NephMicrophysics>{"thompson", NEPH_MICROPHYSICS_THOMPSON},
+    NamedValue<NephMicrophysics>{"morrison", NEPH_MICROPHYSICS_MORRISON},
 };
 
 std::string shown(const Json& value) {
     return inQuotes(value.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
-/// One object of the sidecar and its place in it, for messages.
+/// An object of the sidecar and its place in the file, for messages. The getters return the
+/// fallback if the key is absent, and throw Error if its value is not of the right kind.
 class Object {
   public:
     Object(const Json& json, std::string where, std::initializer_list<std::string_view> keys)
         : json_(json), place_(std::move(where)) {
         if (!json.is_object()) {
-            throw Error{(place_.empty() ? std::string("the sidecar") : place_) + " is no object",
-                        shown(json),
-                        "{ … }",
-                        {}};
+            throw Error{
+                (place_.empty() ? std::string("the sidecar") : place_) + " is not an object",
+                shown(json),
+                "{ … }",
+                {}};
         }
         for (const auto& [key, value] : json.items()) {
             if (std::ranges::find(keys, key) != keys.end()) continue;
@@ -78,16 +82,16 @@ class Object {
 
     bool has(const char* key) const { return json_.contains(key); }
 
-    const Json& need(const char* key, const char* expected) const {
+    const Json& require(const char* key, const char* expected) const {
         if (has(key)) return json_.at(key);
         throw Error{place(key) + " is missing", {}, expected, "docs/raw-les.md has the schema"};
     }
     [[noreturn]] void fail(const char* key, const std::string& expected) const {
-        throw Error{place(key) + " does not fit", shown(json_.at(key)), expected, {}};
+        throw Error{place(key) + " has an invalid value", shown(json_.at(key)), expected, {}};
     }
     std::string text(const char* key, const char* fallback = "") const {
         if (!has(key)) return fallback;
-        if (!json_.at(key).is_string()) fail(key, "a text");
+        if (!json_.at(key).is_string()) fail(key, "a string");
         return json_.at(key).get<std::string>();
     }
     double number(const char* key, double fallback) const {
@@ -97,7 +101,7 @@ class Object {
         return value.get<double>();
     }
     std::vector<double> numbers(const char* key, const std::string& expected) const {
-        const Json& list = need(key, expected.c_str());
+        const Json& list = require(key, expected.c_str());
         std::vector<double> values;
         if (!list.is_array()) fail(key, expected);
         for (const Json& value : list) {
@@ -107,13 +111,14 @@ class Object {
         return values;
     }
     template <typename Value, std::size_t N>
-    Value word(const char* key, const std::array<Word<Value>, N>& words, Value fallback) const {
+    Value choice(const char* key, const std::array<NamedValue<Value>, N>& choices,
+                 Value fallback) const {
         if (!has(key)) return fallback;
         const std::string found = text(key);
         std::string all;
-        for (const Word<Value>& each : words) {
-            if (each.word == found) return each.value;
-            all += (all.empty() ? "" : ", ") + std::string(each.word);
+        for (const NamedValue<Value>& each : choices) {
+            if (each.name == found) return each.value;
+            all += (all.empty() ? "" : ", ") + std::string(each.name);
         }
         fail(key, "one of " + all);
     }
@@ -126,27 +131,27 @@ class Object {
     std::string place_;
 };
 
-void takeShape(const Object& object, Sidecar& sidecar) {
-    const std::string expected = "three numbers of cells: x, y, z";
+void parseShape(const Object& object, Sidecar& sidecar) {
+    const std::string expected = "three cell counts: x, y, z";
     const auto shape = object.numbers("shape", expected);
     if (shape.size() != 3) object.fail("shape", expected);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double n = shape[axis];
-        if (n < 1.0 || n > static_cast<double>(kMostCells) || n != std::floor(n)) {
-            object.fail("shape", fmt::format("whole numbers from 1 to {}", kMostCells));
+        if (n < 1.0 || n > static_cast<double>(kMaxCells) || n != std::floor(n)) {
+            object.fail("shape", fmt::format("whole numbers from 1 to {}", kMaxCells));
         }
         sidecar.shape[axis] = static_cast<std::size_t>(n);
     }
 }
 
-/// Interfaces from whichever way the heights are given: exactly one.
-void takeLevels(const Object& object, const std::vector<double>& spacing, Sidecar& sidecar) {
+/// Interfaces from the heights, which must be given in exactly one of three ways.
+void parseLevels(const Object& object, const std::vector<double>& spacing, Sidecar& sidecar) {
     const std::size_t nz = sidecar.shape[2];
     const bool even = spacing.size() == 3;
     const bool levels = object.has("level_heights_m");
     const bool interfaces = object.has("interface_heights_m");
     if (int{even} + int{levels} + int{interfaces} != 1) {
-        throw Error{"the heights of levels must be given once",
+        throw Error{"the heights of levels must be given exactly once",
                     fmt::format("{} times", int{even} + int{levels} + int{interfaces}),
                     "a third number in spacing_m, or level_heights_m, or interface_heights_m",
                     {}};
@@ -172,27 +177,28 @@ void takeLevels(const Object& object, const std::vector<double>& spacing, Sideca
     }
 }
 
-void takeGrid(const Object& object, Sidecar& sidecar) {
-    takeShape(object, sidecar);
-    const std::string expected = "metres in x and y, and in z where levels are even; above 0";
+void parseGrid(const Object& object, Sidecar& sidecar) {
+    parseShape(object, sidecar);
+    const std::string expected =
+        "metres in x and y, and in z if levels are evenly spaced; all above 0";
     const auto spacing = object.numbers("spacing_m", expected);
     if (spacing.size() < 2 || spacing.size() > 3 ||
         std::ranges::any_of(spacing, [](double d) { return !(d > 0.0 && d < 1e9); })) {
         object.fail("spacing_m", expected);
     }
     sidecar.spacingM = {spacing[0], spacing[1]};
-    takeLevels(object, spacing, sidecar);
+    parseLevels(object, spacing, sidecar);
 }
 
-void takeTimes(const Object& object, Sidecar& sidecar) {
+void parseTimes(const Object& object, Sidecar& sidecar) {
     constexpr const char* kExpected = "a list of { \"label\": \"540 s\", \"seconds\": 540 }";
-    const Json& list = object.need("times", kExpected);
-    if (!list.is_array() || list.empty() || list.size() > kMostTimes) {
+    const Json& list = object.require("times", kExpected);
+    if (!list.is_array() || list.empty() || list.size() > kMaxTimes) {
         object.fail("times", kExpected);
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Object time(list[i], fmt::format("time {}", i), {"label", "seconds"});
-        time.need("seconds", "a number");
+        time.require("seconds", "a number");
         const double seconds = time.number("seconds", 0.0);
         const std::string label = time.text("label");
         sidecar.times.push_back(
@@ -200,22 +206,24 @@ void takeTimes(const Object& object, Sidecar& sidecar) {
     }
 }
 
+/// Number type of a variable; `fallback` is the one that the sidecar states for all variables.
 NumberType numberType(const Object& object, std::optional<NumberType> fallback) {
     constexpr const char* kTypes = "float32, float64, uint8, int16, uint16 or int32";
     if (!object.has("numbers") && fallback) return *fallback;
-    object.need("numbers", kTypes);
+    object.require("numbers", kTypes);
     const auto type = numberTypeNamed(object.text("numbers"));
     if (!type) object.fail("numbers", kTypes);
     return *type;
 }
 
-void takeFiles(const Object& object, const Json& json, const Sidecar& sidecar,
-               BrickVariable& variable) {
+/// Source of a variable's values: `file`, `files` or `profile`.
+void parseFiles(const Object& object, const Json& json, const Sidecar& sidecar,
+                BrickVariable& variable) {
     const bool profile = object.has("profile");
     if (int{object.has("file")} + int{object.has("files")} + int{profile} != 1) {
-        throw Error{object.place("file") + " must be given once",
+        throw Error{object.place("file") + " must be given exactly once",
                     {},
-                    "file (all times), files (one a time) or profile (one number a level)",
+                    "file (all times), files (one per time) or profile (one number per level)",
                     {}};
     }
     if (profile) {
@@ -228,7 +236,7 @@ void takeFiles(const Object& object, const Json& json, const Sidecar& sidecar,
     if (object.has("files")) {
         const Json& list = json.at("files");
         const std::string expected = fmt::format(
-            "{} names, one a time; null where the variable is zero", sidecar.times.size());
+            "{} names, one per time; null where the variable is zero", sidecar.times.size());
         if (!list.is_array() || list.size() != sidecar.times.size()) object.fail("files", expected);
         for (const Json& name : list) {
             if (!name.is_null() && (!name.is_string() || name.get<std::string>().empty())) {
@@ -240,32 +248,32 @@ void takeFiles(const Object& object, const Json& json, const Sidecar& sidecar,
         object.fail("file", "a name");
     }
     const double first = object.number("first_byte", 0.0);
-    if (first < 0.0 || first > static_cast<double>(kMostBytes) || first != std::floor(first)) {
+    if (first < 0.0 || first > static_cast<double>(kMaxBytes) || first != std::floor(first)) {
         object.fail("first_byte", "a whole number of bytes");
     }
     variable.firstByte = static_cast<std::uint64_t>(first);
 }
 
-void takeVariable(const Json& json, std::size_t index, std::optional<NumberType> numbers,
-                  Sidecar& sidecar) {
+void parseVariable(const Json& json, std::size_t index, std::optional<NumberType> numbers,
+                   Sidecar& sidecar) {
     const Object object(json, fmt::format("variable {}", index),
                         {"name", "role", "species", "unit", "description", "numbers", "scale",
                          "offset", "missing", "file", "files", "first_byte", "profile"});
     BrickVariable variable;
-    object.need("name", "a text");
-    object.need("role", "mixing_ratio, dry_air_density …");
+    object.require("name", "a string");
+    object.require("role", "mixing_ratio, dry_air_density …");
     variable.name = object.text("name");
     if (variable.name.empty()) object.fail("name", "a name");
     variable.unit = object.text("unit");
     variable.description = object.text("description");
-    variable.role = object.word("role", kRoles, BrickRole::other);
-    variable.species = object.word("species", kSpecies, NEPH_SPECIES_NONE);
+    variable.role = object.choice("role", kRoles, BrickRole::other);
+    variable.species = object.choice("species", kSpecies, NEPH_SPECIES_NONE);
     const bool ofSpecies = variable.role == BrickRole::mixingRatio ||
                            variable.role == BrickRole::numberConcentration ||
                            variable.role == BrickRole::effectiveRadius;
-    if (ofSpecies) object.need("species", "cloud, ice, rain, snow, graupel or hail");
-    if (variable.role != BrickRole::other) object.need("unit", "a text");
-    takeFiles(object, json, sidecar, variable);
+    if (ofSpecies) object.require("species", "cloud, ice, rain, snow, graupel or hail");
+    if (variable.role != BrickRole::other) object.require("unit", "a string");
+    parseFiles(object, json, sidecar, variable);
     if (variable.profile.empty()) variable.type = numberType(object, numbers);
     variable.scale = object.number("scale", 1.0);
     variable.offset = object.number("offset", 0.0);
@@ -273,29 +281,33 @@ void takeVariable(const Json& json, std::size_t index, std::optional<NumberType>
     sidecar.variables.push_back(std::move(variable));
 }
 
-void takeVariables(const Object& object, Sidecar& sidecar) {
+void parseVariables(const Object& object, Sidecar& sidecar) {
     std::optional<NumberType> numbers;
     if (object.has("numbers")) numbers = numberType(object, {});
-    const Json& list = object.need("variables", "a list of variables");
+    const Json& list = object.require("variables", "a list of variables");
     if (!list.is_array() || list.empty()) object.fail("variables", "a list of variables");
-    for (std::size_t i = 0; i < list.size(); ++i) takeVariable(list[i], i, numbers, sidecar);
+    for (std::size_t i = 0; i < list.size(); ++i) parseVariable(list[i], i, numbers, sidecar);
     const bool any = std::ranges::any_of(sidecar.variables, [](const BrickVariable& variable) {
         return variable.role == BrickRole::mixingRatio;
     });
     if (!any) {
-        throw Error{"no variable is a hydrometeor", {}, "at least one of role mixing_ratio", {}};
+        throw Error{"no variable is a hydrometeor",
+                    {},
+                    "at least one variable with the role mixing_ratio",
+                    {}};
     }
 }
 
-void takeRun(const Object& object, const Json& json, Sidecar& sidecar) {
+/// Keys that describe the run as a whole.
+void parseRun(const Object& object, const Json& json, Sidecar& sidecar) {
     sidecar.model = object.text("model", "brick");
     sidecar.scheme = object.text("scheme");
-    sidecar.microphysics = object.word("microphysics", kSchemes, NEPH_MICROPHYSICS_UNKNOWN);
+    sidecar.microphysics = object.choice("microphysics", kSchemes, NEPH_MICROPHYSICS_UNKNOWN);
     sidecar.cloudDropletsPerM3 = object.number("cloud_droplets_per_m3", 0.0);
     if (sidecar.cloudDropletsPerM3 < 0.0) object.fail("cloud_droplets_per_m3", "0 or more");
-    constexpr std::array kOrders{Word<bool>{"little", false}, Word<bool>{"big", true}};
-    object.need("byte_order", "little or big");
-    sidecar.bigEndian = object.word("byte_order", kOrders, false);
+    constexpr std::array kOrders{NamedValue<bool>{"little", false}, NamedValue<bool>{"big", true}};
+    object.require("byte_order", "little or big");
+    sidecar.bigEndian = object.choice("byte_order", kOrders, false);
     if (!object.has("notes")) return;
     if (!json.at("notes").is_array()) object.fail("notes", "a list of sentences");
     for (const Json& note : json.at("notes")) {
@@ -324,13 +336,13 @@ Sidecar parseSidecar(std::string_view text) {
                     "\"type\": \"nephoscope-brick\"",
                     {}};
     }
-    object.need("version", "1");
+    object.require("version", "1");
     if (object.number("version", 0.0) != 1.0) object.fail("version", "1");
     Sidecar sidecar;
-    takeRun(object, json, sidecar);
-    takeGrid(object, sidecar);
-    takeTimes(object, sidecar);
-    takeVariables(object, sidecar);
+    parseRun(object, json, sidecar);
+    parseGrid(object, sidecar);
+    parseTimes(object, sidecar);
+    parseVariables(object, sidecar);
     return sidecar;
 }
 

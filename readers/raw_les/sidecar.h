@@ -1,5 +1,5 @@
-// sidecar.h: the JSON beside a bare brick of numbers, type "nephoscope-brick"; docs/raw-les.md is
-// its schema.
+// sidecar.h: the JSON file that describes bricks of numbers, type "nephoscope-brick". The schema is
+// in docs/raw-les.md.
 #pragma once
 #include <array>
 #include <optional>
@@ -25,19 +25,22 @@ enum class BrickRole {
     vapourMixingRatio
 };
 
+/// One variable as the sidecar states it; units are not converted yet.
 struct BrickVariable {
     std::string name, unit, description;
     BrickRole role = BrickRole::other;
     NephSpecies species = NEPH_SPECIES_NONE;
     NumberType type = NumberType::float32;
-    double scale = 1.0, offset = 0.0;  ///< from the file's number to `unit`
+    double scale = 1.0, offset = 0.0;  ///< value in `unit` = scale · number + offset
     std::optional<double> missing;
     std::uint64_t firstByte = 0;
-    /// One for all times or one a time, as written; empty where the variable is zero everywhere.
+    /// One file for all times or one per time, relative to the sidecar; an empty name means zero
+    /// everywhere.
     std::vector<std::string> files;
-    std::vector<double> profile;  ///< instead of files: one value a level, in `unit`
+    std::vector<double> profile;  ///< instead of files: one value per level, in `unit`
 };
 
+/// A parsed sidecar.
 struct Sidecar {
     std::string model, scheme;
     NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
@@ -51,11 +54,11 @@ struct Sidecar {
     std::vector<std::string> notes;
 };
 
-/// Total: any text gives a Sidecar whose numbers are finite and whose sizes fit together, or an
-/// Error that names the key.
+/// Any text gives a Sidecar with finite numbers and consistent sizes, or an Error that names the
+/// key.
 Sidecar parseSidecar(std::string_view text);
 
-/// Whether the start of a file could be one: cheap, no Error.
+/// Whether a text could be a sidecar. Cheap; never throws.
 bool looksLikeSidecar(std::string_view text);
 
 }  // namespace raw

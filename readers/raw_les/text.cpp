@@ -1,4 +1,4 @@
-// text.cpp: text in small pieces.
+// text.cpp: reading, splitting and parsing of text; the table of units.
 #include "readers/raw_les/text.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@ bool isSpace(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
 }
 
+/// A spelling of a unit, and its factor to SI.
 struct Unit {
     Quantity quantity;
     std::string_view spelling;  // without blanks, in lower case
@@ -51,7 +52,7 @@ constexpr std::array kUnits{
 
 std::optional<std::string> findText(const std::string& path, std::size_t most) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return {};  // a pipe would wait for ever
+    if (!std::filesystem::is_regular_file(path, error)) return {};  // a pipe would block for ever
     std::ifstream stream(path, std::ios::binary);
     if (!stream) return {};
     std::string text;
@@ -68,10 +69,10 @@ std::string readText(const std::string& path) {
     auto text = findText(path);
     if (text) return *std::move(text);
     throw Error{"cannot be read as text", "binary data, or a file that cannot be read",
-                fmt::format("text of at most {} MiB", kMostTextBytes >> 20U), "", path};
+                fmt::format("text of at most {} MiB", kMaxTextBytes >> 20U), "", path};
 }
 
-std::vector<std::string_view> linesOf(std::string_view text) {
+std::vector<std::string_view> splitLines(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -83,7 +84,7 @@ std::vector<std::string_view> linesOf(std::string_view text) {
     return lines;
 }
 
-std::vector<std::string_view> wordsOf(std::string_view line) {
+std::vector<std::string_view> splitWords(std::string_view line) {
     std::vector<std::string_view> words;
     for (std::size_t i = 0; i < line.size();) {
         if (isSpace(line[i])) {
@@ -104,7 +105,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-std::string lower(std::string_view text) {
+std::string toLower(std::string_view text) {
     std::string result(text);
     for (char& c : result) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -112,9 +113,9 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-std::optional<double> numberIn(std::string_view text) {
-    std::string digits = lower(text);
-    std::ranges::replace(digits, 'd', 'e');
+std::optional<double> parseNumber(std::string_view text) {
+    std::string digits = toLower(text);
+    std::ranges::replace(digits, 'd', 'e');  // Fortran's double precision exponent
     const char* begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
     const char* end = digits.data() + digits.size();
     double value = 0.0;
@@ -123,7 +124,7 @@ std::optional<double> numberIn(std::string_view text) {
     return value;
 }
 
-std::optional<std::int64_t> integerIn(std::string_view text) {
+std::optional<std::int64_t> parseInteger(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     std::int64_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -132,27 +133,27 @@ std::optional<std::int64_t> integerIn(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view text) {
-    constexpr std::size_t kMost = 80;
+    constexpr std::size_t kMax = 80;
     std::string shown;
-    for (const char c : trimmed(text.substr(0, kMost))) {
+    for (const char c : trimmed(text.substr(0, kMax))) {
         shown += c >= ' ' && c <= '~' ? c : '?';
     }
-    return '"' + shown + (text.size() > kMost ? "…\"" : "\"");
+    return '"' + shown + (text.size() > kMax ? "…\"" : "\"");
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    constexpr std::size_t kMost = 12;
+std::string joined(const std::vector<std::string>& names) {
+    constexpr std::size_t kMax = 12;
     std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    for (std::size_t i = 0; i < std::min(names.size(), kMax); ++i) {
         text += (i == 0 ? "" : ", ") + names[i];
     }
-    if (names.size() > kMost) text += fmt::format(" … ({} in all)", names.size());
+    if (names.size() > kMax) text += fmt::format(" … ({} in all)", names.size());
     return text.empty() ? "none" : text;
 }
 
 std::optional<double> siFactor(Quantity quantity, std::string_view unit) {
     std::string spelling;
-    for (const char c : lower(unit)) {
+    for (const char c : toLower(unit)) {
         if (!isSpace(c)) spelling += c;
     }
     for (const Unit& known : kUnits) {

@@ -1,6 +1,7 @@
-// text.h: descriptors as text: reading them, cutting them into lines and words, numbers.
+// text.h: text of descriptors: reading it, splitting it into lines and words, parsing numbers and
+// units.
 //
-// Everything here is total: any bytes give a result or an Error, in time linear in their number.
+// Any bytes give a result or an Error, in time linear in their number.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,39 +15,43 @@ namespace raw {
 
 using neph::plugin::Error;
 
-/// No descriptor comes near this; what is longer is not read.
-inline constexpr std::size_t kMostTextBytes = 4U << 20U;
+/// No descriptor comes near this size; larger files are not read.
+inline constexpr std::size_t kMaxTextBytes = 4U << 20U;
 
-/// The whole file, or nothing when it cannot be read, is longer than `most` or holds zero bytes,
-/// which no text does.
-std::optional<std::string> findText(const std::string& path, std::size_t most = kMostTextBytes);
+/// The whole file; nothing if it cannot be read, is longer than `most`, or contains zero bytes and
+/// so is not text.
+std::optional<std::string> findText(const std::string& path, std::size_t most = kMaxTextBytes);
 
-/// As findText; throws Error.
+/// As findText, but throws Error instead of returning nothing.
 std::string readText(const std::string& path);
 
-/// Without line ends; CR LF is taken as well.
-std::vector<std::string_view> linesOf(std::string_view text);
-std::vector<std::string_view> wordsOf(std::string_view line);
+/// Lines without their ends, which may be LF or CR LF.
+std::vector<std::string_view> splitLines(std::string_view text);
+std::vector<std::string_view> splitWords(std::string_view line);
 std::string_view trimmed(std::string_view text);
-std::string lower(std::string_view text);
+std::string toLower(std::string_view text);
 
-/// The whole of `text` as a finite number; Fortran's `1.0D+02` and a leading plus are taken.
-std::optional<double> numberIn(std::string_view text);
-std::optional<std::int64_t> integerIn(std::string_view text);
+/// All of `text` as a finite number. Fortran's `1.0D+02` and a leading plus are accepted.
+std::optional<double> parseNumber(std::string_view text);
+/// All of `text` as an integer. A leading plus is accepted.
+std::optional<std::int64_t> parseInteger(std::string_view text);
 
-/// For messages: at most a line's worth of `text`, in quotes.
+/// For messages: `text` in quotes, cut to about a line, with unprintable bytes as question marks.
 std::string inQuotes(std::string_view text);
 
-/// For messages: separated by commas; "none" when there are none, "…" after the first dozen.
-std::string listed(const std::vector<std::string>& names);
+/// For messages: names separated by commas; "none" if there are none, "…" after the first dozen.
+std::string joined(const std::vector<std::string>& names);
 
-/// 1.0 where `unit` is `base` itself, 1e-3 for its thousandth and so on; nothing for a unit that is
-/// not known. Kinds of units are those that readers turn into SI.
+/// Quantities that are converted to SI.
 enum class Quantity { ratio, density, pressure, temperature, radius, number };
+
+/// Factor from `unit` to the SI unit of `quantity`: 1e-3 for g/kg, 100 for hPa. Nothing for an
+/// unknown unit. Case and blanks are ignored.
 std::optional<double> siFactor(Quantity quantity, std::string_view unit);
 
-/// What `quantity` is in, as the host is told, and what a file may spell, for messages.
+/// SI unit in the notation of CF, for the host.
 const char* siUnit(Quantity quantity);
+/// Examples of accepted units, for messages.
 const char* acceptedUnits(Quantity quantity);
 
 }  // namespace raw

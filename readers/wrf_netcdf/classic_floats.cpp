@@ -1,4 +1,4 @@
-// classic_floats.cpp: positioned reads of the longest runs that a box has in the file.
+// classic_floats.cpp: reads a box as the longest contiguous runs that it has in the file.
 #include "readers/wrf_netcdf/classic_floats.h"
 
 #include <fcntl.h>
@@ -49,7 +49,7 @@ bool ClassicFloats::read(std::uint64_t begin, std::span<const std::size_t> shape
         fromBigEndian(values);
         return true;
     }
-    // From axis `inner` on the box is one run in the file: all axes behind it are taken whole.
+    // From axis `inner` on, the box is one run in the file: all faster axes are read whole.
     std::size_t inner = shape.size() - 1;
     std::size_t run = count[inner];
     while (inner > 0 && count[inner] == shape[inner]) run *= count[--inner];

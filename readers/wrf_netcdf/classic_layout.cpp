@@ -1,4 +1,4 @@
-// classic_layout.cpp: a walk over the header of a classic NetCDF file.
+// classic_layout.cpp: parses the header of a classic NetCDF file.
 #include "readers/wrf_netcdf/classic_layout.h"
 
 #include <algorithm>
@@ -9,24 +9,26 @@
 namespace wrf {
 namespace {
 
-constexpr std::uint64_t kFloat = 5;         // NC_FLOAT
-constexpr std::uint64_t kLeastOfEntry = 4;  // bytes of the smallest thing that a list can hold
-// NC_MAX_NAME and NC_MAX_VAR_DIMS: what is longer, the library writes past the caller's array.
+constexpr std::uint64_t kFloat = 5;          // NC_FLOAT
+constexpr std::uint64_t kMinEntryBytes = 4;  // of the smallest entry that a list can have
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: the library would write anything longer past the caller's array.
 constexpr std::uint64_t kMaxName = 256, kMaxRank = 1024;
 
-/// Bytes of one value of an external type; 0 when the type does not exist.
+/// Bytes of one value of an external type; 0 for a type that does not exist.
 std::uint64_t bytesOf(std::uint64_t type) {
     constexpr std::array<std::uint64_t, 12> kBytes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
     return type < kBytes.size() ? kBytes[type] : 0;
 }
 
+/// Names, attributes and record variables are padded to multiples of four bytes.
 std::uint64_t padded(std::uint64_t bytes) {
     return (bytes + 3) / 4 * 4;
 }
 
 }  // namespace
 
-/// Reads big-endian numbers one after the other; `broken` after the first that cannot be.
+/// Parser of big-endian numbers. After the first that is missing or impossible, `broken_` is set
+/// and everything reads as zero.
 class ClassicHeader {
   public:
     explicit ClassicHeader(const std::string& path) : in_(path, std::ios::binary | std::ios::ate) {
@@ -51,29 +53,31 @@ class ClassicHeader {
     }
 
   private:
-    /// Counts off bytes of the file; `broken` when there are not so many.
-    void take(std::uint64_t bytes) {
+    /// Advances within the file; sets `broken_` if fewer bytes are left.
+    void consume(std::uint64_t bytes) {
         if (bytes > left_) broken_ = true;
         if (!broken_) left_ -= bytes;
     }
     std::uint64_t number(int bytes) {
         std::array<unsigned char, 8> raw{};
         in_.read(reinterpret_cast<char*>(raw.data()), bytes);
-        take(static_cast<std::uint64_t>(bytes));
+        consume(static_cast<std::uint64_t>(bytes));
         if (!in_) broken_ = true;
         std::uint64_t value = 0;
         for (int i = 0; i < bytes; ++i) value = value << 8U | raw[static_cast<std::size_t>(i)];
         return broken_ ? 0 : value;
     }
     std::uint64_t word() { return number(4); }
+    /// CDF-5 has 8-byte counts and lengths.
     std::uint64_t count() { return number(version_ == 5 ? 8 : 4); }
-    std::uint64_t listed() {
+    /// Number of entries of a list; more than the rest of the file can hold is an error.
+    std::uint64_t listLength() {
         const std::uint64_t n = count();
-        if (n > left_ / kLeastOfEntry) broken_ = true;
+        if (n > left_ / kMinEntryBytes) broken_ = true;
         return broken_ ? 0 : n;
     }
     void skip(std::uint64_t bytes) {
-        take(bytes);
+        consume(bytes);
         if (!broken_) in_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
     }
     void skipName() {
@@ -82,9 +86,10 @@ class ClassicHeader {
         skip(padded(length));
     }
 
+    /// Each list begins with a tag, which is redundant here.
     void readDimensions() {
         word();
-        const std::uint64_t n = listed();
+        const std::uint64_t n = listLength();
         for (std::uint64_t i = 0; i < n && !broken_; ++i) {
             skipName();
             lengths_.push_back(count());
@@ -92,7 +97,7 @@ class ClassicHeader {
     }
     void skipAttributes() {
         word();
-        const std::uint64_t n = listed();
+        const std::uint64_t n = listLength();
         for (std::uint64_t i = 0; i < n && !broken_; ++i) {
             skipName();
             const std::uint64_t bytes = bytesOf(word());
@@ -103,7 +108,7 @@ class ClassicHeader {
     }
     void readVariables(ClassicLayout& layout) {
         word();
-        const std::uint64_t n = listed();
+        const std::uint64_t n = listLength();
         for (std::uint64_t i = 0; i < n && !broken_; ++i) readVariable(layout);
         std::uint64_t records = 0;
         for (const auto& variable : layout.variables_) {
@@ -122,13 +127,13 @@ class ClassicHeader {
         skipName();
         ClassicLayout::Variable variable;
         std::uint64_t cells = 1;
-        const std::uint64_t rank = listed();
+        const std::uint64_t rank = listLength();
         if (rank > kMaxRank) broken_ = true;
         for (std::uint64_t axis = 0; axis < rank && !broken_; ++axis) {
             const std::uint64_t dimension = count();
             if (dimension >= lengths_.size()) broken_ = true;
             const std::uint64_t length = broken_ ? 1 : lengths_[dimension];
-            if (length == 0 && axis == 0) {
+            if (length == 0 && axis == 0) {  // the unlimited dimension
                 variable.record = true;
             } else {
                 cells *= length;
@@ -146,7 +151,7 @@ class ClassicHeader {
     }
 
     std::ifstream in_;
-    std::uint64_t left_ = 0;  ///< bytes of the file behind what has been read
+    std::uint64_t left_ = 0;  ///< bytes of the file that have not been parsed yet
     int version_ = 0;
     bool broken_ = false;
     std::vector<std::uint64_t> lengths_;

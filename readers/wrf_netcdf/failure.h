@@ -1,4 +1,4 @@
-// failure.h: what this reader throws for bad input and where the host asks it to stop.
+// failure.h: what this reader throws: Failure for bad input, Cancelled when the host cancels.
 #pragma once
 #include "core/plugin/reader_plugin.h"
 

@@ -1,4 +1,4 @@
-// nc_file.cpp: calls of NetCDF-C and what they mean for the user.
+// nc_file.cpp: calls of NetCDF-C, and the translation of their failures into errors for users.
 #include "readers/wrf_netcdf/nc_file.h"
 
 #include <fmt/format.h>
@@ -17,12 +17,12 @@
 namespace wrf {
 namespace {
 
-/// Held during every call of the library.
+/// Lock that is held during every call of the library.
 class LibraryLock {
   public:
     LibraryLock() : lock_(mutex()) {
-        // HDF5 prints every failed look-up, on each thread until that thread tells it not to;
-        // NetCDF tells only for the first.
+        // HDF5 prints every failed look-up until it is switched off, in each thread separately;
+        // NetCDF does so only in the first thread.
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     }
 
@@ -39,6 +39,7 @@ void require(int status, const std::string& doing) {
     throw Failure{fmt::format("{}: {}", doing, nc_strerror(status)), {}, {}, {}};
 }
 
+/// A text attribute without surrounding blanks; nothing if absent or not text.
 std::optional<std::string> textAttribute(int file, int variable, const char* name) {
     nc_type type = 0;
     std::size_t length = 0;
@@ -51,6 +52,7 @@ std::optional<std::string> textAttribute(int file, int variable, const char* nam
     return text;
 }
 
+/// An attribute that is a single number; nothing if absent or of another kind.
 std::optional<double> numberAttribute(int file, int variable, const char* name) {
     nc_type type = 0;
     std::size_t length = 0;
@@ -67,9 +69,9 @@ std::uint64_t bytesOnDisk(const std::string& path) {
     return code ? 0 : bytes;
 }
 
-/// Missing values to NaN, packed values to their own.
+/// Replaces missing values by NaN and packed values by their physical ones.
 void unpack(const NcVariable& variable, std::span<float> values) {
-    // NC_FILL_FLOAT, which the library leaves where nothing was written, is 9.97e36.
+    // The library fills cells that were never written with NC_FILL_FLOAT, 9.97e36.
     constexpr float kNothingWritten = 9.9e36f;
     const bool packed = variable.scale != 1.0f || variable.offset != 0.0f;
     const float fill = variable.fill.value_or(std::numeric_limits<float>::quiet_NaN());
@@ -106,7 +108,7 @@ NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
     const LibraryLock lock;
     const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
     if (status != NC_NOERR) {
-        throw failure(fmt::format("the library says \"{}\"", nc_strerror(status)));
+        throw failure(fmt::format("NetCDF reports \"{}\"", nc_strerror(status)));
     }
     try {
         readVariables();
@@ -121,6 +123,7 @@ NcFile::~NcFile() {
     nc_close(id_);
 }
 
+/// Dimensions, and names, types and attributes of all variables; no values.
 void NcFile::readVariables() {
     int dimensionCount = 0;
     int variableCount = 0;
@@ -190,6 +193,8 @@ std::optional<NcFile::Shortage> NcFile::shortage() const {
     return result;
 }
 
+/// Throws Failure if the file ends before the end of `variable` at its record `lastRecord`, where
+/// the library would return zeros.
 void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) const {
     if (!layout_) return;
     const std::uint64_t expected =
@@ -204,13 +209,13 @@ void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) co
 void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start,
                   std::span<const std::size_t> count, std::span<float> values) const {
     if (!readClassic(variable, start, count, values)) {
-        readByLibrary(variable, start, count, values);
+        readWithLibrary(variable, start, count, values);
     }
     unpack(variable, values);
 }
 
-/// False where the library has to read: other containers, other types, several records at once, and
-/// what is not there, of which it knows to tell.
+/// False if the library has to read: other containers, other types, several records at once, and
+/// data beyond the end of the file, for which readWithLibrary() gives the error.
 bool NcFile::readClassic(const NcVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count, std::span<float> values) const {
     const auto index = static_cast<std::size_t>(variable.id);
@@ -226,29 +231,31 @@ bool NcFile::readClassic(const NcVariable& variable, std::span<const std::size_t
     return floats_.read(*begin, shape, start.subspan(first), count.subspan(first), values);
 }
 
-void NcFile::readByLibrary(const NcVariable& variable, std::span<const std::size_t> start,
-                           std::span<const std::size_t> count, std::span<float> values) const {
+void NcFile::readWithLibrary(const NcVariable& variable, std::span<const std::size_t> start,
+                             std::span<const std::size_t> count, std::span<float> values) const {
     const LibraryLock lock;
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
-    if (!variable.chunk.empty() && keepsChunks_.insert(variable.id).second) keepChunks(variable);
+    if (!variable.chunk.empty() && cacheEnlarged_.insert(variable.id).second)
+        enlargeChunkCache(variable);
     const int status =
         nc_get_vara_float(id_, variable.id, start.data(), count.data(), values.data());
-    // NC_ERANGE: doubles beyond float; they come as infinities, which unpack() takes as missing.
+    // NC_ERANGE: doubles beyond float become infinities, which unpack() treats as missing.
     if (status != NC_NOERR && status != NC_ERANGE) {
         throw Failure{
             fmt::format("variable {} cannot be read: {}", variable.name, nc_strerror(status)),
             {},
             {},
-            "the file is damaged: copy it again or leave this time out"};
+            "the file is damaged: copy it again, or leave this time out"};
     }
 }
 
-/// Makes the library keep one row of chunks, all that a band of rows over the whole width touches,
-/// so that the next band does not inflate them again. Whole fields need no more either.
-void NcFile::keepChunks(const NcVariable& variable) const {
-    constexpr std::size_t kMostKept = 128U << 20U;  // bytes of a variable
-    constexpr std::size_t kSlots = 1009;            // prime, well above the chunks of a row
-    constexpr float kPreferRead = 0.75f;            // the library's default
+/// Makes the chunk cache hold one row of chunks: all that a band of rows over the full width and
+/// depth touches, so that the next band does not decompress them again. Reading whole fields needs
+/// no more.
+void NcFile::enlargeChunkCache(const NcVariable& variable) const {
+    constexpr std::size_t kMaxCacheBytes = 128U << 20U;  // per variable
+    constexpr std::size_t kSlots = 1009;                 // prime, well above the chunks of a row
+    constexpr float kPreferRead = 0.75f;                 // the library's default
     const std::size_t rank = variable.axes.size();
     std::size_t bytes = sizeof(float);
     for (std::size_t axis = 0; axis < rank; ++axis) {
@@ -256,7 +263,7 @@ void NcFile::keepChunks(const NcVariable& variable) const {
         const bool crossed = axis + 1 == rank || (rank >= 3 && axis == rank - 3);  // x and z
         bytes *= crossed ? (variable.axes[axis].length + chunk - 1) / chunk * chunk : chunk;
     }
-    nc_set_var_chunk_cache(id_, variable.id, std::min(bytes, kMostKept), kSlots, kPreferRead);
+    nc_set_var_chunk_cache(id_, variable.id, std::min(bytes, kMaxCacheBytes), kSlots, kPreferRead);
 }
 
 std::string NcFile::readText(const NcVariable& variable, std::span<const std::size_t> start,

@@ -1,8 +1,8 @@
-// nc_file.h: one NetCDF file, opened for reading; every call of the library goes through here.
+// nc_file.h: one NetCDF file, opened for reading. All calls of the library are made here.
 //
-// NetCDF-C is not safe for threads: each method holds one lock for the whole process, but for
-// floats of classic files, which are read past the library. Sizes and starts are in the order of
-// the file, slowest axis first.
+// NetCDF-C is not thread-safe, so each method holds one lock for the whole process. The exception
+// is floats of classic files, which are read without the library. Sizes and starts are in file
+// order, slowest axis first.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -26,20 +26,20 @@ struct NcVariable {
     int id = -1;
     std::string name, units, description;
     bool number = false;  ///< stored as floats, doubles, or packed shorts
-    bool text = false;
+    bool text = false;    ///< stored as characters
     std::vector<NcDimension> axes;
-    std::vector<std::size_t> chunk;  ///< empty when not chunked
+    std::vector<std::size_t> chunk;  ///< cells per axis; empty if not chunked
     float scale = 1.0f, offset = 0.0f;
     std::optional<float> fill;  ///< as stored, before scale and offset
 };
 
-/// What the first bytes of a file say of its container.
+/// Container format of a file, by its first bytes.
 enum class Container { unknown, classic, hdf5 };
 Container containerOf(const std::string& path);
 
 class NcFile {
   public:
-    /// Throws Failure, with a hint, when the library cannot open the file.
+    /// Throws Failure, with a hint, if the library cannot open the file.
     explicit NcFile(const std::string& path);
     ~NcFile();
     NcFile(const NcFile&) = delete;
@@ -47,21 +47,24 @@ class NcFile {
 
     const std::vector<NcDimension>& dimensions() const { return dimensions_; }
     const std::vector<NcVariable>& variables() const { return variables_; }
+    /// Null for an unknown name.
     const NcDimension* dimension(std::string_view name) const;
     const NcVariable* variable(std::string_view name) const;
 
-    /// Global attributes; nothing when absent or of another kind.
+    /// Global attributes; nothing if absent or of another type.
     std::optional<std::string> text(const char* name) const;
     std::optional<double> number(const char* name) const;
 
-    /// Fills `values` with a box; missing values become NaN, packed ones are unpacked. Throws
+    /// Fills `values` with a box. Missing values become NaN; packed values are unpacked. Throws
     /// Failure.
     void read(const NcVariable& variable, std::span<const std::size_t> start,
               std::span<const std::size_t> count, std::span<float> values) const;
+    /// Reads characters; the rules are those of read().
     std::string readText(const NcVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count) const;
 
-    /// Bytes that the file should have and has, when it is cut short.
+    /// Expected and actual size of a truncated file; nothing for a complete one. Only classic files
+    /// can be truncated and still open.
     struct Shortage {
         std::uint64_t expected = 0, found = 0;
     };
@@ -72,16 +75,15 @@ class NcFile {
     void requireWhole(const NcVariable& variable, std::size_t lastRecord) const;
     bool readClassic(const NcVariable& variable, std::span<const std::size_t> start,
                      std::span<const std::size_t> count, std::span<float> values) const;
-    void keepChunks(const NcVariable& variable) const;
-    void readByLibrary(const NcVariable& variable, std::span<const std::size_t> start,
-                       std::span<const std::size_t> count, std::span<float> values) const;
+    void enlargeChunkCache(const NcVariable& variable) const;
+    void readWithLibrary(const NcVariable& variable, std::span<const std::size_t> start,
+                         std::span<const std::size_t> count, std::span<float> values) const;
 
     std::string path_;
     int id_ = -1;
     std::optional<ClassicLayout> layout_;
     ClassicFloats floats_;
-    mutable std::set<int>
-        keepsChunks_;  ///< variables whose chunks the library has been told to keep
+    mutable std::set<int> cacheEnlarged_;  ///< ids of variables whose chunk cache was enlarged
     std::vector<NcDimension> dimensions_;
     std::vector<NcVariable> variables_;
 };

@@ -1,5 +1,4 @@
-// reader.cpp: the door of the WRF reader: core/plugin/reader_plugin.h on one side, WrfFile on the
-// other.
+// reader.cpp: entry point of the WRF reader: adapts WrfFile to core/plugin/reader_plugin.h.
 #include "core/plugin/reader_plugin.h"
 #include "readers/wrf_netcdf/wrf_file.h"
 
@@ -33,6 +32,8 @@ class File : public plugin::File {
     plugin::Description description_;
 };
 
+/// A NetCDF file that is not WRF output, or is damaged, still scores a little: opening it then
+/// reports what is wrong, which "unknown format" would not.
 int score(const char* path) {
     constexpr int kContainerOnly = 5;
     constexpr int kWrf = 90;

@@ -1,4 +1,4 @@
-// schemes.cpp: the table of mp_physics, after the WRF users' guide, version 4.
+// schemes.cpp: the table of mp_physics, after the WRF Users' Guide, version 4.
 #include "readers/wrf_netcdf/schemes.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 namespace wrf {
 namespace {
 
+/// A value of mp_physics, and the scheme whose size distributions it uses.
 struct Scheme {
     int number;
     std::string_view name;

@@ -1,4 +1,4 @@
-// schemes.h: WRF's microphysics schemes: names, and the size distributions that they share.
+// schemes.h: WRF's microphysics schemes: their names, and which size distributions they use.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@
 
 namespace wrf {
 
-/// For example "Thompson (MP_PHYSICS 8)"; an unknown number is given as a number.
+/// For example "Thompson (MP_PHYSICS 8)"; "MP_PHYSICS 777" for an unknown number.
 std::string schemeName(int mpPhysics);
 
-/// Whose size distributions the scheme's hydrometeors follow.
+/// The scheme whose size distributions the hydrometeors follow; unknown if none is implemented.
 NephMicrophysics microphysicsOf(int mpPhysics);
 
 }  // namespace wrf

@@ -1,4 +1,4 @@
-// wrf_fields.cpp: the fields of a WRF file, stored and derived, in slabs of levels.
+// wrf_fields.cpp: reads the fields of a WRF file, stored and derived, in slabs of levels.
 //
 // Equations of docs/physics.md §7: z = (PH+PHB)/9.81, p = P+PB, theta = T+300, T_K = theta
 // (p/1e5)^(2/7), rho_d = p / (R_d T_K (1 + 1.6084 q_v)) with R_d = 287 J/(kg K). These are WRF's
@@ -20,12 +20,12 @@ constexpr float kDryGasConstant = 287.0f;        // J/(kg K), r_d there
 constexpr float kKappa = 2.0f / 7.0f;            // r_d / cp with cp = 7/2 r_d there
 constexpr float kVapourRatio = 461.6f / 287.0f;  // r_v / r_d there
 
-// Slabs of at most this many values, so that cancelling acts soon, unless the file's chunks are
-// larger.
+// Slabs have at most this many values, so that cancelling takes effect soon, unless the chunks of
+// the file are larger.
 constexpr std::size_t kSlabValues = 1U << 18U;
 
-/// Level at which the slab that starts at `z` ends: a border of chunks, so that none is inflated
-/// twice.
+/// Level at which the slab that starts at `z` ends: a boundary of chunks, so that none is
+/// decompressed twice.
 std::size_t slabEnd(const NcVariable& variable, std::size_t z, const Box& box) {
     const std::size_t rank = variable.axes.size();
     const std::size_t levels = std::max<std::size_t>(1, kSlabValues / box.layer());
@@ -37,7 +37,7 @@ std::size_t slabEnd(const NcVariable& variable, std::size_t z, const Box& box) {
     return std::min(end, box.upper[2]);
 }
 
-/// Of a perturbation of the potential temperature, K, and a pressure, Pa; in K.
+/// Temperature, K, from WRF's T, the perturbation potential temperature in K, and pressure in Pa.
 float temperatureK(float thetaPerturbation, float pressurePa) {
     return (thetaPerturbation + kBaseTheta) * std::pow(pressurePa / kReferencePressure, kKappa);
 }
@@ -52,6 +52,7 @@ const NcVariable& WrfFile::stored(const char* name) const {
 
 void WrfFile::read(const Variable& variable, std::size_t time, const Box& box,
                    std::span<float> values, const Tick& tick) const {
+    // A derived field is cut into slabs at the chunks of the first variable that it is made from.
     const char* leading = variable.source == Source::interfaceHeight ? "PH" : "P";
     const NcVariable& shape =
         variable.source == Source::stored ? *variable.stored : stored(leading);
@@ -87,7 +88,7 @@ void WrfFile::readSlab(const Variable& variable, std::size_t time, const Box& bo
     }
 }
 
-/// A perturbation and its base state.
+/// Sum of a perturbation and its base state.
 void WrfFile::readSum(const char* perturbation, const char* baseState, std::size_t time,
                       const Box& box, std::span<float> values) const {
     std::vector<float> base(values.size());
@@ -96,7 +97,7 @@ void WrfFile::readSum(const char* perturbation, const char* baseState, std::size
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += base[i];
 }
 
-/// Turns pressure in place into temperature.
+/// Replaces pressure by temperature in place.
 void WrfFile::readTemperature(std::size_t time, const Box& box, std::span<float> pressure) const {
     std::vector<float> theta(pressure.size());
     readStored(stored("T"), time, box, theta);
@@ -105,7 +106,7 @@ void WrfFile::readTemperature(std::size_t time, const Box& box, std::span<float>
     }
 }
 
-/// Turns pressure in place into the density of dry air.
+/// Replaces pressure by the density of dry air in place.
 void WrfFile::readDensity(std::size_t time, const Box& box, std::span<float> pressure) const {
     std::vector<float> other(pressure.size());
     readStored(stored("T"), time, box, other);
@@ -120,6 +121,7 @@ void WrfFile::readDensity(std::size_t time, const Box& box, std::span<float> pre
     }
 }
 
+/// Converts the box to starts and counts in file order: time, z, y, x.
 void WrfFile::readStored(const NcVariable& variable, std::size_t time, const Box& box,
                          std::span<float> values) const {
     std::vector<std::size_t> start;

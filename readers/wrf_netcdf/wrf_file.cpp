@@ -12,10 +12,10 @@
 namespace wrf {
 namespace {
 
-constexpr std::size_t kMostCells = 1U << 20U;  // along an axis; no model comes near
+constexpr std::size_t kMaxCells = 1U << 20U;  // along one axis; no model comes near
 
-/// A field without which nothing can be drawn.
-struct Needed {
+/// A field without which no image can be made: heights and air density depend on it.
+struct RequiredField {
     const char* name;
     const char* meaning;
     bool onInterfaces;
@@ -29,7 +29,7 @@ struct Needed {
                             : "(Time, bottom_top, south_north, west_east)";
     }
 };
-constexpr std::array<Needed, 5> kNeeded{{
+constexpr std::array<RequiredField, 5> kRequiredFields{{
     {"PH", "perturbation geopotential", true, "heights are (PH+PHB)/9.81"},
     {"PHB", "base-state geopotential", true, "heights are (PH+PHB)/9.81"},
     {"P", "perturbation pressure", false, "air density needs pressure, P+PB"},
@@ -37,8 +37,8 @@ constexpr std::array<Needed, 5> kNeeded{{
     {"T", "perturbation potential temperature", false, "air density needs temperature"},
 }};
 
-/// What WRF calls the things that have a role. CF names are empty where CF has none.
-struct Known {
+/// WRF's names of variables that have a role. The standard name is empty where CF has none.
+struct KnownVariable {
     std::string_view name;
     NephRole role;
     NephSpecies species;
@@ -47,24 +47,25 @@ struct Known {
 constexpr std::string_view kRatio = "kg kg-1";
 constexpr std::string_view kNumber = "kg-1";
 constexpr std::array kKnown{
-    Known{"QCLOUD", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, "cloud_liquid_water_mixing_ratio",
-          kRatio},
-    Known{"QICE", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "cloud_ice_mixing_ratio", kRatio},
-    Known{"QRAIN", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "", kRatio},
-    Known{"QSNOW", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "", kRatio},
-    Known{"QGRAUP", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "", kRatio},
-    Known{"QHAIL", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "", kRatio},
-    Known{"QVAPOR", NEPH_ROLE_OTHER, NEPH_SPECIES_NONE, "humidity_mixing_ratio", kRatio},
-    Known{"RE_CLOUD", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_CLOUD,
-          "effective_radius_of_cloud_liquid_water_particles", "m"},
-    Known{"RE_ICE", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_ICE, "", "m"},
-    Known{"RE_SNOW", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_SNOW, "", "m"},
-    Known{"QNCLOUD", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_CLOUD, "", kNumber},
-    Known{"QNICE", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_ICE, "", kNumber},
-    Known{"QNRAIN", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "", kNumber},
-    Known{"QNSNOW", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_SNOW, "", kNumber},
-    Known{"QNGRAUPEL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_GRAUPEL, "", kNumber},
-    Known{"QNHAIL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_HAIL, "", kNumber},
+    KnownVariable{"QCLOUD", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD,
+                  "cloud_liquid_water_mixing_ratio", kRatio},
+    KnownVariable{"QICE", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "cloud_ice_mixing_ratio",
+                  kRatio},
+    KnownVariable{"QRAIN", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "", kRatio},
+    KnownVariable{"QSNOW", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "", kRatio},
+    KnownVariable{"QGRAUP", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "", kRatio},
+    KnownVariable{"QHAIL", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "", kRatio},
+    KnownVariable{"QVAPOR", NEPH_ROLE_OTHER, NEPH_SPECIES_NONE, "humidity_mixing_ratio", kRatio},
+    KnownVariable{"RE_CLOUD", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_CLOUD,
+                  "effective_radius_of_cloud_liquid_water_particles", "m"},
+    KnownVariable{"RE_ICE", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_ICE, "", "m"},
+    KnownVariable{"RE_SNOW", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_SNOW, "", "m"},
+    KnownVariable{"QNCLOUD", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_CLOUD, "", kNumber},
+    KnownVariable{"QNICE", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_ICE, "", kNumber},
+    KnownVariable{"QNRAIN", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "", kNumber},
+    KnownVariable{"QNSNOW", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_SNOW, "", kNumber},
+    KnownVariable{"QNGRAUPEL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_GRAUPEL, "", kNumber},
+    KnownVariable{"QNHAIL", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_HAIL, "", kNumber},
 };
 
 template <typename Names>
@@ -82,7 +83,8 @@ std::string listOf(const std::vector<NcDimension>& dimensions) {
     return joined(names);
 }
 
-/// Sizes in x, y, z of a field; nothing for a variable of another shape.
+/// Size in x, y, z of a field on the model grid, staggered or not; nothing for a variable of
+/// another shape.
 std::optional<std::array<int, 3>> fieldSize(const NcVariable& variable) {
     const auto& axes = variable.axes;
     const std::size_t first = !axes.empty() && axes[0].name == "Time" ? 1 : 0;
@@ -93,7 +95,7 @@ std::optional<std::array<int, 3>> fieldSize(const NcVariable& variable) {
     if (!x.name.starts_with("west_east") || !y.name.starts_with("south_north")) return {};
     const std::size_t z = rank == 3 ? axes[first].length : 1;
     for (const std::size_t length : {x.length, y.length, z}) {
-        if (length < 1 || length > kMostCells) return {};
+        if (length < 1 || length > kMaxCells) return {};
     }
     return std::array{static_cast<int>(x.length), static_cast<int>(y.length), static_cast<int>(z)};
 }
@@ -111,7 +113,7 @@ WrfFile::WrfFile(const std::string& path) : file_(path) {
                       "dimensions " + listOf(file_.dimensions()),
                       "dimensions west_east, south_north, bottom_top, bottom_top_stag and "
                       "variables PH, PHB, P, PB, T, Q…",
-                      "give wrfout files as the model wrote them"};
+                      "open wrfout files as written by the model"};
     }
     describeGrid();
     requireFields();
@@ -130,12 +132,12 @@ void WrfFile::describeGrid() {
     constexpr std::array<const char*, 3> kAxes{"west_east", "south_north", "bottom_top"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t length = file_.dimension(kAxes[axis])->length;
-        if (length == 0 || length > kMostCells) {
+        if (length == 0 || length > kMaxCells) {
             throw Failure{fmt::format("dimension {} has {}", kAxes[axis],
                                       length == 0 ? "no length" : "an impossible length"),
                           "dimensions " + listOf(file_.dimensions()),
                           "at least one cell on every axis",
-                          "the run or the copy that wrote this file was broken off"};
+                          "the run or the copy that wrote this file was interrupted"};
         }
         size_[axis] = static_cast<int>(length);
     }
@@ -152,27 +154,28 @@ void WrfFile::describeGrid() {
     }
 }
 
+/// Throws Failure unless heights, pressure and temperature can be computed.
 void WrfFile::requireFields() const {
-    for (const Needed& needed : kNeeded) {
-        const NcVariable* variable = file_.variable(needed.name);
+    for (const RequiredField& field : kRequiredFields) {
+        const NcVariable* variable = file_.variable(field.name);
         if (variable == nullptr) {
             std::vector<std::string> names;
             for (const NcVariable& v : file_.variables()) {
                 if (fieldSize(v)) names.push_back(v.name);
             }
-            throw Failure{fmt::format("variable {} ({}) is missing", needed.name, needed.meaning),
-                          joined(names), fmt::format("{} on {}", needed.name, needed.axes()),
-                          needed.hint()};
+            throw Failure{fmt::format("variable {} ({}) is missing", field.name, field.meaning),
+                          joined(names), fmt::format("{} on {}", field.name, field.axes()),
+                          field.hint()};
         }
         std::array<int, 3> expected = size_;
-        if (needed.onInterfaces) ++expected[2];
+        if (field.onInterfaces) ++expected[2];
         if (!variable->number || fieldSize(*variable) != expected) {
             throw Failure{
-                fmt::format("variable {} ({}) has the wrong shape", needed.name, needed.meaning),
+                fmt::format("variable {} ({}) has the wrong shape", field.name, field.meaning),
                 listOf(variable->axes),
-                fmt::format("numbers on {}: {} x {} x {} in x, y, z", needed.axes(), expected[0],
+                fmt::format("numbers on {}: {} x {} x {} in x, y, z", field.axes(), expected[0],
                             expected[1], expected[2]),
-                "give wrfout files as the model wrote them"};
+                "open wrfout files as written by the model"};
         }
     }
 }
@@ -182,14 +185,14 @@ void WrfFile::describeTimes() {
     const NcVariable* variable = file_.variable("Times");
     if (variable == nullptr || !variable->text || variable->axes.size() != 2) {
         throw Failure{"variable Times is missing or is not text", "", kForm,
-                      "give wrfout files as the model wrote them"};
+                      "open wrfout files as written by the model"};
     }
     const std::size_t count = variable->axes[0].length;
     const std::size_t length = variable->axes[1].length;
     if (count == 0 || count > 1'000'000 || length > 1024) {
-        throw Failure{count == 0 ? "the file holds no time (dimension Time has no length)"
+        throw Failure{count == 0 ? "the file contains no time (dimension Time has no length)"
                                  : "variable Times has an impossible size",
-                      listOf(variable->axes), kForm, "the model had not yet written to this file"};
+                      listOf(variable->axes), kForm, "the model may not have written a time yet"};
     }
     const std::array<std::size_t, 2> start{0, 0};
     const std::array<std::size_t, 2> whole{count, length};
@@ -199,14 +202,15 @@ void WrfFile::describeTimes() {
         const auto seconds = secondsOf(label);
         if (!seconds) {
             throw Failure{
-                fmt::format("variable Times cannot be read at its entry {}", i),
+                fmt::format("entry {} of variable Times cannot be read", i),
                 fmt::format("\"{}\"", label), kForm,
-                "the model was broken off while it wrote this time, or the file is damaged"};
+                "the model was interrupted while writing this time, or the file is damaged"};
         }
         times_.push_back({label, *seconds});
     }
 }
 
+/// Version, scheme, notes and global attributes.
 void WrfFile::describeModel() {
     std::string title = file_.text("TITLE").value_or("");
     const std::size_t start = title.find("WRF");
@@ -220,10 +224,10 @@ void WrfFile::describeModel() {
     const auto projection = file_.number("MAP_PROJ");
     if (projection && *projection != 0.0) {
         notes_.push_back(
-            "Cells are taken as DX by DY everywhere: the map scale factor is not applied.");
+            "Cells are treated as DX by DY everywhere: the map scale factor is not applied.");
     }
     if (file_.variable("QVAPOR") == nullptr) {
-        notes_.push_back("QVAPOR is missing: the air is taken as dry.");
+        notes_.push_back("QVAPOR is missing: the air is treated as dry.");
     }
     for (const char* name : {"TITLE", "START_DATE", "SIMULATION_START_DATE",
                              "SIMULATION_INITIALIZATION_TYPE", "MAP_PROJ_CHAR"}) {
@@ -237,6 +241,7 @@ void WrfFile::describeModel() {
     }
 }
 
+/// Variables that the host needs and WRF does not store as such; see wrf_fields.cpp.
 void WrfFile::addDerived() {
     const std::array<int, 3> interfaces{size_[0], size_[1], size_[2] + 1};
     const auto add = [this](neph::plugin::Variable variable, Source source) {
@@ -258,6 +263,7 @@ void WrfFile::addDerived() {
         Source::dryAirDensity);
 }
 
+/// All fields of the file. A name that addDerived() uses is skipped.
 void WrfFile::addStored() {
     for (const NcVariable& variable : file_.variables()) {
         const auto size = fieldSize(variable);
@@ -270,7 +276,7 @@ void WrfFile::addStored() {
         entry.description = variable.description;
         entry.size = *size;
         entry.stored = &variable;
-        const auto known = std::ranges::find(kKnown, variable.name, &Known::name);
+        const auto known = std::ranges::find(kKnown, variable.name, &KnownVariable::name);
         if (known != kKnown.end() && *size == size_) {
             entry.role = known->role;
             entry.species = known->species;

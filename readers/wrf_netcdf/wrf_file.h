@@ -1,7 +1,7 @@
-// wrf_file.h: one WRF output file: what is in it, and its fields in SI.
+// wrf_file.h: one WRF output file: its description, and its fields in SI.
 //
-// Opening reads the header and Times alone. Boxes are x, y, z, half-open; values come x fastest.
-// Everything fails by throwing Failure or Cancelled.
+// Opening reads only the header and Times. Boxes are x, y, z, half-open; values are x fastest.
+// Failures are thrown as Failure or Cancelled.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,30 +15,33 @@
 
 namespace wrf {
 
-/// How the values of a variable come about.
+/// Whether values are stored, or which quantity is computed from stored variables.
 enum class Source { stored, interfaceHeight, airPressure, airTemperature, dryAirDensity };
 
 struct Variable : neph::plugin::Variable {
     Source source = Source::stored;
-    const NcVariable* stored = nullptr;
+    const NcVariable* stored = nullptr;  ///< null for computed quantities
 };
 
 using neph::plugin::Time;
 
+/// Cells [lower, upper) of a field.
 struct Box {
     std::array<std::size_t, 3> lower{}, upper{};
     std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
     std::size_t layer() const { return length(0) * length(1); }
 };
 
-/// Called between slabs with a fraction; throws Cancelled to stop.
+/// Called between slabs with the fraction done, 0 to 1; throws Cancelled to stop.
 using Tick = std::function<void(double)>;
 
 /// Whether a NetCDF file has the dimensions of WRF output.
 bool looksLikeWrf(const NcFile& file);
 
+/// An open WRF output file.
 class WrfFile {
   public:
+    /// Throws Failure if it is not WRF output, or lacks a field that is required.
     explicit WrfFile(const std::string& path);
 
     const std::vector<Variable>& variables() const { return variables_; }
@@ -53,7 +56,7 @@ class WrfFile {
     std::array<int, 3> size() const { return size_; }
     std::array<double, 2> spacingM() const { return spacingM_; }
 
-    /// Reads a box of a variable at a time into `values`, slab by slab.
+    /// Reads a box of `variable` at time `time` into `values`, slab by slab.
     void read(const Variable& variable, std::size_t time, const Box& box, std::span<float> values,
               const Tick& tick) const;
 
@@ -64,6 +67,7 @@ class WrfFile {
     void describeModel();
     void addDerived();
     void addStored();
+    /// The stored variable of this name. Throws Failure if it is missing.
     const NcVariable& stored(const char* name) const;
     void readSlab(const Variable& variable, std::size_t time, const Box& box,
                   std::span<float> values) const;

@@ -1,4 +1,4 @@
-// wrf_times.cpp: from a calendar date to seconds.
+// wrf_times.cpp: converts a calendar date to seconds.
 #include "readers/wrf_netcdf/wrf_times.h"
 
 #include <array>

@@ -1,7 +1,7 @@
-// constants.glsl: numbers that the shader library shares.
+// constants.glsl: constants that the shader library shares.
 //
-// Every file of this folder is plain GLSL 4.5 (functions of values alone) and, through glsl_cpp.h,
-// plain C++.
+// Every file of this folder is plain GLSL 4.5 (pure functions, without uniforms or samplers) and,
+// through glsl_cpp.h, plain C++.
 #pragma once
 
 const float kPi = 3.14159265358979f;

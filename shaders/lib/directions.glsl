@@ -1,6 +1,6 @@
-// directions.glsl: directions drawn around an axis.
+// directions.glsl: sampling of directions around an axis.
 //
-// An angle is given by its versine, 1 - cosine, which keeps all digits of small angles.
+// An angle is given by its versine, 1 - cosine, which keeps full precision for small angles.
 #pragma once
 #include "constants.glsl"
 
@@ -10,8 +10,8 @@ float versineBetween(vec3 a, vec3 b) {
     return 0.5f * dot(d, d);
 }
 
-/// The direction at an angle from the unit `axis`; `turn` in [0, 1) is the way around it. The two
-/// vectors across it are those of [Duff17].
+/// The direction at an angle from the unit vector `axis`; `turn` in [0, 1) is the azimuth around
+/// it, in full circles. The two vectors perpendicular to the axis are those of [Duff17].
 vec3 directionAround(vec3 axis, float versine, float turn) {
     float sign_ = axis.z < 0.0f ? -1.0f : 1.0f;
     float a = -1.0f / (sign_ + axis.z);
@@ -23,8 +23,9 @@ vec3 directionAround(vec3 axis, float versine, float turn) {
     return normalize((1.0f - versine) * axis + sine * (cos(phi) * u + sin(phi) * v));
 }
 
-/// Versine of a direction spread over a hemisphere as the cosine; `u` in [0, 1).
+/// Versine of a direction in a hemisphere, sampled with a density proportional to the cosine; `u`
+/// is uniform in [0, 1).
 float versineByCosine(float u) {
     float root = sqrt(1.0f - u);
-    return u / (1.0f + root);  // 1 - root
+    return u / (1.0f + root);  // 1 - root, without cancellation
 }

@@ -1,14 +1,13 @@
-// glsl_cpp.h: the shader library as C++, so that tests and core call the very code that runs on the
+// glsl_cpp.h: the shader library as C++, so that tests and core call the same code that runs on the
 // GPU.
 //
-// Each source file that includes this gets its own copy in an unnamed namespace, hence: include it
-// from .cpp files alone. GLM supplies the vector types and the built-in functions. A new file of
-// shaders/lib is added to the list below.
+// Include this only from .cpp files: each gets its own copy in an unnamed namespace. GLM supplies
+// the vector types and the built-in functions. Add new files of shaders/lib to the list below.
 #pragma once
 #include <glm/glm.hpp>
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"  // nobody calls all of the library
+#pragma GCC diagnostic ignored "-Wunused-function"  // no file calls all of the library
 
 namespace neph::glsl {
 namespace {

@@ -1,22 +1,22 @@
-// noise.glsl: periodic gradient noise and the two textures made of it: billow for liquid, wisp for
-// ice. [Perlin02], [PH89]
+// noise.glsl: periodic gradient noise, and the two textures that are made from it: billow for
+// liquid and wisp for ice. [Perlin02], [PH89]
 //
-// Positions are in tiles: every function repeats with period 1 in each axis, so that it can be
-// baked into a tiling texture. Hashes are integer arithmetic: every machine draws the same cloud.
-// Shapes are tuned by eye; both textures lie in [0, 1] and have the same mean, kDetailMean.
+// Positions are in tiles: every function has period 1 in each axis, so that it can be baked into a
+// tiling texture. Hashes use integer arithmetic, so that every machine renders the same cloud.
+// Shapes are tuned by eye; both textures are in [0, 1] and have the same mean, kDetailMean.
 #pragma once
 
-const float kDetailMean = 0.30f;            ///< of billow and of wisp over a tile, within 0.005
+const float kDetailMean = 0.30f;            ///< of billow and wisp over a tile, within 0.005
 const float kDetailFeaturesPerTile = 4.0f;  ///< the largest puffs are a quarter of a tile across
 
-/// A lattice point times three odd constants, one an axis, so that the sum of the parts tells
-/// points apart. The first three primes of [Collet].
+/// A lattice point times three odd constants, one per axis, so that the sum of the parts differs
+/// between points. The first three primes of [Collet].
 uvec3 scatterCell(vec3 cell) {
     return uvec3(cell) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
 }
 
-/// Four well-mixed bits of a sum of scattered parts and a seed: the top of a 32-bit hash whose
-/// constants were searched for. [Wellons18]
+/// Four well-mixed bits of the sum of the parts and a seed: the highest of a 32-bit hash, whose
+/// constants were found by a search. [Wellons18]
 uint mixBits(uint h) {
     h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
     h = (h ^ (h >> 12u)) * 0x297A2D39u;
@@ -59,7 +59,7 @@ float gradientNoise(vec3 tile, ivec3 cells, uint seed) {
 }
 
 /// Puffs with creases between them, in [0, 1]: turbulence, the sum of |noise| over octaves, whose
-/// rounded crests meet in sharp valleys like the heads of a cauliflower.
+/// rounded crests meet in sharp valleys like the florets of a cauliflower.
 float billow(vec3 tile) {
     float sum = 0.0f;
     float amplitude = 1.0f;
@@ -72,8 +72,8 @@ float billow(vec3 tile) {
     return clamp(sum * 0.7205f, 0.0f, 1.0f);
 }
 
-/// Fibres drawn out along x, in [0, 1]: noise stretched more and more the finer it gets, sharpened
-/// to threads, bent by a slow warp, and gathered into tufts by the same slow noise.
+/// Fibres along x, in [0, 1]: noise that is stretched more in its finer octaves, sharpened to
+/// threads, bent by a slow warp, and gathered into tufts by the same slow noise.
 float wisp(vec3 tile) {
     float bend = gradientNoise(tile, ivec3(2, 2, 2), 11u);
     vec3 p = tile + vec3(0.0f, 0.10f, 0.14f) * bend;
@@ -89,9 +89,10 @@ float wisp(vec3 tile) {
     return threads * threads * clamp(1.15f + 0.9f * bend, 0.0f, 1.0f);
 }
 
-/// What the content of a voxel is multiplied by: 1 at amount 0, noise over its mean at amount 1. Up
-/// to there its mean over a tile is 1, so that mass is kept over regions larger than a tile. Larger
-/// amounts cut holes where the factor would be negative, and mass grows: docs/physics.md §8.
+/// Factor on the content of a voxel: 1 at amount 0, noise divided by its mean at amount 1. Up to
+/// amount 1 the mean over a tile is 1, so that mass is conserved over regions larger than a tile.
+/// Larger amounts cut holes where the factor would be negative, and mass increases: docs/physics.md
+/// §8.
 float detailFactor(float noise, float amount) {
     return max(0.0f, 1.0f + amount * (noise / kDetailMean - 1.0f));
 }

@@ -1,21 +1,20 @@
-// optics.glsl: from the mass of particles to extinction, and from extinction to the light that gets
-// through.
+// optics.glsl: extinction from the mass of particles, and transmittance from extinction.
 //
-// SI units: lengths m, densities kg/m³, extinction 1/m; optical depth has none. Particles are
-// spheres much larger than the wavelength, so the extinction efficiency is 2. Equation numbers are
-// those of [Riley03]; docs/physics.md has the derivations.
+// SI units: lengths in m, densities in kg/m³, extinction in 1/m; optical depth has none. Particles
+// are spheres much larger than the wavelength, so the extinction efficiency is 2. Equation numbers
+// are those of [Riley03]; docs/physics.md has the derivations.
 #pragma once
 #include "constants.glsl"
 
 const float kExtinctionEfficiency =
     2.0f;  ///< large-particle limit: half shadow, half diffraction. [BH83] §4.4
 
-/// Eq. 2, m³.
+/// Volume of a sphere, m³. Eq. 2
 float volumeOfSphere(float radiusM) {
     return 4.0f / 3.0f * kPi * radiusM * radiusM * radiusM;
 }
 
-/// Eq. 4, particles per m³ of air; `contentKgPerM3` is air density times mixing ratio.
+/// Particles per m³ of air; `contentKgPerM3` is air density times mixing ratio. Eq. 4
 float numberConcentration(float contentKgPerM3, float radiusM, float densityKgPerM3) {
     return contentKgPerM3 / (volumeOfSphere(radiusM) * densityKgPerM3);
 }
@@ -25,46 +24,46 @@ float extinctionCrossSection(float radiusM) {
     return kExtinctionEfficiency * kPi * radiusM * radiusM;
 }
 
-/// Eq. 9, 1/m.
+/// Extinction coefficient, 1/m. Eq. 9
 float extinctionPerM(float crossSectionM2, float concentrationPerM3) {
     return crossSectionM2 * concentrationPerM3;
 }
 
-/// Eq. 2, 4 and 9 for 1 kg of particles per m³ of air: 3 Q / (4 ρ r), m²/kg. Extinction is this
-/// times the mass content.
+/// Mass extinction 3 Q / (4 ρ r), m²/kg: eq. 2, 4 and 9 for 1 kg of particles per m³ of air.
+/// Extinction is this times the mass content.
 float massExtinctionM2PerKg(float radiusM, float densityKgPerM3) {
     return 3.0f * kExtinctionEfficiency / (4.0f * densityKgPerM3 * radiusM);
 }
 
-/// Eq. 6.
+/// Share of light that passes an optical depth. Eq. 6
 float transmittance(float opticalDepth) {
     return exp(-opticalDepth);
 }
 
-/// What one slice does to the light buffer by Eq. 14 to 17 as printed: shares of the centre (x) and
-/// of the mean of the four ring taps (y) in the light handed on. `cpInner` and `cpOuter` are the
-/// cumulative phase function at a quarter and at half of the forward arc. The outcome depends on
-/// the number of slices; see lightWeightsConsistent.
+/// Update of the light buffer by one slice, eq. 14 to 17 as printed: weights of the centre (x) and
+/// of the mean of the four ring taps (y) in the light passed on. `cpInner` and `cpOuter` are the
+/// cumulative phase function at a quarter and at half of the forward arc. The result depends on the
+/// number of slices; see lightWeightsConsistent.
 vec2 lightWeightsPrinted(float opticalDepth, float cpInner, float cpOuter) {
     float through = transmittance(opticalDepth);
     float scattered = 1.0f - through;
     return vec2(through + scattered * cpInner, scattered * (cpOuter - cpInner));
 }
 
-/// (e^y - 1) / y for y >= 0; 1 at 0. The series is good to 1e-7 where it is used.
+/// (e^y - 1) / y for y >= 0; 1 at 0. The series is accurate to 1e-7 where it is used.
 float expm1Ratio(float y) {
     if (y < 0.05f) return 1.0f + y * (0.5f + y * (1.0f / 6.0f + y / 24.0f));
     return (exp(y) - 1.0f) / y;
 }
 
-/// The same in a form that does not depend on the number of slices: light that stays within the
-/// forward arc (the share `cpOuter` of what is scattered) counts as still in the beam, so that
-/// uniform light falls off as e^-((1 - albedo cpOuter) τ) whatever the slicing. docs/physics.md §3.
-/// Equal to the printed form as the optical depth of a slice goes to zero.
+/// The same weights in a form that does not depend on the number of slices: light scattered within
+/// the forward arc (the share `cpOuter`) counts as still in the beam, so that uniform light
+/// decreases as e^-((1 - albedo cpOuter) τ) for any slicing. docs/physics.md §3. Converges to the
+/// printed form as the optical depth of a slice goes to zero.
 vec2 lightWeightsConsistent(float opticalDepth, float albedo, float cpInner, float cpOuter) {
     float through = transmittance(opticalDepth);
     float kept = albedo * cpOuter * opticalDepth;
-    // (e^-(τ - kept) - e^-τ) / cpOuter: the first spelling has no 0/0, the second no overflow.
+    // (e^-(τ - kept) - e^-τ) / cpOuter: the first form avoids 0/0, the second overflow.
     float gain = kept < 1.0f ? through * albedo * opticalDepth * expm1Ratio(kept)
                              : (exp(kept - opticalDepth) - through) / cpOuter;
     return vec2(through + gain * cpInner, gain * (cpOuter - cpInner));
@@ -83,7 +82,7 @@ float lightStepConsistent(float centre, float ring, float opticalDepth, float al
     return weights.x * centre + weights.y * ring;
 }
 
-/// Share of diffuse skylight that gets through a conservative layer: 1 / (1 + (1 - g) τ / 1.4209).
+/// Diffuse transmittance of a conservative layer for skylight: 1 / (1 + (1 - g) τ / 1.4209).
 /// In diffusion theory the flux between two faces is inversely proportional to the scaled depth (1
 /// - g) τ plus one extrapolation length of 0.7104 mean free paths (Milne) at each face, 1.4209
 /// together [Chandrasekhar60]. The exact share is 4/3 / ((1 - g) τ + 1.4209) for thick layers; here

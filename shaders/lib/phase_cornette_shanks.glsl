@@ -1,4 +1,4 @@
-// phase_cornette_shanks.glsl: Henyey-Greenstein made right in the Rayleigh limit. [CS92] eq. 7
+// phase_cornette_shanks.glsl: Henyey-Greenstein with the correct Rayleigh limit. [CS92] eq. 7
 //
 // g is the parameter of the formula, not the mean of cosTheta: 0.80765 gives 0.85. Draine's
 // function with alpha = 1. Conventions as in phase_hg.glsl.
@@ -10,12 +10,12 @@ float cornetteShanksValue(float cosTheta, float g) {
     return draineValue(cosTheta, g, 1.0f);
 }
 
-/// Share of the light scattered within `theta` radians of straight on, in [0, 1]; closed form.
+/// Share of the light scattered within `theta` radians of forward, in [0, 1]; closed form.
 float cornetteShanksCumulative(float theta, float g) {
     return draineCumulative(theta, g, 1.0f);
 }
 
-/// Cosine of a direction drawn with density cornetteShanksValue, from a uniform number in [0, 1).
+/// Cosine of a direction sampled with density cornetteShanksValue, from a uniform number in [0, 1).
 float cornetteShanksSample(float u, float g) {
     return draineSample(u, g, 1.0f);
 }

@@ -9,13 +9,13 @@ float doubleHgValue(float cosTheta, float g1, float g2, float weight) {
     return mix(hgValue(cosTheta, g2), hgValue(cosTheta, g1), weight);
 }
 
-/// Share of the light scattered within `theta` radians of straight on, in [0, 1].
+/// Share of the light scattered within `theta` radians of forward, in [0, 1].
 float doubleHgCumulative(float theta, float g1, float g2, float weight) {
     return mix(hgCumulative(theta, g2), hgCumulative(theta, g1), weight);
 }
 
-/// Cosine of a direction drawn with density doubleHgValue, from a uniform number in [0, 1), which
-/// first picks the lobe.
+/// Cosine of a direction sampled with density doubleHgValue, from a uniform number in [0, 1), which
+/// first chooses the lobe.
 float doubleHgSample(float u, float g1, float g2, float weight) {
     if (u < weight) return hgSample(u / weight, g1);
     return hgSample((u - weight) / (1.0f - weight), g2);

@@ -6,7 +6,7 @@
 #pragma once
 #include "phase_hg.glsl"
 
-/// Integral of (1 + α cos²Θ) over the Henyey-Greenstein function.
+/// Normalisation: the integral of (1 + α cos²Θ) times the Henyey-Greenstein function.
 float draineNorm(float g, float alpha) {
     return 1.0f + alpha * (1.0f + 2.0f * g * g) / 3.0f;
 }
@@ -16,8 +16,8 @@ float draineValue(float cosTheta, float g, float alpha) {
     return hgValue(cosTheta, g) * (1.0f + alpha * cosTheta * cosTheta) / draineNorm(g, alpha);
 }
 
-/// The cumulative as a function of 1 - cosTheta; docs/physics.md §2 derives this form, which holds
-/// for every g, 0 included.
+/// The cumulative as a function of 1 - cosTheta; docs/physics.md §2 derives this form, which is
+/// valid for every g, including 0.
 float draineCumulativeOfVersine(float versine, float g, float alpha) {
     float near = 1.0f - g;
     float t = sqrt(hgDistanceSquared(versine, g));
@@ -30,15 +30,16 @@ float draineCumulativeOfVersine(float versine, float g, float alpha) {
            draineNorm(g, alpha);
 }
 
-/// Share of the light scattered within `theta` radians of straight on, in [0, 1]; closed form.
+/// Share of the light scattered within `theta` radians of forward, in [0, 1]; closed form.
 float draineCumulative(float theta, float g, float alpha) {
     float sine = sin(0.5f * theta);
     return draineCumulativeOfVersine(2.0f * sine * sine, g, alpha);
 }
 
-/// Cosine of a direction drawn with density draineValue, from a uniform number in [0, 1). Newton's
-/// method on the closed form, in the variable w = 1 - Henyey-Greenstein cumulative, in which the
-/// slope is the mild (1 + α cos²Θ)/norm; steps that leave the bracket are replaced by bisection.
+/// Cosine of a direction sampled with density draineValue, from a uniform number in [0, 1).
+/// Newton's method on the closed form, in the variable w = 1 - Henyey-Greenstein cumulative, in
+/// which the slope (1 + α cos²Θ)/norm varies little; steps that leave the bracket are replaced by
+/// bisection.
 float draineSample(float u, float g, float alpha) {
     float norm = draineNorm(g, alpha);
     float lower = 0.0f;

@@ -2,8 +2,8 @@
 // µm. [Key02]
 //
 // Two habits: rough aggregates and solid columns. Coefficients are those of libRadtran's "yang"
-// tables [libRadtran], the polynomial used directly as the first lobe's g. Radii in m, clamped to
-// the range that was fitted. No halos: the fit is smooth.
+// tables [libRadtran]; the polynomial is used directly as g of the first lobe. Radii are in m,
+// clamped to the fitted range. The fit is smooth and has no halos.
 #pragma once
 #include "phase_double_hg.glsl"
 
@@ -28,13 +28,13 @@ float roughAggregateValue(float cosTheta, float radiusM) {
     return doubleHgValue(cosTheta, roughAggregateG(radiusM), kIceBackwardG, kRoughAggregateWeight);
 }
 
-/// Share of the light that rough aggregates scatter within `theta` radians of straight on.
+/// Share of the light that rough aggregates scatter within `theta` radians of forward.
 float roughAggregateCumulative(float theta, float radiusM) {
     return doubleHgCumulative(theta, roughAggregateG(radiusM), kIceBackwardG,
                               kRoughAggregateWeight);
 }
 
-/// Cosine of a direction drawn with density roughAggregateValue, from a uniform number in [0, 1).
+/// Cosine of a direction sampled with density roughAggregateValue, from a uniform number in [0, 1).
 float roughAggregateSample(float u, float radiusM) {
     return doubleHgSample(u, roughAggregateG(radiusM), kIceBackwardG, kRoughAggregateWeight);
 }
@@ -49,12 +49,12 @@ float solidColumnValue(float cosTheta, float radiusM) {
     return doubleHgValue(cosTheta, solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
 }
 
-/// Share of the light that solid columns scatter within `theta` radians of straight on.
+/// Share of the light that solid columns scatter within `theta` radians of forward.
 float solidColumnCumulative(float theta, float radiusM) {
     return doubleHgCumulative(theta, solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
 }
 
-/// Cosine of a direction drawn with density solidColumnValue, from a uniform number in [0, 1).
+/// Cosine of a direction sampled with density solidColumnValue, from a uniform number in [0, 1).
 float solidColumnSample(float u, float radiusM) {
     return doubleHgSample(u, solidColumnG(radiusM), kIceBackwardG, kSolidColumnWeight);
 }

@@ -1,9 +1,9 @@
-// random.glsl: random numbers without a state: a hash of what they are for. [JO20]
+// random.glsl: stateless random numbers: a hash of what a number is used for. [JO20]
 //
-// Integer arithmetic alone: every machine draws the same numbers.
+// Integer arithmetic only, so that every machine gets the same numbers.
 #pragma once
 
-/// Four well-mixed words from four: the pcg4d of [JO20].
+/// Four well-mixed words from four: pcg4d of [JO20].
 uvec4 randomWords(uvec4 of) {
     uvec4 v = of * 1664525u + 1013904223u;
     v.x += v.y * v.w;
@@ -18,7 +18,7 @@ uvec4 randomWords(uvec4 of) {
     return v;
 }
 
-/// Uniform in [0, 1): the upper 24 bits, all that a float holds.
+/// Uniform in [0, 1): the upper 24 bits, the precision of a float.
 float unitOf(uint word) {
     return float(word >> 8u) * 5.9604644775390625e-8f;
 }

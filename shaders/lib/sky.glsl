@@ -1,18 +1,18 @@
-// sky.glsl: the background, L_bg of Eq. 5: a vertical gradient and a ground plane that fades into
-// the haze.
+// sky.glsl: the background, L_bg of [Riley03] eq. 5: a vertical gradient, and a ground plane that
+// fades into the haze.
 #pragma once
 
 const float kHazeLengthM =
     90e3f;  ///< distance over which the ground fades into the horizon; tuned by eye
 
-/// Radiance of the sky in a direction whose vertical component is `up`; below the horizon, that of
-/// the horizon.
+/// Radiance of the sky in a direction whose vertical component is `up`. Below the horizon it is
+/// that of the horizon.
 vec3 skyRadiance(float up, vec3 zenith, vec3 horizon) {
     float height = clamp(up, 0.0f, 1.0f);
     return mix(horizon, zenith, pow(height, 0.55f));  // exponent tuned by eye
 }
 
-/// Ground seen at a distance.
+/// Radiance of the ground seen from a distance: it fades into the horizon.
 vec3 hazyGround(vec3 ground, vec3 horizon, float distanceM) {
     return mix(horizon, ground, exp(-distanceM / kHazeLengthM));
 }

@@ -1,7 +1,7 @@
-// case_files.h: several files in one input, for the target whose reader looks at a folder.
+// case_files.h: several files in one input, for the target whose reader opens a folder.
 //
-// Each file is a line "=== NAME" and what follows up to the next such line; "=== NAME BYTES" makes
-// it that long, cut or with zeros at its end, so that sizes can be made to fit.
+// Each file is a line "=== NAME" and the bytes up to the next such line. "=== NAME BYTES" sets its
+// length, by truncation or zeros at the end, so that sizes can be made to fit.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -17,8 +17,9 @@ struct CaseFile {
 };
 
 inline constexpr std::string_view kFileMark = "\n=== ";
-inline constexpr std::size_t kMostFiles = 12, kMostFileBytes = 1U << 16U;
+inline constexpr std::size_t kMaxFiles = 12, kMaxFileBytes = 1U << 16U;
 
+/// One piece of the input as a file; its name cannot leave the folder.
 inline CaseFile caseFileOf(std::string_view piece) {
     const std::size_t lineEnd = std::min(piece.find('\n'), piece.size());
     const std::string_view line = piece.substr(0, lineEnd);
@@ -32,14 +33,14 @@ inline CaseFile caseFileOf(std::string_view piece) {
     if (nameEnd < line.size()) {
         std::from_chars(line.data() + nameEnd + 1, line.data() + line.size(), bytes);
     }
-    file.bytes.resize(std::min(bytes, kMostFileBytes));
+    file.bytes.resize(std::min(bytes, kMaxFileBytes));
     return file;
 }
 
 inline std::vector<CaseFile> caseFiles(std::string_view input) {
     std::vector<CaseFile> files;
     std::size_t at = input.find(kFileMark);
-    while (at != std::string_view::npos && files.size() < kMostFiles) {
+    while (at != std::string_view::npos && files.size() < kMaxFiles) {
         const std::size_t from = at + kFileMark.size();
         at = input.find(kFileMark, from);
         files.push_back(

@@ -1,5 +1,5 @@
-// fuzz_camera.cpp: any file is a camera, a preset with one, a camera path, or an Error; a path that
-// is read can be written and read again, and leads somewhere at any time.
+// fuzz_camera.cpp: any file is a camera, a preset with one, a camera path, or an Error. A path that
+// was read can be written and read again, and has a valid pose at any time.
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     try {
         std::vector<std::string> warnings;
         neph::loadCamera(file.string(), warnings);
-    } catch (const neph::Error&) {  // the expected answer to nonsense
+    } catch (const neph::Error&) {  // expected for invalid input
     }
     try {
         readPath(file);

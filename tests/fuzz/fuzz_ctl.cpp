@@ -1,4 +1,4 @@
-// fuzz_ctl.cpp: any text is a GrADS descriptor, or an Error that says why not.
+// fuzz_ctl.cpp: any text is a GrADS descriptor or an Error.
 #include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/grads_ctl.h"
 #include "tests/fuzz/scratch.h"
@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     raw::looksLikeCtl(text);
     try {
         raw::parseCtl(text);
-    } catch (const neph::plugin::Error&) {  // the expected answer to nonsense
+    } catch (const neph::plugin::Error&) {  // expected for invalid input
     }
     return 0;
 }

@@ -1,5 +1,5 @@
-// fuzz_header_cache.cpp: whatever stands in a cache of headers behind a right checksum and a right
-// name of folder and reader, the cache holds it or counts as empty.
+// fuzz_header_cache.cpp: whatever follows the correct checksum, folder and reader in a cache of
+// headers, it is read or the cache counts as empty.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,16 +10,17 @@
 
 namespace {
 
-/// As header_cache.cpp has it. [Fowler]
+/// FNV-1a, as in header_cache.cpp. [Fowler]
 std::string checksumOf(std::string_view body) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : body) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
     return fmt::format("{:016x}\n", hash);
 }
 
+/// The folder of the cache, and the names at the start of its file.
 struct Place {
     Place() {
-        // A cache without an entry: checksum, names, and twice a count of none.
+        // An empty cache consists of a checksum, names, and two counts of zero.
         neph::HeaderCache cache = open();
         cache.put("gone", {}, {});
         cache.save();

@@ -1,4 +1,4 @@
-// fuzz_messages.cpp: whatever a reader's process sends is a message or Malformed.
+// fuzz_messages.cpp: anything that a reader process sends is a valid message or Malformed.
 #include "core/plugin/reader_wire.h"
 #include "tests/fuzz/scratch.h"
 
@@ -10,7 +10,7 @@ void read(std::string_view bytes, Unpack&& unpack) {
         neph::wire::Unpacker from(bytes);
         unpack(from);
         from.end();
-    } catch (const neph::wire::Malformed&) {  // the expected answer to nonsense
+    } catch (const neph::wire::Malformed&) {  // expected for invalid input
     }
 }
 

@@ -1,5 +1,5 @@
-// fuzz_raw_les.cpp: any folder of raw model output is read, whole or by each of its files, or an
-// Error says why not.
+// fuzz_raw_les.cpp: any folder, and each of its files, is read as raw model output or gives an
+// Error.
 #include "core/base/error.h"
 #include "tests/fuzz/case_files.h"
 #include "tests/fuzz/read_everything.h"
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     for (const auto& path : paths) {
         try {
             fuzz::readEverything(path);
-        } catch (const neph::Error&) {  // the expected answer to nonsense
+        } catch (const neph::Error&) {  // expected for invalid input
         }
     }
     std::filesystem::remove_all(paths.front());

@@ -1,5 +1,5 @@
-// fuzz_session.cpp: any text is a session, or an Error that says why not; what is read can be
-// written and read again.
+// fuzz_session.cpp: any text is a session or an Error. A session that was read can be written and
+// read again.
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     neph::SessionState state;
     try {
         state = neph::parseSession(fuzz::asText({bytes, count}), "fuzz", folder, warnings);
-    } catch (const neph::Error&) {  // the expected answer to nonsense
+    } catch (const neph::Error&) {  // expected for invalid input
         return 0;
     }
     const std::string text = neph::formatSession(state, folder);

@@ -1,5 +1,5 @@
-// fuzz_settings.cpp: any file of settings is read or told of in a warning; what is read can be
-// saved and read again, and its memory is a size or an Error.
+// fuzz_settings.cpp: any settings file is read or causes a warning. Settings that were read can be
+// saved and read again, and their memory setting is a size or an Error.
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (neph::loadSettings(warnings) != settings || !warnings.empty()) std::abort();
     try {
         neph::parseMemory(settings.memory, 1U << 30U);
-    } catch (const neph::Error&) {  // the expected answer to nonsense
+    } catch (const neph::Error&) {  // expected for invalid input
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// fuzz_sidecar.cpp: any text is a sidecar whose numbers fit together, or an Error.
+// fuzz_sidecar.cpp: any text is a sidecar with consistent numbers, or an Error.
 #include <cmath>
 #include <cstdlib>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// What the rest of the reader counts on.
+/// What the rest of the reader relies on.
 bool fits(const raw::Sidecar& sidecar) {
     bool good = sidecar.interfacesM.size() == sidecar.shape[2] + 1 && !sidecar.times.empty();
     for (const double spacing : sidecar.spacingM) good = good && std::isfinite(spacing);
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     raw::looksLikeSidecar(text);
     try {
         if (!fits(raw::parseSidecar(text))) std::abort();
-    } catch (const neph::plugin::Error&) {  // the expected answer to nonsense
+    } catch (const neph::plugin::Error&) {  // expected for invalid input
     }
     return 0;
 }

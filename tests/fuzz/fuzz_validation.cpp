@@ -1,5 +1,4 @@
-// fuzz_validation.cpp: any text is a scene to measure, or an Error that says why not; detectors lie
-// within its grid.
+// fuzz_validation.cpp: any text is a scene to measure or an Error. Detectors are within its grid.
 #include <cstdlib>
 
 #include "app/validate/scene_file.h"
@@ -23,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
                 }
             }
         }
-    } catch (const neph::Error&) {  // the expected answer to nonsense
+    } catch (const neph::Error&) {  // expected for invalid input
     }
     return 0;
 }

@@ -1,7 +1,7 @@
-// fuzz_wrf.cpp: any classic NetCDF file is read, or an Error says why not.
+// fuzz_wrf.cpp: any classic NetCDF file is read or gives an Error.
 //
-// Files with HDF5 inside are left out: libhdf5 itself crashes and hangs on damaged ones, which is
-// why readers run in processes of their own; tests/readers/mutilation_test.cpp covers them there.
+// NetCDF-4 files are skipped: libhdf5 itself crashes and hangs on damaged files, which is why
+// readers run in processes of their own; tests/readers/mutilation_test.cpp covers them there.
 #include "core/base/error.h"
 #include "tests/fuzz/read_everything.h"
 #include "tests/fuzz/scratch.h"
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (!content.starts_with("CDF")) return 0;
     try {
         fuzz::readEverything(scratch.write("wrfout", content));
-    } catch (const neph::Error&) {  // the expected answer to nonsense
+    } catch (const neph::Error&) {  // expected for invalid input
     }
     return 0;
 }

@@ -1,5 +1,5 @@
-// make_seeds.cpp: right inputs of every kind, one folder for each fuzz target, for the search to
-// start from. Argument: the folder to make them in.
+// make_seeds.cpp: writes valid inputs of every kind, one folder per fuzz target, from which the
+// search starts. Argument: the folder to write to.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,7 +29,7 @@ std::string contentOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder as one input of fuzz_raw_les.
+/// Writes a folder as one input of fuzz_raw_les.
 void seedCase(const std::string& name, const fs::path& folder) {
     std::string input;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -156,7 +156,7 @@ void seedMessages() {
     seed("messages", "description", '\0' + described);
     seed("messages", "identity", '\1' + packed(neph::wire::Identity{"id", "1", "title", "nc", 1}));
     seed("messages", "error", '\2' + packed(neph::ErrorParts{"file", "is short", "1", "2", "no"}));
-    // One description, shared by one entry that has one time; as HeaderCache::save writes them.
+    // One description and one entry with one time that uses it, as HeaderCache::save writes them.
     neph::wire::Packer cache;
     cache.number(std::uint64_t{1}).text(described).number(std::uint64_t{1}).text("wrfout");
     cache.number(std::uint64_t{60}).number(std::int64_t{7}).number(std::uint64_t{0});

@@ -1,5 +1,5 @@
-// read_everything.h: a path as the host reads it, through the reader linked into this fuzz target:
-// score, description, then a box of every variable at its first and last time.
+// read_everything.h: reads a path as the host does, with the reader linked into this fuzz target:
+// score, description, then a box of every variable at the first and the last time.
 #pragma once
 #include <algorithm>
 #include <cstdlib>
@@ -19,18 +19,19 @@ inline void readEverything(const std::filesystem::path& path) {
     neph::PluginFile file(calls, calls.id, path);
     const neph::FileDescription& description = file.description();
     for (std::size_t v = 0; v < description.variables.size(); ++v) {
-        // At most as many cells along an axis as keep a read quick.
+        // Boxes are small, to keep reads quick.
         const glm::ivec3 size = description.variables[v].size;
         const glm::ivec3 upper = glm::min(size, glm::ivec3(40));
         const glm::ivec3 lower = upper / 3;
         const glm::ivec3 box = upper - lower;
-        std::vector<float> room(static_cast<std::size_t>(box.x) * static_cast<std::size_t>(box.y) *
-                                    static_cast<std::size_t>(box.z) +
-                                neph::PluginFile::kGuardValues);
+        std::vector<float> buffer(static_cast<std::size_t>(box.x) *
+                                      static_cast<std::size_t>(box.y) *
+                                      static_cast<std::size_t>(box.z) +
+                                  neph::PluginFile::kGuardValues);
         for (const std::size_t time : {std::size_t{0}, description.times.size() - 1}) {
             try {
-                file.read(v, time, lower, upper, room, {});
-            } catch (const neph::Error&) {  // the next may be whole
+                file.read(v, time, lower, upper, buffer, {});
+            } catch (const neph::Error&) {  // the next one may be readable
             }
         }
     }

@@ -1,5 +1,5 @@
-// replay_main.cpp: feeds files, and all files of folders, to a fuzz target; for builds whose
-// compiler has no libFuzzer.
+// replay_main.cpp: runs a fuzz target on files and on all files of folders, in builds without
+// libFuzzer.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 void feed(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-    std::fprintf(stderr, "%s\n", file.c_str());  // the last one printed is the one that crashed
+    std::fprintf(stderr, "%s\n", file.c_str());  // after a crash the last one is the cause
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 

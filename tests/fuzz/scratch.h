@@ -1,4 +1,4 @@
-// scratch.h: a folder in memory for the files that a fuzz target makes of its input.
+// scratch.h: a folder in memory for the files that a fuzz target writes from its input.
 #pragma once
 #include <unistd.h>
 

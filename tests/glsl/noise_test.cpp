@@ -1,4 +1,4 @@
-// noise_test.cpp: what gradient noise must be, and what makes the two textures billows and wisps.
+// noise_test.cpp: properties of gradient noise, and of the two textures billow and wisp.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ using namespace neph;
 
 namespace {
 
-/// Positions that are spread evenly over the tile (R3 sequence, [Roberts18]).
+/// Positions distributed evenly over the tile (R3 sequence, [Roberts18]).
 glm::vec3 spread(int i) {
     const glm::dvec3 step(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
     return glm::vec3(glm::fract(step * static_cast<double>(i)));
@@ -63,7 +63,7 @@ TEST_CASE("Gradient noise is smooth across the faces of its cells") {
     }
 }
 
-TEST_CASE("Seeds give different noise") {
+TEST_CASE("Different seeds give different noise") {
     double difference = 0.0;
     for (int i = 1; i < 1000; ++i) {
         difference +=
@@ -84,7 +84,7 @@ TEST_CASE("Billow and wisp repeat from tile to tile, on both sides of the origin
     }
 }
 
-TEST_CASE("Billow and wisp lie in [0, 1] and have the stated mean") {
+TEST_CASE("Billow and wisp are within [0, 1] and have the stated mean") {
     double billow = 0.0, wisp = 0.0;
     constexpr int kSamples = 200000;
     for (int i = 0; i < kSamples; ++i) {
@@ -100,7 +100,7 @@ TEST_CASE("Billow and wisp lie in [0, 1] and have the stated mean") {
     CHECK(std::abs(wisp - static_cast<double>(glsl::kDetailMean)) < 0.005);
 }
 
-TEST_CASE("Billows are round and wisps are drawn out along x") {
+TEST_CASE("Billows are round and wisps are elongated along x") {
     const float distance = 0.02f;
     const double billowX = structure(glsl::billow, kX, distance);
     for (const glm::vec3 axis : {kY, kZ}) {
@@ -112,14 +112,14 @@ TEST_CASE("Billows are round and wisps are drawn out along x") {
     CHECK(structure(glsl::wisp, kZ, distance) > 4.0 * wispX);
 }
 
-TEST_CASE("Detail leaves the field alone at amount 0 and never makes it negative") {
+TEST_CASE("Detail does not change a field at amount 0 and never makes it negative") {
     CHECK(glsl::detailFactor(0.7f, 0.0f) == 1.0f);
     CHECK(glsl::detailFactor(0.0f, 1.0f) == 0.0f);
     CHECK(glsl::detailFactor(0.0f, 5.0f) == 0.0f);
     CHECK(glsl::detailFactor(glsl::kDetailMean, 0.8f) == doctest::Approx(1.0));
 }
 
-TEST_CASE("Detail keeps the mean up to amount 1 and adds the stated mass beyond") {
+TEST_CASE("Detail conserves the mean up to amount 1 and adds the stated mass beyond") {
     struct Row {
         float amount;
         double billow, wisp;  // docs/physics.md §8

@@ -1,5 +1,5 @@
-// optics_test.cpp: extinction from mass, and the light buffer's update. Expected numbers:
-// docs/physics.md §1 and §3.
+// optics_test.cpp: extinction from mass, and the update of the light buffer. Expected values are
+// from docs/physics.md §1 and §3.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr Field kFields[] = {
     {"graupel", 2.5e-3f, 400.0f, 3.927e-5, 38.2, 1.5, 1.5, 667.0},
 };
 
-/// Uniform light of 1 through a layer in equal slices.
+/// Uniform light of 1 after a layer that is divided into equal slices.
 template <typename Step>
 float throughSlices(float opticalDepth, int slices, Step step) {
     float light = 1.0f;
@@ -92,7 +92,7 @@ TEST_CASE("The consistent light update does not depend on the number of slices")
     }
 }
 
-TEST_CASE("Light of the ring enters only by what it scatters into the forward arc's outer part") {
+TEST_CASE("Ring taps contribute only the light scattered into the outer part of the forward arc") {
     const float depth = 0.7f, inner = 0.3f, outer = 0.6f;
     const double through = std::exp(-0.7);
     CHECK(glsl::lightStepPrinted(0.0f, 1.0f, depth, inner, outer) ==
@@ -104,7 +104,7 @@ TEST_CASE("Light of the ring enters only by what it scatters into the forward ar
           Approx(gain * 0.3).epsilon(1e-5));
 }
 
-TEST_CASE("No optical depth makes the light update leave [0, 1] or stop being a number") {
+TEST_CASE("The light update stays within [0, 1] for any optical depth") {
     for (float depth : {0.0f, 1e-30f, 1e-6f, 1.0f, 90.0f, 1e4f, 1e30f}) {
         for (float forward : {0.0f, 1e-30f, 0.3f, 1.0f}) {
             for (float albedo : {0.0f, 1.0f}) {

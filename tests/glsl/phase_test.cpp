@@ -1,5 +1,5 @@
-// phase_test.cpp: the closed-form phase functions against quadrature and tabulated values
-// (docs/physics.md §2).
+// phase_test.cpp: closed-form phase functions against quadrature and tabulated values.
+// docs/physics.md §2
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Function {
     double asymmetry;
 };
 
-/// Every closed form, over its range of parameters.
+/// Every closed-form phase function, over its range of parameters.
 std::vector<Function> functions() {
     std::vector<Function> all;
     all.push_back({"isotropic", [](float) { return glsl::isotropicValue(); },
@@ -66,7 +66,7 @@ std::vector<Function> functions() {
     return all;
 }
 
-/// 2π ∫ value(cos θ) weight(cos θ) sin θ dθ from straight on to `thetaMax`; nodes crowd both ends.
+/// 2π ∫ value(cos θ) weight(cos θ) sin θ dθ from 0 to `thetaMax`; nodes are denser at both ends.
 template <typename Value, typename Weight>
 double integrate(Value value, Weight weight, double thetaMax = kPi) {
     constexpr int kNodes = 20000;
@@ -121,14 +121,14 @@ TEST_CASE("Every sampler inverts its cumulative") {
             const float u = (static_cast<float>(i) + 0.5f) / 2000.0f;
             const float mu = f.sample(u);
             REQUIRE(std::abs(mu) <= 1.0f + 1e-6f);
-            // Lobes are picked by u, so order is lost: compare shares, not u, for the sums of two.
+            // For sums of two lobes u also chooses the lobe, so cosines are not ordered by u.
             if (f.name.find("hg ") == 0 || f.name.find("draine") == 0 || f.name == "rayleigh") {
                 const float theta = std::acos(std::min(1.0f, std::max(-1.0f, mu)));
                 const double back = 1.0 - static_cast<double>(f.cumulative(theta));
                 worst = std::max(worst, std::abs(back - static_cast<double>(u)));
             }
         }
-        // A float cosine near 1 is good to 6e-8, times the peak's 2π P = 4600 for g = 0.979.
+        // A float cosine near 1 is accurate to 6e-8, times 2π P = 4600 at the peak of g = 0.979.
         CHECK(worst < 3e-4);
     }
 }
@@ -172,7 +172,7 @@ TEST_CASE("Cornette-Shanks at g = 0.85 has the tabulated cumulative and values")
     CHECK(glsl::cornetteShanksValue(-1.0f, 0.85f) == Approx(3.843185e-3).epsilon(1e-5));
 }
 
-TEST_CASE("Cornette-Shanks needs g = 0.979 to send nine tenths within 10 degrees") {
+TEST_CASE("Cornette-Shanks needs g = 0.979 to scatter nine tenths within 10 degrees") {
     CHECK(glsl::cornetteShanksCumulative(10.0f * kDegree, 0.979f) == Approx(0.90).epsilon(2e-3));
 }
 
@@ -218,7 +218,7 @@ TEST_CASE(
     CHECK(glsl::solidColumnAsymmetry(0.0f) == glsl::solidColumnAsymmetry(5.96e-6f));
 }
 
-TEST_CASE("A table's entries lie at the square of their share of 180 degrees") {
+TEST_CASE("Angles of table entries increase with the square of the index, up to 180 degrees") {
     CHECK(glsl::phaseTableTheta(0, 1024) == 0.0f);
     CHECK(glsl::phaseTableTheta(1023, 1024) == Approx(kPi));
     CHECK(glsl::phaseTableTheta(3, 7) == Approx(kPi / 4.0));

@@ -1,5 +1,5 @@
-// random_test.cpp: random numbers without a state, directions around an axis, and the tables that
-// scattering angles are drawn from.
+// random_test.cpp: stateless random numbers, directions around an axis, and the tables from which
+// scattering angles are sampled.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 using namespace neph;
 
 TEST_CASE("Random words are those of the published hash") {
-    // pcg4d of [JO20], worked out by hand for four zeros: after the linear step all are c.
+    // pcg4d of [JO20], computed by hand for four zeros: after the linear step all words are c.
     std::uint32_t v[4] = {1013904223u, 1013904223u, 1013904223u, 1013904223u};
     const auto mix = [&v] {
         v[0] += v[1] * v[3];
@@ -25,7 +25,7 @@ TEST_CASE("Random words are those of the published hash") {
     CHECK(words == glm::uvec4(v[0], v[1], v[2], v[3]));
 }
 
-TEST_CASE("Random numbers fill their bins evenly, for neighbouring pixels, passes and draws") {
+TEST_CASE("Random numbers of neighbouring pixels, passes and draws fill their bins evenly") {
     constexpr int kBins = 64, kEach = 1000, kCount = kBins * kEach;
     for (int axis = 0; axis < 3; ++axis) {
         std::array<std::array<int, kBins>, 4> bins{};
@@ -49,7 +49,7 @@ TEST_CASE("Random numbers fill their bins evenly, for neighbouring pixels, passe
     }
 }
 
-TEST_CASE("A direction around an axis is unit, and at the angle that was asked for") {
+TEST_CASE("A direction around an axis has unit length and the requested angle") {
     for (const glm::vec3 axis : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(1, 0, 0),
                                  glm::normalize(glm::vec3(1, -2, -0.01f))}) {
         for (const float versine : {0.0f, 1e-5f, 0.1f, 1.0f, 1.9f, 2.0f}) {
@@ -59,7 +59,7 @@ TEST_CASE("A direction around an axis is unit, and at the angle that was asked f
                   doctest::Approx(static_cast<double>(versine)).epsilon(1e-3).scale(1e-3));
         }
     }
-    // Turning goes once around: the mean of the directions lies on the axis.
+    // One full circle of azimuths: the mean of the directions is on the axis.
     const glm::vec3 axis = glm::normalize(glm::vec3(0.3f, -0.5f, 0.8f));
     glm::vec3 sum(0.0f);
     for (int i = 0; i < 360; ++i) {
@@ -68,7 +68,7 @@ TEST_CASE("A direction around an axis is unit, and at the angle that was asked f
     CHECK(glm::length(sum - 0.5f * axis) < 1e-5f);
 }
 
-TEST_CASE("Directions by the cosine have a mean cosine of two thirds") {
+TEST_CASE("Cosine-weighted directions have a mean cosine of two thirds") {
     double sum = 0.0;
     for (int i = 0; i < 10000; ++i) {
         const float u = (static_cast<float>(i) + 0.5f) / 10000.0f;
@@ -77,7 +77,7 @@ TEST_CASE("Directions by the cosine have a mean cosine of two thirds") {
     CHECK(sum == doctest::Approx(2.0 / 3.0).epsilon(1e-4));
 }
 
-TEST_CASE("Small angles find their place in a phase table to the digit") {
+TEST_CASE("The table index of small angles is accurate to float precision") {
     constexpr int kSize = 1024;
     for (const int entry : {1, 3, 10, 100, 700, 1022}) {
         const auto theta = static_cast<double>(glsl::phaseTableTheta(entry, kSize));

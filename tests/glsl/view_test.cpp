@@ -1,4 +1,4 @@
-// view_test.cpp: rays through boxes, the background, and the way from radiance to the screen.
+// view_test.cpp: rays through boxes, the background, and tone mapping from radiance to the display.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 const glm::vec3 kLower(0.0f), kUpper(2.0f, 4.0f, 8.0f);
 }
 
-TEST_CASE("A ray is inside a box between its two walls, also when it starts inside or looks away") {
+TEST_CASE("A ray is inside a box between two distances, also if it starts inside or points away") {
     const glm::vec2 through = glsl::rayBox({-1.0f, 2.0f, 4.0f}, {1.0f, 0.0f, 0.0f}, kLower, kUpper);
     CHECK(through.x == Approx(1.0));
     CHECK(through.y == Approx(3.0));
@@ -33,7 +33,7 @@ TEST_CASE("A ray beside a box misses it, parallel to its walls or not") {
     }
 }
 
-TEST_CASE("A diagonal ray enters by the last wall it crosses and leaves by the first") {
+TEST_CASE("A diagonal ray enters at the last near plane and leaves at the first far plane") {
     const glm::vec3 dir = glm::normalize(glm::vec3(1.0f, 2.0f, 4.0f));
     const glm::vec2 t = glsl::rayBox(-dir, dir, kLower, kUpper);
     CHECK(t.x == Approx(1.0));
@@ -59,7 +59,7 @@ TEST_CASE("The ground fades into the horizon with distance") {
     CHECK(away.r == Approx(0.6 - 0.5 / std::exp(1.0)).epsilon(1e-5));
 }
 
-TEST_CASE("Display encoding is sRGB's: 0.18 becomes 0.4614 and half becomes 0.7354") {
+TEST_CASE("Display encoding is sRGB: 0.18 becomes 0.4614 and 0.5 becomes 0.7354") {
     CHECK(glsl::srgbEncode(0.18f) == Approx(0.461356).epsilon(1e-5));
     CHECK(glsl::srgbEncode(0.5f) == Approx(0.735357).epsilon(1e-5));
     CHECK(glsl::srgbEncode(0.0f) == 0.0f);
@@ -67,7 +67,7 @@ TEST_CASE("Display encoding is sRGB's: 0.18 becomes 0.4614 and half becomes 0.73
     CHECK(glsl::srgbEncode(0.0031308f) == Approx(glsl::srgbEncode(0.00313081f)).epsilon(1e-4));
 }
 
-TEST_CASE("The film curve rises from 0 to 1 and takes 1 to 0.8038") {
+TEST_CASE("Filmic tone mapping rises from 0 to 1 and maps 1 to 0.8038") {
     CHECK(glsl::filmic(glm::vec3(0.0f)).r == 0.0f);
     CHECK(glsl::filmic(glm::vec3(1.0f)).r == Approx(2.54 / 3.16).epsilon(1e-5));
     CHECK(glsl::filmic(glm::vec3(100.0f)).r == 1.0f);
@@ -79,7 +79,7 @@ TEST_CASE("The film curve rises from 0 to 1 and takes 1 to 0.8038") {
     }
 }
 
-TEST_CASE("Displayed values are gained, curved and encoded, and negative light is black") {
+TEST_CASE("Display values get gain, tone mapping and encoding, and negative light is black") {
     const glm::vec3 linear = glsl::displayValue(glm::vec3(0.25f, -1.0f, 9.0f), 2.0f, 0);
     CHECK(linear.r == Approx(0.735357).epsilon(1e-5));
     CHECK(linear.g == 0.0f);

@@ -1,5 +1,5 @@
-// bad_input_test.cpp: every kind of bad input ends in an error that names file, fault and next
-// step.
+// bad_input_test.cpp: every kind of bad input gives an error that names the file, the fault and the
+// next step.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -69,7 +69,7 @@ TEST_CASE("A file of another format is refused with its first bytes and what is 
     CHECK(contains(openError(folder.path()).found, "2 files"));
 }
 
-TEST_CASE("A path that cannot be read is an error that says why") {
+TEST_CASE("A path that cannot be read is an error with the reason") {
     const TemporaryFolder folder;
     CHECK(contains(openError(folder / "nowhere").what, "no such file"));
     writeText(folder / "file", "x");
@@ -82,7 +82,7 @@ TEST_CASE("A path that cannot be read is an error that says why") {
     CHECK(contains(openError(folder / "pipe").what, "neither a file nor a folder"));
 }
 
-TEST_CASE("A NetCDF-4 file cut anywhere is an error, and one that names its size") {
+TEST_CASE("A NetCDF-4 file truncated anywhere is an error that states its size") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.format = NetcdfFormat::netcdf4;
@@ -100,7 +100,7 @@ TEST_CASE("A NetCDF-4 file cut anywhere is an error, and one that names its size
     }
 }
 
-TEST_CASE("A classic file cut anywhere never gives zeros for values that are not there") {
+TEST_CASE("A classic file truncated anywhere never gives zeros for missing values") {
     const TemporaryFolder folder;
     for (const NetcdfFormat format : {NetcdfFormat::classic, NetcdfFormat::offset64}) {
         WrfSpec spec;
@@ -132,7 +132,7 @@ TEST_CASE("A classic file cut anywhere never gives zeros for values that are not
     }
 }
 
-TEST_CASE("A classic file that is cut short but opens says so in a note") {
+TEST_CASE("A classic file that is truncated but opens has a note about it") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});
     truncateTo(folder / "a", std::filesystem::file_size(folder / "a") - 8);
@@ -149,14 +149,14 @@ TEST_CASE("A dimension without length is an error that names it") {
     CHECK(contains(openError(folder / "no-times").what, "no time"));
     WrfSpec noLevels;
     noLevels.format = NetcdfFormat::netcdf4;
-    noLevels.nz = 0;  // NetCDF's spelling of an unlimited dimension, here with nothing in it
+    noLevels.nz = 0;  // NetCDF takes 0 as an unlimited dimension, which stays empty here
     writeWrf(folder / "no-levels", noLevels);
     const ErrorParts error = openError(folder / "no-levels");
     CHECK(contains(error.what, "dimension bottom_top has no length"));
     CHECK(contains(error.found, "bottom_top = 0"));
 }
 
-TEST_CASE("Times that cannot be read are quoted") {
+TEST_CASE("Times that cannot be parsed are quoted in the error") {
     const TemporaryFolder folder;
     for (const std::string wrong :
          {"yesterday at noon  ", "2024-13-06_21:00:00", "                   ",
@@ -175,7 +175,7 @@ TEST_CASE("Times that cannot be read are quoted") {
     CHECK(contains(openError(folder / "a").what, "Times"));
 }
 
-TEST_CASE("A grid spacing that is missing or no length is an error") {
+TEST_CASE("A grid spacing that is missing or not a length is an error") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.omit = {"DX"};
@@ -189,7 +189,8 @@ TEST_CASE("A grid spacing that is missing or no length is an error") {
     }
 }
 
-TEST_CASE("NaN in heights or in what gives the air its density is an error naming the cell") {
+TEST_CASE(
+    "NaN in heights, or in variables that determine air density, is an error naming the cell") {
     for (const std::string name : {"PH", "P", "T", "QVAPOR"}) {
         CAPTURE(name);
         const TemporaryFolder folder;
@@ -207,7 +208,7 @@ TEST_CASE("NaN in heights or in what gives the air its density is an error namin
     }
 }
 
-TEST_CASE("NaN and negative values of a hydrometeor are counted, noted and taken as zero") {
+TEST_CASE("NaN and negative values of a hydrometeor are counted, noted and set to zero") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.fields["QCLOUD"] = [](int x, int, int z, int) {
@@ -246,7 +247,7 @@ TEST_CASE("Heights that do not increase are an error naming the column") {
     CHECK(contains(error.expected, "level below"));
 }
 
-TEST_CASE("A time at which every mixing ratio is zero is a note and no error") {
+TEST_CASE("A time at which every mixing ratio is zero gives a note and not an error") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});
     const SpeciesVolume volume = resample(*openFiles({folder / "a"}), 0);
@@ -258,7 +259,7 @@ TEST_CASE("A time at which every mixing ratio is zero is a note and no error") {
     for (const float value : volume.content(Species::cloud).values) CHECK(value == 0.0f);
 }
 
-TEST_CASE("An unknown variable or time is named together with what there is") {
+TEST_CASE("The error for an unknown variable or time lists those that exist") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});
     const auto dataset = openFiles({folder / "a"});

@@ -1,4 +1,4 @@
-// faulty_reader_test.cpp: a reader that breaks its promises gives an error and nothing worse.
+// faulty_reader_test.cpp: a reader that violates the ABI causes an error and nothing worse.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ struct NephFile {
 
 namespace {
 
-// What the reader under test will do; set by each test before it opens.
+// What the reader under test does; each test sets it before opening.
 struct Behaviour {
     NephDescription description{};
     NephStatus openStatus = NEPH_OK;
@@ -53,7 +53,7 @@ const NephDescription* describeFaulty(NephFile*) {
 NephStatus readFaulty(NephFile*, NephReadRequest* request, NephError* error) {
     request->values_written = behaviour.written;
     if (behaviour.readStatus != NEPH_OK) {
-        // A text without an end: the host must not run past it.
+        // A text without an end: the host must not read beyond it.
         std::fill(std::begin(error->what), std::end(error->what), 'x');
     }
     return behaviour.readStatus;
@@ -73,8 +73,8 @@ PluginFile open() {
     return {faultyReader, "faulty", "some.file"};
 }
 
-/// A description that is right in every way.
-void behaveWell() {
+/// Restores a description that is valid in every way.
+void resetToValid() {
     behaviour = {};
     theTime.seconds = 0.0;
     theTime.header = {NEPH_READER_ABI_VERSION, sizeof(NephTime)};
@@ -96,25 +96,25 @@ std::string openFault() {
 }
 
 std::string readFault() {
-    std::vector<float> room(8 + PluginFile::kGuardValues);
-    return errorOf([&] { open().read(0, 0, {0, 0, 0}, {2, 2, 2}, room, {}); }).what;
+    std::vector<float> buffer(8 + PluginFile::kGuardValues);
+    return errorOf([&] { open().read(0, 0, {0, 0, 0}, {2, 2, 2}, buffer, {}); }).what;
 }
 
 }  // namespace
 
-TEST_CASE("A reader that keeps its promises is believed") {
-    behaveWell();
+TEST_CASE("A reader that follows the ABI is accepted") {
+    resetToValid();
     const PluginFile file = open();
     CHECK(file.description().size == glm::ivec3(2));
     CHECK(file.description().variables.at(0).name == "q");
     CHECK(readFault().empty());
 }
 
-TEST_CASE("Sizes, numbers and counts that cannot be are faults of the reader") {
+TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the reader") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto faulty = [](auto&& spoil) {
-        behaveWell();
-        spoil(behaviour.description);
+    const auto faulty = [](auto&& falsify) {
+        resetToValid();
+        falsify(behaviour.description);
         const std::string what = openFault();
         CHECK(contains(what, "reader faulty is faulty"));
         return what;
@@ -139,27 +139,27 @@ TEST_CASE("Sizes, numbers and counts that cannot be are faults of the reader") {
 }
 
 TEST_CASE("Calls that throw, give no handle or fail without a reason are errors") {
-    behaveWell();
+    resetToValid();
     behaviour.throws = true;
     CHECK(contains(openFault(), "threw boo"));
-    behaveWell();
+    resetToValid();
     behaviour.noHandle = true;
     CHECK(contains(openFault(), "no handle"));
-    behaveWell();
+    resetToValid();
     behaviour.openStatus = NEPH_FAILED;
     CHECK(contains(openFault(), "no reason"));
 }
 
 TEST_CASE("A short read and an error text without an end are errors") {
-    behaveWell();
+    resetToValid();
     behaviour.written = 7;
     CHECK(contains(readFault(), "7 values of q, 8"));
-    behaveWell();
+    resetToValid();
     behaviour.readStatus = NEPH_FAILED;
     CHECK(readFault() == std::string(sizeof(NephError::what), 'x'));
 }
 
-TEST_CASE("Libraries that are no readers are rejected with the reason, and the others still work") {
+TEST_CASE("Libraries that are not readers are rejected with a reason, and the others still work") {
     const TemporaryFolder folder;
     std::ofstream(folder / "broken.so") << "not a library";
     std::filesystem::copy_file(std::filesystem::path(NEPH_TEST_READER_DIR) / "wrf_netcdf.so",
@@ -176,8 +176,8 @@ TEST_CASE("Libraries that are no readers are rejected with the reason, and the o
     CHECK(contains(host.rejected()[1].reason, "already found"));
 }
 
-TEST_CASE("A library without the entry is rejected, and without any reader the error says so") {
-    // The C library's own file, wherever the loader has it.
+TEST_CASE("A library without the entry point is rejected; without any reader the error says so") {
+    // The mathematics library of the system, wherever the loader found it.
     std::filesystem::path library;
     std::ifstream maps("/proc/self/maps");
     for (std::string line; std::getline(maps, line);) {
@@ -198,7 +198,8 @@ TEST_CASE("A library without the entry is rejected, and without any reader the e
 }
 
 TEST_CASE(
-    "Standard places are the path variable's, the user's data folder, and beside the program") {
+    "Standard places are those of the path variable, the user's data folder, and next to the "
+    "program") {
     const Environment readers("NEPHOSCOPE_READER_PATH", "/one::/two");
     const Environment data("XDG_DATA_HOME", "/data");
     const auto places = PluginHost::standardPlaces();

@@ -1,6 +1,6 @@
-// hostile_test.cpp: whatever a reader library does, the program gets an error and goes on.
+// hostile_test.cpp: whatever a reader library does, the program gets an error and continues.
 //
-// Readers run in a process of their own; hostile/ holds one that does what its file asks for.
+// Readers run in processes of their own; the one in hostile/ misbehaves as its file asks.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -29,13 +29,13 @@ using Clock = std::chrono::steady_clock;
 
 #ifdef NEPH_SANITIZED
 constexpr bool kMemoryIsLimited = false;  // sanitizers map terabytes
-constexpr double kSlowness = 5.0;         // and take their time to start
+constexpr double kSlowness = 5.0;         // and start slowly
 #else
 constexpr bool kMemoryIsLimited = true;
 constexpr double kSlowness = 1.0;
 #endif
 
-// Short, so that the tests are; a reader that does its work is far from both.
+// Short, to keep the tests short; a working reader stays far below both.
 constexpr ReaderLimits kLimits{.silentCpuSeconds = 0.3 * kSlowness,
                                .answerSeconds = 2.0 * kSlowness,
                                .memoryBytes = std::uint64_t{512} << 20U};
@@ -47,20 +47,20 @@ struct Hostile {
     TemporaryFolder folder;
     PluginHost host;
 
-    fs::path file(const std::string& words) const {
-        fs::path path = folder / (words + ".bad");
-        std::ofstream(path) << "HOSTILE " << words;
+    fs::path file(const std::string& instruction) const {
+        fs::path path = folder / (instruction + ".bad");
+        std::ofstream(path) << "HOSTILE " << instruction;
         return path;
     }
-    std::vector<float> read(const std::string& words, const Progress& progress = {}) const {
-        const fs::path path = file(words);
+    std::vector<float> read(const std::string& instruction, const Progress& progress = {}) const {
+        const fs::path path = file(instruction);
         ReaderFile open(host.pick(path, progress), path, progress);
         return open.read(0, 0, glm::ivec3(0), glm::ivec3(4), progress);
     }
-    /// What is wrong, in one text; the place is checked.
-    std::string fault(const std::string& words) const {
-        const ErrorParts parts = errorOf([&] { read(words); });
-        CHECK(parts.where == (folder / (words + ".bad")).string());
+    /// The error as one text. Checks that it names the file.
+    std::string fault(const std::string& instruction) const {
+        const ErrorParts parts = errorOf([&] { read(instruction); });
+        CHECK(parts.where == (folder / (instruction + ".bad")).string());
         CHECK(!parts.what.empty());
         return parts.what + ": " + parts.found;
     }
@@ -75,7 +75,7 @@ std::ptrdiff_t descriptorCount() {
     return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator{});
 }
 
-/// Processes that this one has started and not forgotten, whether they run or are dead.
+/// Child processes of this one, running or not yet waited for.
 std::size_t childCount() {
     std::size_t count = 0;
     for (const auto& task : fs::directory_iterator("/proc/self/task")) {
@@ -85,8 +85,8 @@ std::size_t childCount() {
     return count;
 }
 
-/// Cancels the reading of `words` after a moment; seconds from then to the end.
-double cancelSeconds(const Hostile& hostile, const std::string& words) {
+/// Cancels reading after a moment. Returns the seconds from the cancellation to the end.
+double cancelSeconds(const Hostile& hostile, const std::string& instruction) {
     const auto start = Clock::now();
     Clock::time_point asked{};
     const Progress progress = [&](double fraction) {
@@ -96,20 +96,20 @@ double cancelSeconds(const Hostile& hostile, const std::string& words) {
         if (enough && asked == Clock::time_point{}) asked = Clock::now();
         return !enough;
     };
-    CHECK_THROWS_AS(hostile.read(words, progress), Cancelled);
+    CHECK_THROWS_AS(hostile.read(instruction, progress), Cancelled);
     return std::chrono::duration<double>(Clock::now() - asked).count();
 }
 
 }  // namespace
 
-TEST_CASE("The hostile reader reads well when it is asked to") {
+TEST_CASE("The hostile reader works correctly if it is asked to") {
     const Hostile hostile;
     REQUIRE(hostile.host.readers().size() == 1);
     CHECK(hostile.host.readers()[0]->id == "hostile");
     hostile.requireGood();
 }
 
-TEST_CASE("A library that is faulty while it is loaded is rejected with the reason") {
+TEST_CASE("A library that misbehaves while it is loaded is rejected with a reason") {
     const std::pair<const char*, const char*> cases[] = {
         {"constructor throw", "crashed"},
         {"constructor abort", "crashed"},
@@ -135,10 +135,10 @@ TEST_CASE("A library that is faulty while it is loaded is rejected with the reas
         {"entry noRead", "calls"},
         {"entry nowhere", ""},
     };
-    for (const auto& [words, reason] : cases) {
-        const std::string load = words;
+    for (const auto& [instruction, reason] : cases) {
+        const std::string load = instruction;
         CAPTURE(load);
-        const Environment deed("NEPH_HOSTILE_LOAD", words);
+        const Environment action("NEPH_HOSTILE_LOAD", instruction);
         const PluginHost host(
             std::vector<fs::path>{NEPH_TEST_HOSTILE, fs::path(NEPH_TEST_READER_DIR)}, kLimits);
         REQUIRE(host.rejected().size() == 1);
@@ -150,30 +150,31 @@ TEST_CASE("A library that is faulty while it is loaded is rejected with the reas
     }
 }
 
-TEST_CASE("A call that throws, crashes, ends the process or hangs is an error naming the reader") {
+TEST_CASE("A call that throws, crashes, exits or hangs is an error that names the reader") {
     const Hostile hostile;
     const std::string spun = fmt::format("computed for {:.1f} s without", kLimits.silentCpuSeconds);
-    for (const std::string stage : {"open", "describe", "read"}) {
-        for (const std::string deed :
+    for (const std::string call : {"open", "describe", "read"}) {
+        for (const std::string action :
              {"throw", "throwInt", "abort", "segfault", "exit", "spin", "fork", "noise"}) {
-            CAPTURE(stage);
-            CAPTURE(deed);
-            const std::string fault = hostile.fault(stage + " " + deed);
+            CAPTURE(call);
+            CAPTURE(action);
+            const std::string fault = hostile.fault(call + " " + action);
             INFO(fault);
             CHECK(contains(fault, "reader hostile"));
-            if (deed == "throw") CHECK(contains(fault, "threw boo"));
-            if (deed == "spin") CHECK(contains(fault, spun));
+            if (action == "throw") CHECK(contains(fault, "threw boo"));
+            if (action == "spin") CHECK(contains(fault, spun));
             hostile.requireGood();
         }
     }
 }
 
-TEST_CASE("A reader that does not survive looking at a file leaves the file to others") {
+TEST_CASE("A reader that crashes while looking at a file leaves the file to other readers") {
     const Hostile hostile;
-    for (const std::string deed : {"abort", "segfault", "exit", "spin", "sleep", "fork", "close"}) {
-        CAPTURE(deed);
-        CHECK(
-            contains(hostile.fault("score " + deed), "reader hostile failed while looking at it"));
+    for (const std::string action :
+         {"abort", "segfault", "exit", "spin", "sleep", "fork", "close"}) {
+        CAPTURE(action);
+        CHECK(contains(hostile.fault("score " + action),
+                       "reader hostile failed while looking at it"));
         hostile.requireGood();
     }
     CHECK(contains(hostile.fault("score throw"), "no reader knows this format"));
@@ -185,27 +186,27 @@ TEST_CASE("A reader that does not survive looking at a file leaves the file to o
     CHECK(both.pick(sample)->id == "wrf_netcdf");
 }
 
-TEST_CASE("A reader that fails to close a file harms nobody") {
+TEST_CASE("A reader that fails while closing a file does no harm") {
     const Hostile hostile;
-    for (const std::string deed :
+    for (const std::string action :
          {"throw", "abort", "segfault", "exit", "spin", "sleep", "noise", "close"}) {
-        CAPTURE(deed);
-        CHECK(hostile.read("close " + deed).size() == 64);
+        CAPTURE(action);
+        CHECK(hostile.read("close " + action).size() == 64);
         hostile.requireGood();
     }
 }
 
-TEST_CASE("A reader that closes or cuts off what it shares with the program gives an error") {
+TEST_CASE("A reader that closes or truncates what it shares with the program causes an error") {
     const Hostile hostile;
-    for (const std::string stage : {"open", "describe", "read"}) {
-        CAPTURE(stage);
-        CHECK(contains(hostile.fault(stage + " close"), "reader hostile failed while"));
+    for (const std::string call : {"open", "describe", "read"}) {
+        CAPTURE(call);
+        CHECK(contains(hostile.fault(call + " close"), "reader hostile failed while"));
         hostile.requireGood();
-        CHECK(hostile.read(stage + " truncate").size() == 64);  // what is sealed stays
+        CHECK(hostile.read(call + " truncate").size() == 64);  // sealed memory cannot shrink
     }
 }
 
-TEST_CASE("What a reader prints is no output of the program") {
+TEST_CASE("What a reader prints does not appear in the output of the program") {
     const Hostile hostile;
     std::fflush(stdout);
     const fs::path log = hostile.folder / "stdout";
@@ -221,15 +222,15 @@ TEST_CASE("What a reader prints is no output of the program") {
     CHECK(fs::file_size(log) == 0);
 }
 
-TEST_CASE("A reader that eats memory gets no more than its limit") {
+TEST_CASE("A reader cannot allocate more memory than its limit") {
     if (!kMemoryIsLimited) {
-        MESSAGE("skipped: sanitizers know no limit of memory");
+        MESSAGE("skipped: sanitizers do not work with a memory limit");
         return;
     }
     const Hostile hostile({.memoryBytes = kLimits.memoryBytes});
-    for (const std::string stage : {"open", "describe", "read"}) {
-        CAPTURE(stage);
-        CHECK(contains(hostile.fault(stage + " eat"), "not enough memory"));
+    for (const std::string call : {"open", "describe", "read"}) {
+        CAPTURE(call);
+        CHECK(contains(hostile.fault(call + " eat"), "not enough memory"));
         hostile.requireGood();
     }
     rusage children{};
@@ -237,7 +238,7 @@ TEST_CASE("A reader that eats memory gets no more than its limit") {
     CHECK(static_cast<std::uint64_t>(children.ru_maxrss) * 1024 < kLimits.memoryBytes);
 }
 
-TEST_CASE("A description that lies is an error and no wrong picture") {
+TEST_CASE("An invalid description is an error, never a wrong image") {
     const Hostile hostile;
     const std::pair<const char*, const char*> cases[] = {
         {"null", "is null"},
@@ -263,8 +264,8 @@ TEST_CASE("A description that lies is an error and no wrong picture") {
         {"smallStruct", "4 bytes"},
     };
     for (const auto& [lie, found] : cases) {
-        const std::string told = lie;
-        CAPTURE(told);
+        const std::string name = lie;
+        CAPTURE(name);
         const std::string fault = hostile.fault(std::string("describe ") + lie);
         INFO(fault);
         CHECK(contains(fault, "reader hostile"));
@@ -276,7 +277,7 @@ TEST_CASE("A description that lies is an error and no wrong picture") {
     CHECK(contains(hostile.fault("open endless"), "xxx"));
 }
 
-TEST_CASE("A description counts as it was when the file was opened; what may be missing may") {
+TEST_CASE("The description at opening is used throughout, and optional parts may be missing") {
     const Hostile hostile;
     for (const std::string lie : {"changing", "nullTexts", "strangeScheme", "strangeRole"}) {
         CAPTURE(lie);
@@ -293,12 +294,12 @@ TEST_CASE("A description counts as it was when the file was opened; what may be 
     CHECK(contains(file.description().notes[1], "q is not used"));
 }
 
-TEST_CASE("A read that lies about what it gave is an error") {
+TEST_CASE("A read that misreports what it returned is an error") {
     const Hostile hostile;
     const std::pair<const char*, const char*> cases[] = {
         {"short", "read gave 63 values of q, 64 were asked for"},
         {"long", "read gave 65 values"},
-        {"untold", "read gave 0 values"},
+        {"uncounted", "read gave 0 values"},
         {"beyond", "wrote beyond the 64 values asked of q"},
         {"farBeyond", ""},
         {"cancelled", "nobody had asked to"},
@@ -306,8 +307,8 @@ TEST_CASE("A read that lies about what it gave is an error") {
         {"badStatus", "no reason"},
     };
     for (const auto& [lie, found] : cases) {
-        const std::string told = lie;
-        CAPTURE(told);
+        const std::string name = lie;
+        CAPTURE(name);
         const std::string fault = hostile.fault(std::string("read ") + lie);
         INFO(fault);
         CHECK(contains(fault, "reader hostile"));
@@ -320,25 +321,25 @@ TEST_CASE("A read that lies about what it gave is an error") {
 }
 
 TEST_CASE(
-    "Values that a reader claims and has not written are missing, not those of a read before") {
+    "Values that a reader claims but did not write are missing, not those of an earlier read") {
     const Hostile hostile;
     hostile.requireGood();
     for (float value : hostile.read("read nothing")) CHECK(std::isnan(value));
 }
 
-TEST_CASE("Cancelling ends a hang in any call, whether it computes or sleeps") {
+TEST_CASE("Cancelling ends a hang in any call, whether the reader computes or sleeps") {
     const Hostile hostile;
-    for (const std::string words :
+    for (const std::string instruction :
          {"read sleep", "read spinAndTick", "open sleep", "score sleep"}) {
-        CAPTURE(words);
-        CHECK(cancelSeconds(hostile, words) < 3.0);  // two of grace
+        CAPTURE(instruction);
+        CHECK(cancelSeconds(hostile, instruction) < 3.0);  // the reader has two to respond
         hostile.requireGood();
     }
-    CHECK(cancelSeconds(hostile, "read sleepAndTick") < 1.5);  // heeds it
+    CHECK(cancelSeconds(hostile, "read sleepAndTick") < 1.5);  // responds itself
     hostile.requireGood();
 }
 
-TEST_CASE("A reader that says how far it is may take longer than one that is silent") {
+TEST_CASE("A reader that reports progress may take longer than one that is silent") {
     const Hostile hostile;
     const auto start = Clock::now();
     const Progress patience = [&](double) {
@@ -348,19 +349,19 @@ TEST_CASE("A reader that says how far it is may take longer than one that is sil
 }
 
 TEST_CASE("Fifty crashes leave no process and no descriptor behind") {
-    prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a reader process leaves behind becomes ours
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans of reader processes become our children
     const std::size_t children = childCount();
     const std::ptrdiff_t descriptors = descriptorCount();
     {
         const Hostile hostile;
         for (int i = 0; i < 50; ++i) {
-            const char* words[] = {"open abort", "read segfault", "read fork", "open throw",
-                                   "score exit"};
-            hostile.fault(words[i % 5]);
+            const char* instructions[] = {"open abort", "read segfault", "read fork", "open throw",
+                                          "score exit"};
+            hostile.fault(instructions[i % 5]);
         }
         hostile.requireGood();
     }
-    // What a crashed process had started is dead, and becomes ours to forget.
+    // Children of crashed processes are dead by now; collect them.
     while (waitpid(-1, nullptr, WNOHANG) > 0) {
     }
     prctl(PR_SET_CHILD_SUBREAPER, 0);
@@ -368,7 +369,7 @@ TEST_CASE("Fifty crashes leave no process and no descriptor behind") {
     CHECK(descriptorCount() == descriptors);
 }
 
-TEST_CASE("A process that dies while nobody asks it is replaced unseen") {
+TEST_CASE("A reader process that dies while idle is replaced without an error") {
     const Hostile hostile;
     const ReaderPlugin& reader = *hostile.host.readers().front();
     auto process = reader.borrow();

@@ -1,5 +1,5 @@
-// mutilation.cpp: truncation, flipped bits, zeros, noise, swapped blocks, foreign headers,
-// doubling, and numbers spelt as no number should be.
+// mutilation.cpp: kinds of damage: truncation, flipped bits, zeros, noise, swapped, removed and
+// repeated blocks, headers of other files, and numbers that are invalid or extreme.
 #include "tests/readers/mutilation.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Bytes = std::string;
 
 const fs::path kSource = NEPH_TEST_SOURCE_DIR;
-constexpr std::size_t kHeaderBytes = 4096;  // most of what readers decide on lies here
+constexpr std::size_t kHeaderBytes = 4096;  // contains most of what readers interpret
 
 Bytes contentOf(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -30,10 +30,10 @@ void write(const fs::path& path, const Bytes& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), std::ssize(bytes));
 }
 
-/// Small numbers that follow from the seed alone, on every machine.
-class Dice {
+/// Random numbers that depend only on the seed, not on the machine.
+class RandomNumbers {
   public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
     std::size_t below(std::size_t n) { return n == 0 ? 0 : engine_() % n; }
     template <typename T, std::size_t N>
     T oneOf(const std::array<T, N>& list) {
@@ -45,73 +45,73 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
-/// One file on its way to damage. Places lie near its start more often than not.
-struct Wound {
+/// The file to damage. Seven positions in ten are within its header.
+struct Target {
     Bytes& bytes;
-    Dice& dice;
+    RandomNumbers& random;
 
-    std::size_t place() {
+    std::size_t position() {
         const std::size_t reach =
-            dice.below(10) < 7 ? std::min(bytes.size(), kHeaderBytes) : bytes.size();
-        return dice.below(reach);
+            random.below(10) < 7 ? std::min(bytes.size(), kHeaderBytes) : bytes.size();
+        return random.below(reach);
     }
     std::size_t within(std::size_t start, std::size_t length) const {
         return std::min(length, bytes.size() - start);
     }
 };
 
-std::string truncated(Wound w) {
-    const std::size_t length = w.place();
+std::string truncated(Target w) {
+    const std::size_t length = w.position();
     w.bytes.resize(length);
     return fmt::format("cut to {} bytes", length);
 }
 
-std::string lengthened(Wound w) {
-    const std::size_t more = w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 512, 4096});
-    w.bytes.append(more, w.dice.byte());
+std::string lengthened(Target w) {
+    const std::size_t more = w.random.oneOf(std::array<std::size_t, 4>{1, 4, 512, 4096});
+    w.bytes.append(more, w.random.byte());
     return fmt::format("{} bytes appended", more);
 }
 
-std::string flipped(Wound w) {
-    const std::size_t count = w.dice.oneOf(std::array<std::size_t, 4>{1, 2, 8, 64});
+std::string flipped(Target w) {
+    const std::size_t count = w.random.oneOf(std::array<std::size_t, 4>{1, 2, 8, 64});
     std::string places;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = w.place();
-        const auto bit = static_cast<unsigned>(w.dice.below(8));
+        const std::size_t at = w.position();
+        const auto bit = static_cast<unsigned>(w.random.below(8));
         w.bytes[at] = static_cast<char>(static_cast<unsigned char>(w.bytes[at]) ^ (1U << bit));
         places += fmt::format(" {}.{}", at, bit);
     }
     return "bits flipped at" + places;
 }
 
-std::string zeroed(Wound w) {
-    const std::size_t start = w.place();
+std::string zeroed(Target w) {
+    const std::size_t start = w.position();
     const std::size_t length =
-        w.within(start, w.dice.oneOf(std::array<std::size_t, 5>{1, 4, 64, 512, 4096}));
+        w.within(start, w.random.oneOf(std::array<std::size_t, 5>{1, 4, 64, 512, 4096}));
     std::fill_n(w.bytes.begin() + std::ptrdiff_t(start), length, '\0');
     return fmt::format("{} zeros at {}", length, start);
 }
 
-std::string extreme(Wound w) {
-    const std::size_t start = w.place();
-    const std::size_t length = w.within(start, w.dice.oneOf(std::array<std::size_t, 3>{1, 4, 8}));
+std::string extreme(Target w) {
+    const std::size_t start = w.position();
+    const std::size_t length = w.within(start, w.random.oneOf(std::array<std::size_t, 3>{1, 4, 8}));
     std::fill_n(w.bytes.begin() + std::ptrdiff_t(start), length, '\xff');
-    if (w.dice.below(2) == 0 && length > 0) w.bytes[start] = '\x7f';
+    if (w.random.below(2) == 0 && length > 0) w.bytes[start] = '\x7f';
     return fmt::format("{} bytes of ones at {}", length, start);
 }
 
-std::string noise(Wound w) {
-    const std::size_t start = w.place();
+std::string noise(Target w) {
+    const std::size_t start = w.position();
     const std::size_t length =
-        w.within(start, w.dice.oneOf(std::array<std::size_t, 3>{4, 64, 512}));
-    for (std::size_t i = 0; i < length; ++i) w.bytes[start + i] = w.dice.byte();
+        w.within(start, w.random.oneOf(std::array<std::size_t, 3>{4, 64, 512}));
+    for (std::size_t i = 0; i < length; ++i) w.bytes[start + i] = w.random.byte();
     return fmt::format("{} bytes of noise at {}", length, start);
 }
 
-std::string swapped(Wound w) {
-    std::size_t a = w.place(), b = w.place();
+std::string swapped(Target w) {
+    std::size_t a = w.position(), b = w.position();
     if (a > b) std::swap(a, b);
-    std::size_t length = w.dice.oneOf(std::array<std::size_t, 4>{4, 64, 512, 4096});
+    std::size_t length = w.random.oneOf(std::array<std::size_t, 4>{4, 64, 512, 4096});
     length = std::min(w.within(b, length), b - a);
     std::swap_ranges(w.bytes.begin() + std::ptrdiff_t(a),
                      w.bytes.begin() + std::ptrdiff_t(a + length),
@@ -119,60 +119,60 @@ std::string swapped(Wound w) {
     return fmt::format("{} bytes swapped between {} and {}", length, a, b);
 }
 
-std::string cutOut(Wound w) {
-    const std::size_t start = w.place();
+std::string cutOut(Target w) {
+    const std::size_t start = w.position();
     const std::size_t length =
-        w.within(start, w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
+        w.within(start, w.random.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
     w.bytes.erase(start, length);
     return fmt::format("{} bytes cut out at {}", length, start);
 }
 
-std::string doubled(Wound w) {
-    const std::size_t start = w.place();
+std::string doubled(Target w) {
+    const std::size_t start = w.position();
     const std::size_t length =
-        w.within(start, w.dice.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
+        w.within(start, w.random.oneOf(std::array<std::size_t, 4>{1, 4, 64, 512}));
     w.bytes.insert(start, w.bytes.substr(start, length));
     return fmt::format("{} bytes doubled at {}", length, start);
 }
 
-/// In a text: one number becomes another. In what is no text: noise.
-std::string renumbered(Wound w) {
-    const std::size_t start = w.bytes.find_first_of("0123456789", w.place());
+/// In text one number is replaced by another; binary data get noise.
+std::string renumbered(Target w) {
+    const std::size_t start = w.bytes.find_first_of("0123456789", w.position());
     if (start == Bytes::npos || w.bytes.find('\0') != Bytes::npos) return noise(w);
     const std::size_t end = w.bytes.find_first_not_of("0123456789.eE", start);
-    const std::string_view value = w.dice.oneOf(
+    const std::string_view value = w.random.oneOf(
         std::array<std::string_view, 10>{"0", "-1", "nan", "inf", "1e308", "4294967296",
                                          "99999999999999999999", "2147483647", "x", "1e-300"});
     w.bytes.replace(start, end - start, value);
     return fmt::format("the number at {} is now {}", start, value);
 }
 
-using Damage = std::string (*)(Wound);
+using Damage = std::string (*)(Target);
 constexpr std::array<Damage, 10> kDamages{truncated, lengthened, flipped, zeroed,  extreme,
                                           noise,     swapped,    cutOut,  doubled, renumbered};
 
-/// The header of another file in place of its own.
-std::string beheaded(Bytes& bytes, const Patient& patient, Dice& dice) {
-    const std::string& donor = patient.files[dice.below(patient.files.size())];
+/// Replaces the header by that of another file.
+std::string headerReplaced(Bytes& bytes, const FileSet& set, RandomNumbers& random) {
+    const std::string& donor = set.files[random.below(set.files.size())];
     const fs::path other =
-        dice.below(2) == 0 ? patient.folder / donor : kSource / "samples/cumulus/cumulus.json";
-    const std::size_t length = dice.oneOf(std::array<std::size_t, 4>{8, 64, 512, 4096});
+        random.below(2) == 0 ? set.folder / donor : kSource / "samples/cumulus/cumulus.json";
+    const std::size_t length = random.oneOf(std::array<std::size_t, 4>{8, 64, 512, 4096});
     const Bytes head = contentOf(other).substr(0, length);
     bytes.replace(0, std::min(head.size(), bytes.size()), head);
     return fmt::format("{} bytes of the header of {}", length, other.filename().string());
 }
 
-std::string damage(Bytes& bytes, const Patient& patient, Dice& dice) {
-    const std::size_t way = dice.below(kDamages.size() + 1);
-    if (bytes.empty() || way == kDamages.size()) return beheaded(bytes, patient, dice);
-    return kDamages[way]({bytes, dice});
+std::string damage(Bytes& bytes, const FileSet& set, RandomNumbers& random) {
+    const std::size_t way = random.below(kDamages.size() + 1);
+    if (bytes.empty() || way == kDamages.size()) return headerReplaced(bytes, set, random);
+    return kDamages[way]({bytes, random});
 }
 
-void addIfThere(std::vector<Patient>& list, Patient patient) {
-    for (const std::string& file : patient.files) {
-        if (!fs::exists(patient.folder / file)) return;
+void addIfThere(std::vector<FileSet>& list, FileSet set) {
+    for (const std::string& file : set.files) {
+        if (!fs::exists(set.folder / file)) return;
     }
-    list.push_back(std::move(patient));
+    list.push_back(std::move(set));
 }
 
 WrfSpec smallWrf(NetcdfFormat format) {
@@ -186,11 +186,11 @@ WrfSpec smallWrf(NetcdfFormat format) {
 
 }  // namespace
 
-std::vector<Patient> patients(const fs::path& scratch) {
+std::vector<FileSet> fileSets(const fs::path& scratch) {
     fs::create_directories(scratch);
     writeWrf(scratch / "wrfout_nc4", smallWrf(NetcdfFormat::netcdf4));
     writeWrf(scratch / "wrfout_cdf2", smallWrf(NetcdfFormat::offset64));
-    std::vector<Patient> list{
+    std::vector<FileSet> list{
         {"small NetCDF-4", scratch, {"wrfout_nc4"}, "wrfout_nc4"},
         {"classic CDF-2", scratch, {"wrfout_cdf2"}, "wrfout_cdf2"},
         {"supercell sample",
@@ -220,19 +220,19 @@ std::vector<Patient> patients(const fs::path& scratch) {
     return list;
 }
 
-std::string mutilate(const Patient& patient, std::uint64_t number, const fs::path& folder) {
-    Dice dice(number * 0x9e3779b97f4a7c15U + patient.name.size());
-    // Descriptors, which come first, more often than the others.
-    const std::size_t victim = dice.below(2) == 0 ? 0 : dice.below(patient.files.size());
+std::string writeDamaged(const FileSet& set, std::uint64_t number, const fs::path& folder) {
+    RandomNumbers random(number * 0x9e3779b97f4a7c15U + set.name.size());
+    // The descriptor, which is the first file, is damaged most often.
+    const std::size_t damagedIndex = random.below(2) == 0 ? 0 : random.below(set.files.size());
     fs::remove_all(folder);
     fs::create_directories(folder);
-    for (std::size_t i = 0; i < patient.files.size(); ++i) {
-        const std::string& name = patient.files[i];
-        if (i != victim) fs::create_symlink(fs::absolute(patient.folder / name), folder / name);
+    for (std::size_t i = 0; i < set.files.size(); ++i) {
+        const std::string& name = set.files[i];
+        if (i != damagedIndex) fs::create_symlink(fs::absolute(set.folder / name), folder / name);
     }
-    const std::string& name = patient.files[victim];
-    Bytes bytes = contentOf(patient.folder / name);
-    const std::string what = damage(bytes, patient, dice);
+    const std::string& name = set.files[damagedIndex];
+    Bytes bytes = contentOf(set.folder / name);
+    const std::string what = damage(bytes, set, random);
     write(folder / name, bytes);
-    return fmt::format("{} #{}: {}: {}", patient.name, number, name, what);
+    return fmt::format("{} #{}: {}: {}", set.name, number, name, what);
 }

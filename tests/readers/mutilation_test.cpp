@@ -1,5 +1,5 @@
-// mutilation_test.cpp: every real file damaged in more than a thousand ways, and opened as a user
-// would. Each is read correctly or gives an error that says what is wrong and where.
+// mutilation_test.cpp: real files, damaged in more than a thousand ways and opened as a user would.
+// Each is read correctly or gives an error that says what is wrong and where.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -23,16 +23,16 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// A hang is told sooner than in use, so that the test is quick. The longest that any of these files
-// takes a reader that works is a tenth of it.
+// Hangs are detected sooner than in normal use, to keep the test quick. A working reader needs at
+// most a tenth of this for any of these files.
 constexpr double kSilentCpuSeconds = 1.0;
 constexpr std::uint64_t kReaderBytes = std::uint64_t{1} << 30U;
-[[maybe_unused]] constexpr double kMostSeconds = 10.0;
+[[maybe_unused]] constexpr double kMaxSeconds = 10.0;
 constexpr MemoryBudget kBudget{.machine = std::uint64_t{64} << 20U,
                                .gpu = std::uint64_t{64} << 20U};
-// What this program may grow by: two volumes of the budget at once, the fields of the bands that
-// they come from, and as much again for what the allocator keeps.
-[[maybe_unused]] constexpr std::uint64_t kMostHostBytes = std::uint64_t{512} << 20U;
+// By how much this program may grow: two volumes of the budget at once, the fields of the bands
+// that they are made from, and as much again for what the allocator keeps.
+[[maybe_unused]] constexpr std::uint64_t kMaxHostBytes = std::uint64_t{512} << 20U;
 
 #ifdef NEPH_SANITIZED
 constexpr std::size_t kWays = 100;  // the same checks at a fifth of the speed
@@ -53,7 +53,7 @@ std::string faultOf(const Dataset& dataset, const HeldVolume& held) {
     const DatasetInfo& info = dataset.info();
     if (glm::any(glm::lessThan(info.size, glm::ivec3(1)))) return "a size below one";
     for (const TimeInfo& time : info.times) {
-        if (!std::isfinite(time.seconds)) return "a time that is no number";
+        if (!std::isfinite(time.seconds)) return "a time that is not a number";
     }
     if (!(info.spacingM.x > 0.0 && info.spacingM.y > 0.0)) return "a spacing below zero";
     for (const VariableInfo& variable : info.variables) {
@@ -71,7 +71,7 @@ std::string faultOf(const Dataset& dataset, const HeldVolume& held) {
     return {};
 }
 
-/// Opens, describes and reads one time as a picture needs it.
+/// Opens a file and reads one time as for an image. Returns what is wrong; empty if nothing is.
 std::string outcomeOf(const fs::path& path, const PluginHost& host, bool& read) {
     try {
         const auto dataset = Dataset::open(std::vector<fs::path>{path}, host, {}, {});
@@ -90,12 +90,12 @@ std::string outcomeOf(const fs::path& path, const PluginHost& host, bool& read) 
     }
 }
 
-void examine(const Patient& patient, std::uint64_t number, const fs::path& folder,
+void examine(const FileSet& set, std::uint64_t number, const fs::path& folder,
              const PluginHost& host, Tally& tally) {
-    const std::string what = mutilate(patient, number, folder);
+    const std::string what = writeDamaged(set, number, folder);
     const auto start = Clock::now();
     bool read = false;
-    const std::string fault = outcomeOf(folder / patient.opened, host, read);
+    const std::string fault = outcomeOf(folder / set.opened, host, read);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const std::scoped_lock lock(tally.mutex);
     (read ? tally.read : tally.refused) += 1;
@@ -116,18 +116,18 @@ std::uint64_t hostBytes() {
 
 TEST_CASE("Damaged files are read correctly or refused with a reason, whatever the damage") {
     const TemporaryFolder scratch;
-    const std::vector<Patient> list = patients(scratch / "originals");
+    const std::vector<FileSet> list = fileSets(scratch / "originals");
     const PluginHost host(std::vector<fs::path>{NEPH_TEST_READER_DIR},
                           {.silentCpuSeconds = kSilentCpuSeconds, .memoryBytes = kReaderBytes});
-    // In all, kWays; the variable says how many for each file.
-    const char* wished = std::getenv("NEPHOSCOPE_MUTILATIONS");
+    // kWays in total, unless the variable states how many for each file.
+    const char* requested = std::getenv("NEPHOSCOPE_MUTILATIONS");
     const std::size_t each =
-        wished != nullptr ? std::strtoull(wished, nullptr, 10) : kWays / list.size() + 1;
+        requested != nullptr ? std::strtoull(requested, nullptr, 10) : kWays / list.size() + 1;
     Tally tally;
-    for (const Patient& patient : list) {
+    for (const FileSet& set : list) {
         bool read = false;
-        CHECK(outcomeOf(patient.folder / patient.opened, host, read).empty());
-        CHECK(read);  // whole, it is read
+        CHECK(outcomeOf(set.folder / set.opened, host, read).empty());
+        CHECK(read);  // undamaged, it can be read
     }
     [[maybe_unused]] const std::uint64_t before = hostBytes();
     shareOut(each * list.size(), workerCount(4),
@@ -140,8 +140,8 @@ TEST_CASE("Damaged files are read correctly or refused with a reason, whatever t
                         list.size(), tally.read, tally.refused, tally.slowest, tally.slowestCase));
     CHECK(tally.read + tally.refused == static_cast<int>(each * list.size()));
 #ifndef NEPH_SANITIZED  // time and memory of the program as it is used
-    CHECK_MESSAGE(tally.slowest < kMostSeconds, tally.slowestCase);
-    CHECK(hostBytes() - before < kMostHostBytes);
+    CHECK_MESSAGE(tally.slowest < kMaxSeconds, tally.slowestCase);
+    CHECK(hostBytes() - before < kMaxHostBytes);
     rusage readers{};
     getrusage(RUSAGE_CHILDREN, &readers);
     CHECK(static_cast<std::uint64_t>(readers.ru_maxrss) * 1024 <= kReaderBytes);

@@ -1,9 +1,9 @@
-// radius_test.cpp: sizes worked out from masses, numbers and temperatures of a real run of
-// Thompson's scheme, against the effective radii that the run itself wrote.
+// radius_test.cpp: effective radii computed from masses, numbers and temperatures of a real run
+// with the Thompson scheme, against the radii that the run itself wrote.
 //
-// In the bundled files masses have 3 digits, numbers and radii 2: a radius of 10.5 µm may be off by
-// 5 % (half of the last digit), and by 1.7 % more where it follows from a number that is off by 5
-// %. Rounding has no bias: the median shows what the formulas are worth.
+// In the bundled files masses have 3 digits, numbers and radii 2. So a radius of 10.5 µm may be off
+// by 5 % (half of the last digit), and by another 1.7 % if it is computed from a number that is off
+// by 5 %. Rounding has no bias, so the median shows the accuracy of the formulas.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 const std::filesystem::path kStorm = std::filesystem::path(NEPH_TEST_SOURCE_DIR) /
                                      "samples/supercell/wrfout_d01_0001-01-01_01:00:00";
 
-/// Our radius over the file's in every cell where there is more than 10 mg/m³ and the file's is
-/// inside WRF's bounds, sorted.
+/// Ratios of our radius to the radius in the file, sorted, for all cells with more than 10 mg/m³ in
+/// which the latter is within WRF's bounds.
 std::vector<double> ratiosOf(Dataset& dataset, Species s) {
     const DatasetInfo& info = dataset.info();
     const auto read = [&](VariableRole role, std::optional<Species> species) {
@@ -53,7 +53,7 @@ std::vector<double> ratiosOf(Dataset& dataset, Species s) {
 
 }  // namespace
 
-TEST_CASE("Thompson's sizes as we diagnose them are those that the model wrote") {
+TEST_CASE("Radii diagnosed for the Thompson scheme are those that the model wrote") {
     const auto dataset = openFiles({kStorm});
     for (const Species s : {Species::cloud, Species::ice, Species::snow}) {
         CAPTURE(info(s).id);

@@ -1,5 +1,5 @@
 // raw_les_brick_test.cpp: bricks with a JSON sidecar: every number type, every way to give heights,
-// and what is refused.
+// and what is refused and why.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ TEST_CASE("A brick reads as scale times number plus offset, in SI, with missing 
     }
 }
 
-TEST_CASE("Both byte orders and every type of number read the same brick") {
+TEST_CASE("A brick reads the same in both byte orders and all number types") {
     for (const bool big : {false, true}) {
         const TemporaryFolder folder;
         Json sidecar = small();
@@ -98,7 +98,7 @@ TEST_CASE("Both byte orders and every type of number read the same brick") {
     CHECK(openFiles({path})->read("qc", 0).values[5] == doctest::Approx(6e-3));
 }
 
-TEST_CASE("Times lie one after another in a file, or in files of their own, or are zero") {
+TEST_CASE("Times are stored one after another in a file, or in separate files, or are zero") {
     const TemporaryFolder folder;
     Json sidecar = small();
     sidecar["times"] = {{{"seconds", 60}}, {{"seconds", 90}, {"label", "later"}}};
@@ -131,18 +131,18 @@ TEST_CASE("Heights come from level centres or interfaces, air from profiles") {
     const auto dataset = openFiles({write(folder, sidecar)});
     CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 65, 140, 220});
     CHECK(dataset->read("p", 0).values == std::vector<float>{100000, 99000, 98000});
-    // 300 K at 1000 hPa: 1e5 / (287.04 · 300) of dry air.
+    // Dry air of 300 K at 1000 hPa: 1e5 / (287.04 · 300) kg/m³.
     CHECK(dataset->read("dry_air_density", 0).values[1] ==
           doctest::Approx(1e5 / (287.04 * 300.0)).epsilon(1e-6));
     CHECK(dataset->read("air_temperature", 0).values[5] == doctest::Approx(298.2753).epsilon(1e-6));
-    CHECK(contains(dataset->info().notes.at(0), "taken as dry"));
+    CHECK(contains(dataset->info().notes.at(0), "treated as dry"));
     sidecar.erase("level_heights_m");
     sidecar["interface_heights_m"] = {0, 500, 550, 600};
     CHECK(openFiles({write(folder, sidecar)})->read("interface_height", 0).values ==
           std::vector<float>{0, 500, 550, 600});
 }
 
-TEST_CASE("A brick of the wrong size is refused with both numbers") {
+TEST_CASE("A brick of the wrong size is refused with the actual and the expected size") {
     for (const std::size_t bytes : {0UL, 11UL, 13UL, 24UL}) {
         const TemporaryFolder folder;
         const auto path = write(folder, small(), std::string(bytes, 'x'));
@@ -156,7 +156,7 @@ TEST_CASE("A brick of the wrong size is refused with both numbers") {
                    "missing"));
 }
 
-TEST_CASE("Sidecars that cannot be taken at their word are refused with the key") {
+TEST_CASE("Invalid sidecars are refused with an error that names the key") {
     CHECK(contains(errorWith([](Json& j) { j["shpae"] = 1; }).what, "shpae is not known"));
     CHECK(
         contains(errorWith([](Json& j) { j.erase("byte_order"); }).what, "byte_order is missing"));
@@ -177,7 +177,7 @@ TEST_CASE("Sidecars that cannot be taken at their word are refused with the key"
     CHECK(contains(variable("scale", "big").what, "scale"));
     CHECK(contains(variable("first_byte", -1).what, "first_byte"));
     CHECK(contains(variable("first_byte", 1e300).what, "first_byte"));
-    CHECK(contains(variable("profile", {1, 2, 3}).what, "given once"));
+    CHECK(contains(variable("profile", {1, 2, 3}).what, "given exactly once"));
     CHECK(contains(variable("role", "other").what, "no variable is a hydrometeor"));
     const TemporaryFolder folder;
     writeText(folder / "brick.json", "{ \"type\": \"nephoscope-brick\", ");

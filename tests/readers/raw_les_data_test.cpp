@@ -1,5 +1,5 @@
-// raw_les_data_test.cpp: real output of CM1 and MicroHH: the bundled cumulus and, where
-// NEPHOSCOPE_MODEL_DATA names their folder, the runs it was cut from.
+// raw_les_data_test.cpp: real output of CM1 and MicroHH: the bundled cumulus and, if
+// NEPHOSCOPE_MODEL_DATA names their folder, complete runs.
 //
 // Maxima and column sums were computed from the files with NumPy, in double precision.
 #include <doctest/doctest.h>
@@ -66,17 +66,18 @@ TEST_CASE("The bundled cumulus is three times of a growing cloud in less than 4 
     REQUIRE(info.times.size() == 3);
     CHECK(info.times[2].seconds == 360.0);
     CHECK(info.notes.empty());
-    // Of the run it was cut from; its cloud water is kept in steps of 1e-7.
+    // Maxima of the original run; the sample stores cloud water in steps of 1e-7.
     CHECK(most(dataset->read("qc", 0)) == doctest::Approx(0.005153656).epsilon(2e-5));
     CHECK(most(dataset->read("qc", 2)) == doctest::Approx(0.004405737).epsilon(2e-5));
     CHECK(most(dataset->read("qg", 2)) == doctest::Approx(0.0032805).epsilon(4e-3));
     const Columns middle = columnsOf(*dataset, "qc", 1);
-    // Its air is a profile, within 1.2 % of the run's; over the domain that evens out.
+    // The sample has a profile of air, within 1.2 % of the run's air; the differences cancel over
+    // the domain.
     CHECK(middle.most == doctest::Approx(10.0799).epsilon(0.012));
     CHECK(middle.totalKg == doctest::Approx(19512846.0).epsilon(5e-3));
 }
 
-TEST_CASE("CM1, one file a time: maxima and column sums are those of NumPy" *
+TEST_CASE("CM1, one file per time: maxima and column sums are those of NumPy" *
           doctest::skip(kModelData == nullptr)) {
     const auto dataset = openRun("cm1-cumulus/cm1out_s.ctl");
     const DatasetInfo& info = dataset->info();
@@ -108,7 +109,7 @@ TEST_CASE("CM1, all times in one file: heights, stored density and contents are 
     CHECK(dataset->info().times[4].seconds == 1200.0);
     CHECK(dataset->info().find(VariableRole::dryAirDensity)->name == "rho");
     const Array3f z = dataset->read("interface_height", 0);
-    CHECK(z.values[10] == doctest::Approx(756.579).epsilon(1e-5));  // stretched from 675 m on
+    CHECK(z.values[10] == doctest::Approx(756.579).epsilon(1e-5));  // stretched above 675 m
     CHECK(z.values[44] == doctest::Approx(6550.0).epsilon(1e-6));   // ztop of the namelist
     CHECK(most(dataset->read("qc", 0)) == 0.0);
     CHECK(most(dataset->read("qc", 2)) == doctest::Approx(0.0052198669873178005).epsilon(1e-9));

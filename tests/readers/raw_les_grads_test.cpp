@@ -1,5 +1,5 @@
-// raw_les_grads_test.cpp: GrADS descriptors: every spelling of the same numbers reads the same, and
-// what does not fit is refused with both numbers.
+// raw_les_grads_test.cpp: GrADS descriptors: every layout of the same numbers reads the same, and
+// files that do not fit their descriptor are refused.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void checkValues(Dataset& dataset, const GradsSpec& spec) {
 
 }  // namespace
 
-TEST_CASE("Every spelling of a GrADS file reads the same numbers") {
+TEST_CASE("Every layout of a GrADS file reads the same numbers") {
     for (int flags = 0; flags < 64; ++flags) {
         CAPTURE(flags);
         GradsSpec spec;
@@ -65,10 +65,10 @@ TEST_CASE("Every spelling of a GrADS file reads the same numbers") {
     }
 }
 
-TEST_CASE("Levels listed from the top down and a decreasing ydef are turned round") {
+TEST_CASE("Levels listed from the top down and a decreasing ydef are reversed") {
     GradsSpec spec;
     spec.zdef = "zdef 3 levels\n0.25\n 0.15 0.05\n";
-    spec.zrev = true;  // the maker writes the top first; the descriptor says so by its levels
+    spec.zrev = true;  // the top is written first; the descriptor shows it only by its levels
     spec.options = "";
     const TemporaryFolder folder;
     const auto ctl = writeGrads(folder.path(), spec);
@@ -83,7 +83,7 @@ TEST_CASE("Levels listed from the top down and a decreasing ydef are turned roun
     CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 100, 200, 300});
 }
 
-TEST_CASE("Grid, times and air of a CM1 descriptor come in SI") {
+TEST_CASE("Grid, times and air of a CM1 descriptor are in SI") {
     const TemporaryFolder folder;
     GradsSpec spec;
     const auto dataset = openFiles({writeGrads(folder.path(), spec)});
@@ -105,7 +105,7 @@ TEST_CASE("Grid, times and air of a CM1 descriptor come in SI") {
     CHECK(info.notes.empty());
 }
 
-TEST_CASE("Units of variables are converted where they are known and asked for where not") {
+TEST_CASE("Known units of variables are converted, and unknown ones are errors that list them") {
     GradsSpec spec;
     spec.variables[4] = "qc {} 99 cloud (g/kg)";
     spec.variables.push_back("effc {} 99 radius (micron)");
@@ -130,7 +130,7 @@ TEST_CASE("Units of variables are converted where they are known and asked for w
     CHECK(contains(grammarError(spec).hint, "units of x,y,z are m"));
 }
 
-TEST_CASE("The undefined number becomes missing, also in the other byte order") {
+TEST_CASE("The value of undef becomes missing, also in the other byte order") {
     for (const bool swapped : {false, true}) {
         const TemporaryFolder folder;
         GradsSpec spec;
@@ -145,7 +145,7 @@ TEST_CASE("The undefined number becomes missing, also in the other byte order") 
     }
 }
 
-TEST_CASE("Data files that are too short, too long or odd are errors that give both numbers") {
+TEST_CASE("Data files of any wrong size are errors with the actual and the expected size") {
     for (const bool isTemplate : {false, true}) {
         CAPTURE(isTemplate);
         GradsSpec spec;
@@ -166,17 +166,17 @@ TEST_CASE("Data files that are too short, too long or odd are errors that give b
     }
 }
 
-TEST_CASE("Times that a running model has not counted yet are left out with a note") {
+TEST_CASE("Times that the descriptor of a running model does not count yet are left out") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.times = 3;
     spec.tdef = "tdef 2 linear 00:00Z01JAN0001 1YR\n";
     const auto dataset = openFiles({writeGrads(folder.path(), spec)});
     CHECK(dataset->info().times.size() == 2);
-    CHECK(contains(dataset->info().notes.at(0), "holds 3 times, its descriptor counts 2"));
+    CHECK(contains(dataset->info().notes.at(0), "contains 3 times, but its descriptor states 2"));
 }
 
-TEST_CASE("A time whose file is not there is left out with a note; without any it is an error") {
+TEST_CASE("A time whose file is missing is left out with a note; no file at all is an error") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.isTemplate = true;
@@ -188,14 +188,14 @@ TEST_CASE("A time whose file is not there is left out with a note; without any i
     CHECK(contains(dataset->info().notes.at(0), "cm1out_000001_s.dat"));
     CHECK(dataset->read("qc", 0).at(1, 0, 0) == gradsValue(4, 1, 0, 0, 1));
     std::filesystem::remove(folder / "cm1out_000002_s.dat");
-    CHECK(contains(errorOf([&] { openFiles({ctl}); }).what, "data file is not there"));
+    CHECK(contains(errorOf([&] { openFiles({ctl}); }).what, "data file is missing"));
     writeText(folder / "cm1out_000003_000001_s.dat", "x");
     const ErrorParts error = errorOf([&] { openFiles({ctl}); });
     CHECK(contains(error.what, "MPI rank"));
     CHECK(contains(error.found, "cm1out_000003_000001_s.dat"));
 }
 
-TEST_CASE("Wrong record lengths of sequential files are found at once") {
+TEST_CASE("Wrong record lengths of sequential files are detected on opening") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.sequential = true;
@@ -208,7 +208,7 @@ TEST_CASE("Wrong record lengths of sequential files are found at once") {
     CHECK(error.expected == "80");
 }
 
-TEST_CASE("Templates of calendar time and of counts name their files") {
+TEST_CASE("Templates with calendar times and with counts give the right file names") {
     for (const auto& [dset, tdef, second] : {
              std::tuple{"^c%y4%m2%d2_%h2%n2.bin", "tdef 2 linear 23:30Z28FEB2024 30mn\n",
                         "c20240229_0000.bin"},
@@ -235,7 +235,7 @@ TEST_CASE("Templates of calendar time and of counts name their files") {
     }
 }
 
-TEST_CASE("A hydrometeor with fewer levels is zero above them, and a note says so") {
+TEST_CASE("A hydrometeor with fewer levels is zero above them, with a note") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.nz = 2;
@@ -247,11 +247,11 @@ TEST_CASE("A hydrometeor with fewer levels is zero above them, and a note says s
     CHECK(qc.at(3, 2, 2) == 0.0f);
     CHECK(dataset->read("qc", 0, Box{{0, 0, 2}, {5, 4, 4}}).at(4, 3, 1) == 0.0f);
     CHECK(contains(dataset->info().notes.at(0), "qc has 2 of 4 levels"));
-    // Temperature and pressure of two levels are no use: the standard atmosphere is.
+    // Temperature and pressure on two levels are not enough: the standard atmosphere is used.
     CHECK(dataset->info().find("dry_air_density")->size == glm::ivec3(1, 1, 4));
 }
 
-TEST_CASE("Descriptors that cannot be taken at their word are refused with line and reason") {
+TEST_CASE("Invalid descriptors are refused with line and reason") {
     const auto with = [](auto&& change) {
         GradsSpec spec;
         change(spec);
@@ -269,10 +269,10 @@ TEST_CASE("Descriptors that cannot be taken at their word are refused with line 
         contains(with([](auto& s) { s.zdef = "zdef 3 levels 1 1 2\n"; }).what, "do not increase"));
     CHECK(contains(with([](auto& s) { s.zdef = "zdef 2 linear 0.1 0.1\n"; }).what, "more levels"));
     CHECK(contains(with([](auto& s) { s.options = "cray_32bit_ieee"; }).what, "not supported"));
-    CHECK(
-        contains(with([](auto& s) { s.tdef = "tdef 2 linear 32JAN2001 1hr\n"; }).what, "no time"));
+    CHECK(contains(with([](auto& s) { s.tdef = "tdef 2 linear 32JAN2001 1hr\n"; }).what,
+                   "not a time"));
     CHECK(contains(with([](auto& s) { s.tdef = "tdef 2 linear 1JAN9999 1yr\n"; }).what,
-                   "no calendar date"));
+                   "not a calendar date"));
     CHECK(contains(with([](auto& s) {
                        s.options = "template";
                        s.dset = "^a%ch.dat";
@@ -281,16 +281,16 @@ TEST_CASE("Descriptors that cannot be taken at their word are refused with line 
     CHECK(contains(with([](auto& s) { s.variables[4] = "w {} 99 w (m/s)"; }).what,
                    "no variable is a hydrometeor"));
     CHECK(contains(with([](auto& s) { s.variables = {"u {} 99 u (m/s)"}; }).what,
-                   "staggered companion"));
+                   "only staggered winds"));
     CHECK(contains(with([](auto& s) { s.variables.push_back("qc {} 99 qc (kg/kg)"); }).what,
-                   "qc is there twice"));
+                   "qc occurs twice"));
     CHECK(contains(with([](auto& s) { s.variables[4] = "qc {} -1,40,1 qc (kg/kg)"; }).what,
-                   "special way"));
+                   "storage layout that is not supported"));
     CHECK(contains(with([](auto& s) { s.xdef = "hello world\nxdef 5 linear 0 1\n"; }).what,
                    "line 4"));
 }
 
-TEST_CASE("A data file and CM1's list of times say which descriptor to open") {
+TEST_CASE("The errors for a data file and for CM1's list of times name the descriptor to open") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.isTemplate = true;
@@ -303,7 +303,7 @@ TEST_CASE("A data file and CM1's list of times say which descriptor to open") {
     CHECK(openFiles({folder.path()})->info().times.size() == 2);
 }
 
-TEST_CASE("The namelist beside a CM1 descriptor tells scheme, droplets and hail") {
+TEST_CASE("Scheme, droplet number and hail come from the namelist next to a CM1 descriptor") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.variables.push_back("qg {} 99 qg (kg/kg)");
@@ -319,16 +319,16 @@ TEST_CASE("The namelist beside a CM1 descriptor tells scheme, droplets and hail"
     CHECK(info.find(VariableRole::mixingRatio, Species::graupel) == nullptr);
 }
 
-TEST_CASE("Times of cm1out_metadata that do not increase are not believed, and a note says so") {
+TEST_CASE("Times of cm1out_metadata that do not increase are ignored, with a note") {
     const TemporaryFolder folder;
     const std::filesystem::path ctl = writeGrads(folder.path(), GradsSpec{});
     writeFloats(folder / "cm1out_metadata.dat", {540.0f, 1.0f, 0.0f, 2.0f});
     const auto dataset = openFiles({ctl});
     CHECK(dataset->info().times.at(1).seconds > 0.0);
-    CHECK(contains(dataset->info().notes.at(0), "cannot be read: times are counted"));
+    CHECK(contains(dataset->info().notes.at(0), "cannot be read: times are numbered"));
 }
 
-TEST_CASE("Without cm1out_metadata times are counted, and a note says so") {
+TEST_CASE("Without cm1out_metadata times are numbered, with a note") {
     const TemporaryFolder folder;
     GradsSpec spec;
     spec.metadata = false;

@@ -1,4 +1,5 @@
-// raw_les_microhh_test.cpp: MicroHH cases: word size from sizes, fields told from other files, air.
+// raw_les_microhh_test.cpp: MicroHH cases: precision from file sizes, fields among other files,
+// air.
 #include <doctest/doctest.h>
 
 #include "tests/readers/raw_maker.h"
@@ -7,7 +8,7 @@
 
 using namespace neph;
 
-TEST_CASE("A MicroHH case opens by its folder, its .ini and its grid, in float and in double") {
+TEST_CASE("A MicroHH case can be opened by its folder, .ini or grid, in float and in double") {
     for (const bool doubles : {false, true}) {
         CAPTURE(doubles);
         const TemporaryFolder folder;
@@ -36,7 +37,7 @@ TEST_CASE("A MicroHH case opens by its folder, its .ini and its grid, in float a
     }
 }
 
-TEST_CASE("A MicroHH field opened by itself says what to open") {
+TEST_CASE("The error for a MicroHH field opened by itself names what to open") {
     const TemporaryFolder folder;
     writeMicrohh(folder.path(), {});
     const ErrorParts error = errorOf([&] { openFiles({folder / "ql.0003600"}); });
@@ -44,7 +45,7 @@ TEST_CASE("A MicroHH field opened by itself says what to open") {
     CHECK(contains(error.hint, "open the folder"));
 }
 
-TEST_CASE("MicroHH times count units of ten to the iotimeprec seconds") {
+TEST_CASE("MicroHH times are in units of 10^iotimeprec seconds") {
     const TemporaryFolder folder;
     MicrohhSpec spec;
     spec.more = "[time]\niotimeprec=-1\n";
@@ -53,7 +54,7 @@ TEST_CASE("MicroHH times count units of ten to the iotimeprec seconds") {
     CHECK(info.times[1].seconds == doctest::Approx(360.0));
 }
 
-TEST_CASE("Times at which a hydrometeor is not there are left out with a note") {
+TEST_CASE("Times without one of the hydrometeors are left out with a note") {
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
     writeFloats(folder / "qr.0007200", std::vector<float>(24, 1e-5f));
@@ -63,7 +64,7 @@ TEST_CASE("Times at which a hydrometeor is not there are left out with a note") 
     CHECK(contains(info.notes.at(0), "1 of 2 times are left out"));
 }
 
-TEST_CASE("A MicroHH case without rhoref takes the standard atmosphere, and a note says so") {
+TEST_CASE("A MicroHH case without rhoref uses the standard atmosphere, with a note") {
     const TemporaryFolder folder;
     MicrohhSpec spec;
     spec.density = false;
@@ -75,7 +76,7 @@ TEST_CASE("A MicroHH case without rhoref takes the standard atmosphere, and a no
     CHECK(density[1] == doctest::Approx(1.2162).epsilon(2e-4));
 }
 
-TEST_CASE("What does not fit a MicroHH grid is refused with both numbers") {
+TEST_CASE("Files that do not fit a MicroHH grid are refused with actual and expected size") {
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
     const auto whatOf = [&] { return errorOf([&] { openFiles({path / "case.ini"}); }); };
@@ -88,12 +89,12 @@ TEST_CASE("What does not fit a MicroHH grid is refused with both numbers") {
     CHECK(whatOf().found == "73 bytes");
     CHECK(contains(whatOf().expected, "72 bytes (float) or 144 bytes (double)"));
     writeFloats(folder / "grid.0000000", std::vector<float>(18, 7.0f));
-    CHECK(contains(whatOf().what, "x is not that of the .ini"));
+    CHECK(contains(whatOf().what, "x coordinates differ from the .ini"));
     writeText(folder / "case.ini", "[grid]\nitot=0\njtot=3\nktot=2\n");
     CHECK(contains(whatOf().what, "grid/itot"));
 }
 
-TEST_CASE("A MicroHH grid in the other byte order is noticed by its first value") {
+TEST_CASE("A MicroHH grid in the other byte order is recognised by its first value") {
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
     writeFloats(folder / "grid.0000000",

@@ -1,4 +1,4 @@
-// raw_maker.cpp: numbers into files, byte by byte.
+// raw_maker.cpp: writes numbers into files, byte by byte.
 #include "tests/readers/raw_maker.h"
 
 #include <fmt/format.h>
@@ -21,6 +21,7 @@ void append(std::string& bytes, Number number, bool swapped) {
     bytes.append(raw.data(), raw.size());
 }
 
+/// All variables at one time.
 std::string recordOf(const GradsSpec& spec, std::size_t t) {
     std::string bytes;
     for (std::size_t v = 0; v < spec.variables.size(); ++v) {

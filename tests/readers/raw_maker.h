@@ -1,5 +1,5 @@
-// raw_maker.h: writes small raw model output, right or wrong on purpose: GrADS in every spelling of
-// the same numbers, MicroHH cases.
+// raw_maker.h: writes small raw model output, valid or invalid on purpose: GrADS files in every
+// layout of the same numbers, and MicroHH cases.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -7,22 +7,22 @@
 #include <string>
 #include <vector>
 
-/// A GrADS descriptor and its files, as CM1 lays them out. Values do not depend on how they are
-/// spelt: what is read must be the same for every combination of the flags.
+/// A GrADS descriptor and its files, as CM1 writes them. The flags change the layout and not the
+/// values: every combination must read the same.
 struct GradsSpec {
     std::size_t nx = 5, ny = 4, nz = 3, times = 2;
     bool isTemplate = false, sequential = false, swapped = false, yrev = false, zrev = false;
-    bool bigEndianOption = false;  ///< says big_endian instead of byteswapped
-    std::string dset;              ///< in place of the one that the flags ask for
+    bool bigEndianOption = false;  ///< option big_endian instead of byteswapped
+    std::string dset;              ///< instead of the one that follows from the flags
     std::string title =
         "CM1 output, using version cm1r21.1; units of x,y,z are km; time is generic";
-    std::string zdef;  ///< in place of a linear axis of 100 m steps
+    std::string zdef;  ///< instead of a linear axis of 100 m steps
     std::string xdef, tdef, options;
     std::vector<std::string> variables{
         "rain 0 99 accumulated surface rainfall (cm)", "th {} 99 potential temperature (K)",
         "prs {} 99 pressure (Pa)", "qv {} 99 water vapor mixing ratio (kg/kg)",
         "qc {} 99 qc (kg/kg)"};  ///< {} stands for nz
-    bool metadata = true;        ///< cm1out_metadata beside it
+    bool metadata = true;        ///< also writes cm1out_metadata
 };
 
 /// Value at cell x, y, z of variable number v at time t; exact in float.
@@ -31,7 +31,7 @@ float gradsValue(std::size_t v, std::size_t x, std::size_t y, std::size_t z, std
 /// Writes <folder>/cm1out_s.ctl and its data; returns the descriptor's path.
 std::filesystem::path writeGrads(const std::filesystem::path& folder, const GradsSpec& spec);
 
-/// Files of plain numbers in this machine's order or the other.
+/// Files of plain numbers, in the byte order of this machine unless `swapped`.
 void writeFloats(const std::filesystem::path& path, const std::vector<float>& values,
                  bool swapped = false);
 void writeDoubles(const std::filesystem::path& path, const std::vector<double>& values);
@@ -41,6 +41,6 @@ void writeText(const std::filesystem::path& path, const std::string& text);
 struct MicrohhSpec {
     bool doubles = false;
     bool density = true;
-    std::string more;  ///< of the .ini
+    std::string more;  ///< appended to the .ini
 };
 std::filesystem::path writeMicrohh(const std::filesystem::path& folder, const MicrohhSpec& spec);

@@ -19,7 +19,7 @@ inline std::shared_ptr<neph::Dataset> openFiles(std::vector<std::filesystem::pat
     return neph::Dataset::open(files, readerHost());
 }
 
-/// The parts of the Error that `work` throws; `what` is empty when it throws none.
+/// The parts of the Error that `work` throws; `what` is empty if it throws none.
 template <typename Work>
 neph::ErrorParts errorOf(Work&& work) {
     try {

@@ -1,4 +1,4 @@
-// reader_process_test.cpp: a reader in a process of its own serves as well as one within.
+// reader_process_test.cpp: a reader in a process of its own gives the same results as in this one.
 #include "core/plugin/reader_process.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ const fs::path kFile =
 
 }  // namespace
 
-TEST_CASE("A reader process says what the library says of itself and of a file") {
+TEST_CASE("A reader process reports what the library reports about itself and about a file") {
     ReaderProcess process(kLibrary);
     CHECK(process.identity().id == "wrf_netcdf");
     CHECK(process.identity().abiVersion == NEPH_READER_ABI_VERSION);
@@ -30,7 +30,7 @@ TEST_CASE("A reader process says what the library says of itself and of a file")
     CHECK(process.alive());
 }
 
-TEST_CASE("Values through shared memory are those of the library") {
+TEST_CASE("Values through shared memory equal those that the library returns directly") {
     const PluginLibrary library = loadPlugin(kLibrary);
     PluginFile within(*library.calls, library.identity.id, kFile);
     ReaderProcess process(kLibrary);
@@ -54,7 +54,7 @@ TEST_CASE("Values through shared memory are those of the library") {
     }
 }
 
-TEST_CASE("A library that is no reader is refused with a reason, not loaded into the program") {
+TEST_CASE("A library that is not a reader is refused with a reason") {
     CHECK_THROWS_WITH_AS(ReaderProcess("/nonexistent.so"), doctest::Contains("cannot open shared"),
                          Error);
 }

@@ -23,7 +23,7 @@ WrfSpec at(std::vector<std::string> times, float value) {
 
 }  // namespace
 
-TEST_CASE("Files given in any order become one series in order of their own times") {
+TEST_CASE("Files given in any order become one series, sorted by time") {
     const TemporaryFolder folder;
     writeWrf(folder / "z", at({"2024-02-28_23:00:00"}, 1.0f));
     writeWrf(folder / "m", at({"2024-03-01_01:00:00"}, 3.0f));
@@ -42,7 +42,7 @@ TEST_CASE("Files given in any order become one series in order of their own time
     CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == 2.0f);
 }
 
-TEST_CASE("A time that two files hold is kept once and the note names both files") {
+TEST_CASE("A time that two files contain is kept once, and a note names both files") {
     const TemporaryFolder folder;
     writeWrf(folder / "first", at({"2024-05-06_21:00:00", "2024-05-06_22:00:00"}, 1.0f));
     writeWrf(folder / "restart", at({"2024-05-06_22:00:00", "2024-05-06_23:00:00"}, 5.0f));
@@ -56,7 +56,7 @@ TEST_CASE("A time that two files hold is kept once and the note names both files
     CHECK(dataset->read("QCLOUD", 1).at(0, 0, 0) == doctest::Approx(1.1f));
 }
 
-TEST_CASE("Files of different grids are not one series; the error names both and their sizes") {
+TEST_CASE("Files on different grids are not one series; the error names both and their sizes") {
     const TemporaryFolder folder;
     writeWrf(folder / "d01", {});
     WrfSpec nested;
@@ -73,7 +73,7 @@ TEST_CASE("Files of different grids are not one series; the error names both and
     CHECK(contains(errorOf([&] { openFiles({folder / "d01", folder / "fine"}); }).found, "333"));
 }
 
-TEST_CASE("A variable that only some files of a series hold is an error at the times without it") {
+TEST_CASE("A variable that only some files contain is an error at the times without it") {
     const TemporaryFolder folder;
     WrfSpec with = at({"2024-05-06_21:00:00"}, 1.0f);
     with.fields["QSNOW"] = [](int, int, int, int) { return 0.5f; };
@@ -115,7 +115,7 @@ bool noted(const Dataset& dataset, std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("A folder is the series in it; what else lies there is left out with one note") {
+TEST_CASE("A folder is opened as the series in it; other files are left out with one note") {
     const TemporaryFolder folder;
     writeWrf(folder / "wrfout_d01_a", at({"2024-05-06_21:00:00"}, 1.0f));
     writeWrf(folder / "wrfout_d01_b", at({"2024-05-06_22:00:00"}, 2.0f));
@@ -135,7 +135,7 @@ TEST_CASE("A folder is the series in it; what else lies there is left out with o
     CHECK(noted(*dataset, "another grid (7 x 3 x 5 cells of 1000 x 2000 m): wrfout_d02_a"));
 }
 
-TEST_CASE("A folder without a readable file is an error that says what was tried") {
+TEST_CASE("A folder without a readable file is an error that names what was tried") {
     const TemporaryFolder folder;
     CHECK(contains(errorOf([&] { openFiles({folder.path()}); }).what, "holds no files"));
     std::ofstream(folder / "namelist.input") << "&time_control";
@@ -144,14 +144,14 @@ TEST_CASE("A folder without a readable file is an error that says what was tried
     CHECK(contains(error.found, "namelist.input"));
 }
 
-TEST_CASE("A file named beside others must be readable, and is told from one of another model") {
+TEST_CASE("Every file that is named must be readable") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});
     std::ofstream(folder / "b") << "text";
     CHECK(contains(errorOf([&] { openFiles({folder / "a", folder / "b"}); }).where, "b"));
 }
 
-TEST_CASE("A long series is remembered: the second time its files are not read") {
+TEST_CASE("Headers of a long series are cached: the second time its files are not read") {
     const TemporaryFolder folder, cache;
     std::vector<std::filesystem::path> files;
     for (int hour = 10; hour < 20; ++hour) {
@@ -161,7 +161,8 @@ TEST_CASE("A long series is remembered: the second time its files are not read")
     }
     const auto first = Dataset::open(files, readerHost(), cache.path(), {});
     CHECK(!std::filesystem::is_empty(cache.path()));
-    // Same size, same time of change, other content: only one who does not look is deceived.
+    // Same size and modification time, but other content: only a cache that reads nothing is
+    // misled.
     const auto changed = std::filesystem::last_write_time(files[7]);
     const auto bytes = std::filesystem::file_size(files[7]);
     std::ofstream(files[7]) << std::string(bytes, 'x');

@@ -1,8 +1,8 @@
-// supercell_test.cpp: real model output, the bundled storm and, where NEPHOSCOPE_WHOLE_RUN names
-// its folder, the whole run it was cut from.
+// supercell_test.cpp: real model output: the bundled storm and, if NEPHOSCOPE_WHOLE_RUN names its
+// folder, the complete run that it is a part of.
 //
-// Maxima were taken from the files with NCO (ncwa -y max), positions of the storms from the model
-// run's own description.
+// Maxima were computed from the files with NCO (ncwa -y max); the positions of the storms are from
+// the description of the run.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
     return files;
 }
 
-/// Largest difference between native and resampled mass of a column, as a share of it.
+/// Largest relative difference between the native and the resampled mass of a column.
 double worstColumn(Dataset& dataset, const SpeciesVolume& volume, Species species, int time) {
     const Array3f z = dataset.read("interface_height", time);
     const Array3f rho = dataset.read("dry_air_density", time);
@@ -91,7 +91,7 @@ TEST_CASE("The bundled storm is one series of four times, each file below 4 MiB"
     CHECK(info.find(VariableRole::effectiveRadius, Species::snow) != nullptr);
 }
 
-TEST_CASE("The bundled storm's maxima are those of the files, and lie in the storm") {
+TEST_CASE("Maxima of the bundled storm are those of the files, and are within the storm") {
     const auto dataset = openFiles(filesIn(kSamples));
     const TimeSummary hour = summarise(*dataset, 1);
     REQUIRE(hour.peaks.size() == 5);
@@ -102,12 +102,12 @@ TEST_CASE("The bundled storm's maxima are those of the files, and lie in the sto
     CHECK(hour.peaks[4].ratioKgPerKg == doctest::Approx(0.01422119));
     CHECK(hour.peaks[4].variable == "QGRAUP");
     CHECK(hour.layers.highestM == doctest::Approx(20'000.0).epsilon(0.02));
-    // Rain falls low, snow lies high.
+    // Most rain is low, most snow is high.
     CHECK(hour.peaks[2].positionM.z < 5000.0);
     CHECK(hour.peaks[3].positionM.z > 9000.0);
 }
 
-TEST_CASE("Every species of the bundled storm keeps its column mass to 1e-4") {
+TEST_CASE("Resampling conserves the column mass of every species of the bundled storm") {
     const auto dataset = openFiles(filesIn(kSamples));
     for (const int time : {0, 3}) {
         const SpeciesVolume volume = resample(*dataset, time);
@@ -119,7 +119,7 @@ TEST_CASE("Every species of the bundled storm keeps its column mass to 1e-4") {
     }
 }
 
-TEST_CASE("The bundled storm has split by two hours, with an anvil to the east") {
+TEST_CASE("After two hours the bundled storm has split, and has an anvil to the east") {
     const auto dataset = openFiles(filesIn(kSamples));
     const SpeciesVolume volume = resample(*dataset, 3);
     const auto band = [&](double fromKm, double toKm) {
@@ -132,7 +132,7 @@ TEST_CASE("The bundled storm has split by two hours, with an anvil to the east")
     CHECK(anvil > 0.05 * massWithin(volume, Species::snow, {0.0, 0.0}, {110.0, 120.0}, 0.0));
 }
 
-TEST_CASE("The whole run opens as thirteen times, the first of them without a cloud" *
+TEST_CASE("The complete run has thirteen times, the first of them without a cloud" *
           doctest::skip(kWholeRun == nullptr)) {
     const auto dataset = openFiles(filesIn(kWholeRun));
     REQUIRE(dataset->info().times.size() == 13);

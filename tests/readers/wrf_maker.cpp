@@ -1,4 +1,4 @@
-// wrf_maker.cpp: NetCDF calls that write like WRF does.
+// wrf_maker.cpp: writes files as WRF does, with NetCDF-C.
 #include "tests/readers/wrf_maker.h"
 
 #include <netcdf.h>

@@ -1,5 +1,4 @@
-// wrf_maker.h: writes small files of the shape that WRF gives its output, right or wrong on
-// purpose.
+// wrf_maker.h: writes small files with the structure of WRF output, valid or invalid on purpose.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -22,8 +21,8 @@ struct WrfSpec {
     int mpPhysics = 8;
     std::vector<std::string> times{"0001-01-01_00:00:00"};
     std::set<std::string> omit;                   ///< variables and global attributes to leave out
-    std::map<std::string, FieldFunction> fields;  ///< in place of the values below, or in addition
-    bool timesFirst = true;  ///< Times before the fields in the file, as WRF has it
+    std::map<std::string, FieldFunction> fields;  ///< replace the default values, or add fields
+    bool timesFirst = true;  ///< Times before the fields in the file, as in WRF output
 
     /// Layers are 100 m deep; air as in the first test value of docs/physics.md §7: p 5e4 Pa, theta
     /// 320 K, q_v 0.002.
@@ -32,8 +31,8 @@ struct WrfSpec {
 
 void writeWrf(const std::filesystem::path& path, const WrfSpec& spec);
 
-/// A NetCDF-3 file of another kind: temperature on lat, lon, level.
+/// A NetCDF-3 file that is not WRF output: temperature on lat, lon, level.
 void writeOtherNetcdf(const std::filesystem::path& path);
 
-/// Cuts a file to its first `bytes` bytes.
+/// Truncates a file to its first `bytes` bytes.
 void truncateTo(const std::filesystem::path& path, std::uintmax_t bytes);

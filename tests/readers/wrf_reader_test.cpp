@@ -1,4 +1,4 @@
-// wrf_reader_test.cpp: what the WRF reader makes of a file as it should be.
+// wrf_reader_test.cpp: what the WRF reader returns for valid files.
 #include <doctest/doctest.h>
 #include <netcdf.h>
 
@@ -17,12 +17,12 @@ using namespace neph;
 
 namespace {
 
-/// A number that tells the cell and time it came from.
+/// A number that identifies the cell and time that it belongs to.
 float tagged(int x, int y, int z, int t) {
     return 1e-6f * static_cast<float>(x + 10 * y + 100 * z + 1000 * t);
 }
 
-/// Bytes that this process has asked of the kernel so far; nothing where it does not say.
+/// Bytes that this process has read so far; nothing if the system does not count them.
 std::optional<std::uint64_t> bytesRead() {
     std::ifstream io("/proc/self/io");
     std::string key;
@@ -33,7 +33,7 @@ std::optional<std::uint64_t> bytesRead() {
 
 }  // namespace
 
-TEST_CASE("WRF output is read alike from NetCDF-3 classic, 64-bit offset and NetCDF-4") {
+TEST_CASE("NetCDF-3 classic, 64-bit offset and NetCDF-4 files read the same") {
     const TemporaryFolder folder;
     for (const NetcdfFormat format :
          {NetcdfFormat::classic, NetcdfFormat::offset64, NetcdfFormat::netcdf4}) {
@@ -62,7 +62,7 @@ TEST_CASE("WRF output is read alike from NetCDF-3 classic, 64-bit offset and Net
     }
 }
 
-TEST_CASE("A box of a variable is that part of the whole") {
+TEST_CASE("A box of a variable equals that part of the whole field") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.fields["QCLOUD"] = tagged;
@@ -100,7 +100,7 @@ TEST_CASE("Dry air density, temperature and pressure are those of docs/physics.m
     }
 }
 
-TEST_CASE("Without QVAPOR the air is taken as dry, and a note says so") {
+TEST_CASE("Without QVAPOR the air is treated as dry, with a note") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.omit = {"QVAPOR"};
@@ -129,7 +129,7 @@ TEST_CASE("Interface heights are (PH+PHB)/9.81 on one level more than the cells"
     CHECK(heights.at(3, 2, 5) == doctest::Approx(500.0));
 }
 
-TEST_CASE("Species that the file lacks are absent, those it has carry role, species and unit") {
+TEST_CASE("Species that the file lacks are absent; the others have role, species and unit") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.fields["QNRAIN"] = tagged;
@@ -151,7 +151,7 @@ TEST_CASE("Species that the file lacks are absent, those it has carry role, spec
     CHECK(info.find(VariableRole::effectiveRadius, Species::cloud)->units == "m");
 }
 
-TEST_CASE("Any other field is listed and readable, staggered ones with their own size") {
+TEST_CASE("All other fields are listed and readable, staggered ones with their own size") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.fields["U"] = tagged;
@@ -164,7 +164,7 @@ TEST_CASE("Any other field is listed and readable, staggered ones with their own
     CHECK(dataset->read("W", 0).at(3, 2, 5) == tagged(3, 2, 5, 0));
 }
 
-TEST_CASE("A real projection is taken as DX by DY with a note, an idealised run without one") {
+TEST_CASE("Cells of a map projection are treated as DX by DY with a note, ideal ones without") {
     const TemporaryFolder folder;
     WrfSpec spec;
     writeWrf(folder / "ideal", spec);
@@ -178,12 +178,11 @@ TEST_CASE("A real projection is taken as DX by DY with a note, an idealised run 
     CHECK(real.spacingM == glm::dvec2(1000.0, 2000.0));
 }
 
-TEST_CASE("Opening reads no field: a file without its field data still describes itself") {
+TEST_CASE("Opening reads no field: a file without field data still has a description") {
     const TemporaryFolder folder;
     WrfSpec spec;
     writeWrf(folder / "a", spec);
-    // Fields follow Times in the one record; 300 bytes less takes away most of U, 5000 less most
-    // fields.
+    // Fields follow Times in the only record; 400 bytes less cut off the last fields.
     const auto whole = std::filesystem::file_size(folder / "a");
     truncateTo(folder / "a", whole - 400);
     const auto dataset = openFiles({folder / "a"});
@@ -206,7 +205,7 @@ TEST_CASE("Opening reads no field: of a 4 MB file less than a tenth is read") {
     CHECK(*bytesRead() - *before < std::filesystem::file_size(path) / 10);
 }
 
-TEST_CASE("Reading reports progress and stops when told to") {
+TEST_CASE("Reading reports progress and can be cancelled") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});
     const auto dataset = openFiles({folder / "a"});
@@ -268,7 +267,7 @@ TEST_CASE("Packed values are unpacked, fill values are missing") {
     CHECK(std::isnan(dataset->read("QRAIN", 0).at(0, 0, 0)));
 }
 
-TEST_CASE("Other schemes are named, unknown ones numbered, a missing title is plain WRF") {
+TEST_CASE("Known schemes are named, unknown ones numbered, and without a title the model is WRF") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.mpPhysics = 10;

@@ -1,5 +1,5 @@
-// sdk_test.cpp: installs Nephoscope into a folder of its own, builds the example reader against
-// that alone, and has the installed program use it, as docs/write-a-reader.md says.
+// sdk_test.cpp: installs Nephoscope into a folder, builds the example reader against only that
+// installation, and lets the installed program use it, as docs/write-a-reader.md describes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kExample = NEPH_TEST_SOURCE_DIR "/examples/reader";
 
-/// Runs in `folder` what a user types there; without the tester's own readers and screen.
+/// Runs a shell command in `folder`, without the readers and the display of the person who tests.
 Outcome run(const fs::path& folder, const std::string& command) {
     const std::string line = "cd '" + folder.string() +
                              "' && env -u DISPLAY -u WAYLAND_DISPLAY -u NEPHOSCOPE_DATA_DIR -u "
@@ -29,18 +29,18 @@ Outcome run(const fs::path& folder, const std::string& command) {
             readText(folder / "err")};
 }
 
-/// A folder with the installation in usr/, the example's build in build/ and data to read.
+/// A folder with the installation in usr/, the built example in build/, and data to read.
 struct Workshop {
     TemporaryFolder folder;
 
     Workshop() {
         require("\"" NEPH_TEST_CMAKE "\" --install \"" NEPH_TEST_BUILD_DIR "\" --prefix usr");
         fs::copy(kExample, folder.path());
-        // Any compiler and no flags: a plugin is not built as the program was.
+        // Default compiler and flags, because plugins are not built like the program.
         require("\"" NEPH_TEST_CMAKE "\" -S . -B build -DCMAKE_PREFIX_PATH=\"$PWD/usr\"");
         require("\"" NEPH_TEST_CMAKE "\" --build build");
         REQUIRE(fs::exists(folder / "build/fog.so"));
-        // What make_fog.py writes, in little.
+        // A small version of what make_fog.py writes.
         std::ofstream data(folder / "bank.fog", std::ios::binary);
         data << "FOG 2 2 3 100 100 50\n";
         for (const float gramPerKg :
@@ -65,7 +65,7 @@ Outcome nephoscope(const std::string& arguments, const std::string& environment 
     return run(workshop().folder.path(), environment + " usr/bin/nephoscope " + arguments);
 }
 
-/// The text between the fence that opens with ````language` and its end.
+/// The first fenced block of `language` in a Markdown page.
 std::string block(const std::string& page, const std::string& language) {
     const std::string fence = "```" + language + "\n";
     const std::size_t start = page.find(fence);
@@ -82,12 +82,12 @@ TEST_CASE("The installed program finds its own readers and data, whatever the pr
     const fs::path own = fs::canonical(workshop().folder / "usr/lib/nephoscope/readers");
     CHECK(contains(readers.out, (own / "wrf_netcdf.so").string()));
     CHECK(!contains(readers.out, "Rejected"));
-    const Outcome info = nephoscope("info");  // of the installed sample
+    const Outcome info = nephoscope("info");  // describes the installed sample
     CHECK(info.status == 0);
     CHECK(contains(info.out, "WRF V4.2.2"));
 }
 
-TEST_CASE("A reader built outside is used when named by path, in the path variable, or from home") {
+TEST_CASE("An external reader is found by its path, the path variable or the user's data folder") {
     const auto reads = [](const Outcome& outcome) {
         CAPTURE(outcome.err);
         CHECK(outcome.status == 0);
@@ -107,14 +107,14 @@ TEST_CASE("A reader built outside is used when named by path, in the path variab
     fs::remove_all(home);
 }
 
-TEST_CASE("A reader that is named and is none is an error that says why") {
+TEST_CASE("Naming a file that is not a reader is an error with the reason") {
     const Outcome none = nephoscope("info --reader bank.fog bank.fog");
     CHECK(none.status == 1);
     CHECK(contains(none.err, "cannot be used as a reader"));
     CHECK(contains(nephoscope("readers --reader nowhere.so").err, "there is no such reader"));
 }
 
-TEST_CASE("What the example throws reaches the user") {
+TEST_CASE("Errors that the example throws reach the user") {
     std::ofstream(workshop().folder / "short.fog") << "FOG 2 2 3 100 100 50\n";
     const Outcome outcome = nephoscope("info --reader build/fog.so short.fog");
     CHECK(outcome.status == 1);
@@ -124,7 +124,7 @@ TEST_CASE("What the example throws reaches the user") {
     CHECK(contains(nephoscope("info --reader build/fog.so lie.fog").err, "size -2 x 2 x 3"));
 }
 
-TEST_CASE("The component sdk alone is the headers and the package") {
+TEST_CASE("The component sdk consists of the headers and the CMake package") {
     const TemporaryFolder folder;
     const Outcome outcome =
         run(folder.path(), "\"" NEPH_TEST_CMAKE "\" --install \"" NEPH_TEST_BUILD_DIR
@@ -135,7 +135,7 @@ TEST_CASE("The component sdk alone is the headers and the package") {
     CHECK(!fs::exists(folder / "usr/bin"));
 }
 
-TEST_CASE("docs/write-a-reader.md shows the example as it is, in 60 lines at most") {
+TEST_CASE("docs/write-a-reader.md shows the example unchanged, in 60 lines at most") {
     const std::string page = readText(NEPH_TEST_SOURCE_DIR "/docs/write-a-reader.md");
     const std::string source = readText(kExample / "fog_reader.cpp");
     CHECK(block(page, "cpp") == source);

@@ -1,4 +1,4 @@
-// scene_file_test.cpp: scenes as users write them, and what is said of those that are wrong.
+// scene_file_test.cpp: valid scenes as users write them, and the errors for invalid ones.
 #include "app/validate/scene_file.h"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ const std::string kLayer =
 const std::string kExperiment =
     R"({"sun": {"zenith_deg": 60}, "detectors": {"fluxes": ["R"]}, "expect": []})";
 
-/// A case with this medium and this experiment.
+/// The text of a case with this medium and this experiment.
 std::string caseOf(const std::string& medium, const std::string& experiment = kExperiment) {
     return R"({"type": "nephoscope-validation-case", "version": 1, "name": "mine", )" + medium +
            R"(, "experiments": [)" + experiment + "]}";
@@ -34,7 +34,7 @@ SceneFile parse(const std::string& text, const std::filesystem::path& folder = {
     return parseSceneFile(text, "mine.json", folder);
 }
 
-std::string complaintOf(const std::string& text, const std::filesystem::path& folder = {}) {
+std::string errorMessageOf(const std::string& text, const std::filesystem::path& folder = {}) {
     try {
         trialsOf(parse(text, folder), "mine.json");
     } catch (const Error& error) {
@@ -43,6 +43,7 @@ std::string complaintOf(const std::string& text, const std::filesystem::path& fo
     return "nothing";
 }
 
+/// Vertical optical depth of column x.
 double opticalDepth(const SceneFile& file, int x) {
     const render::MeterScene& scene = file.experiments.front().scene;
     double sum = 0.0;
@@ -56,7 +57,7 @@ double opticalDepth(const SceneFile& file, int x) {
 
 }  // namespace
 
-TEST_CASE("Layers lie on one another, on a grid of 16 levels or more that their edges fit") {
+TEST_CASE("Layers are stacked, on a grid of at least 16 levels that contains their edges") {
     const SceneFile file = parse(caseOf(
         R"("layers": [{"thickness_m": 300, "optical_depth": 3, "g": 0.85},
                       {"top_m": 800, "extinction_per_m": 0.002, "albedo": 0.5, "phase": "rayleigh"},
@@ -64,7 +65,7 @@ TEST_CASE("Layers lie on one another, on a grid of 16 levels or more that their 
     const render::MeterScene& scene = file.experiments.front().scene;
     CHECK(scene.size == glm::ivec3(1, 1, 16));
     CHECK(scene.spacingM.z == 50.0);
-    REQUIRE(file.fields.size() == 2);  // the first and the last are of one medium
+    REQUIRE(file.fields.size() == 2);  // the first and the last layer have the same medium
     CHECK(file.fields[0].extinctionPerM.at(0, 0, 5) == Approx(0.011));
     CHECK(file.fields[0].extinctionPerM.at(0, 0, 6) == Approx(0.001));
     CHECK(file.fields[1].extinctionPerM.at(0, 0, 5) == 0.0f);
@@ -73,7 +74,7 @@ TEST_CASE("Layers lie on one another, on a grid of 16 levels or more that their 
     CHECK(opticalDepth(file, 0) == Approx(3.0 + 1.0 + 0.8));
 }
 
-TEST_CASE("The bundled step cloud is I3RC's: 32 columns of 15.625 m, depths of 2 and 18") {
+TEST_CASE("The bundled step cloud is that of I3RC: 32 columns of 15.625 m, depths 2 and 18") {
     const SceneFile file =
         loadSceneFile(resourcePath("tests/validation/i3rc-case1-step-cloud.json"));
     const render::MeterScene& scene = file.experiments.front().scene;
@@ -87,7 +88,7 @@ TEST_CASE("The bundled step cloud is I3RC's: 32 columns of 15.625 m, depths of 2
     CHECK(file.experiments[1].expected.front().expected.value == 0.58044);
 }
 
-TEST_CASE("The sun shines from where azimuth, the way its light travels, comes from") {
+TEST_CASE("The azimuth of the sun is the direction in which its light travels") {
     const SceneFile file = parse(caseOf(
         kLayer, R"({"sun": {"zenith_deg": 60, "azimuth_deg": 90}, "detectors": {"fluxes": []}})"));
     const glm::dvec3 towardsSun = file.experiments.front().scene.towardsSun;
@@ -118,7 +119,7 @@ TEST_CASE("Grids are read inline, from CSV and from raw files, with a scale") {
     CHECK(!file.experiments.front().scene.periodic);
 }
 
-TEST_CASE("Each column has instruments of its own when asked for") {
+TEST_CASE("With per_column each column has detectors of its own") {
     const std::vector<Trial> trials = trialsOf(
         parse(caseOf(
             R"("columns": [{"width_m": 50, "repeat": 3, "top_m": 100, "optical_depth": 1, "g": 0}])",
@@ -141,7 +142,7 @@ TEST_CASE("Each column has instruments of its own when asked for") {
     CHECK(view.direction.z == Approx(-0.5));
 }
 
-TEST_CASE("What is wrong in a scene is told with file, key, found, expected and the nearest name") {
+TEST_CASE("Errors in a scene name file, key, found, expected and the nearest known name") {
     const auto with = [](const std::string& experiment) { return caseOf(kLayer, experiment); };
     const std::pair<std::string, std::string> cases[]{
         {caseOf(R"("layers": [{"thicknes_m": 5}])"), "did you mean \"thickness_m\"?"},
@@ -167,24 +168,24 @@ TEST_CASE("What is wrong in a scene is told with file, key, found, expected and 
          "needs one of \"relative\" and \"absolute\""},
         {caseOf(R"("grid": {"size": [2, 1, 1], "spacing_m": [1, 1, 1],
                    "fields": [{"values": [1], "g": 0}]})"),
-         "holds the wrong number of values"},
+         "contains the wrong number of values"},
         {caseOf(R"("grid": {"size": [2, 1, 1], "spacing_m": [1, 1, 1],
                    "fields": [{"values": [1, -2], "g": 0}]})"),
-         "value 1 is no extinction"},
+         "value 1 is not an extinction"},
         {caseOf(R"("grid": {"size": [2, 1, 1], "spacing_m": [1, 1, 1],
                    "fields": [{"raw": "no.raw", "g": 0}]})"),
          "no.raw"},
     };
     for (const auto& [text, wanted] : cases) {
-        const std::string said = complaintOf(text), part = wanted;
-        CAPTURE(said);
+        const std::string message = errorMessageOf(text), part = wanted;
+        CAPTURE(message);
         CAPTURE(part);
-        CHECK(contains(said, part.c_str()));
-        CHECK(contains(said, part.find("no.raw") == part.npos ? "mine.json" : "no.raw"));
+        CHECK(contains(message, part.c_str()));
+        CHECK(contains(message, part.find("no.raw") == part.npos ? "mine.json" : "no.raw"));
     }
 }
 
-TEST_CASE("Every bundled case is read and expects something of each experiment") {
+TEST_CASE("Every bundled case can be read and has expected values for each experiment") {
     int files = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(resourcePath("tests/validation"))) {
@@ -198,7 +199,7 @@ TEST_CASE("Every bundled case is read and expects something of each experiment")
     CHECK(files == 9);
 }
 
-TEST_CASE("A bias that no single measurement shows is seen in all of them together") {
+TEST_CASE("A bias that no single measurement shows is detected in all of them together") {
     std::vector<Row> rows(40);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].expected = 0.5;
@@ -216,7 +217,7 @@ TEST_CASE("A bias that no single measurement shows is seen in all of them togeth
     CHECK(!allTogether(rows, kFullEffort).has_value());
 }
 
-TEST_CASE("A measurement is right within tolerance and three sigma, and only if it is precise") {
+TEST_CASE("A measurement passes within tolerance plus three sigma, and only if it is precise") {
     Row row;
     row.measured = 1.0;
     row.sigma = 0.01;

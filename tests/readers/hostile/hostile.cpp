@@ -1,8 +1,8 @@
-// hostile.cpp: a reader that breaks its promises as its file asks: "HOSTILE <stage> <deed>".
+// hostile.cpp: a reader that violates the ABI as its file asks: "HOSTILE <call> <action>".
 //
-// Stages are the calls of the ABI, and being loaded, where NEPH_HOSTILE_LOAD holds the two words.
-// The stages `describe` and `read` know lies too, see hostile_lies.h. "HOSTILE good -" is read
-// well: a grid of 4 x 4 x 4 cells, where q in cell i is i.
+// A call is one of the ABI, or loading the library (`constructor`, `entry`), for which the two
+// words are in NEPH_HOSTILE_LOAD. The calls `describe` and `read` also accept the lies of
+// hostile_lies.cpp. "HOSTILE good -" reads correctly: 4 x 4 x 4 cells, where q of cell i is i.
 #include "tests/readers/hostile/hostile.h"
 
 #include <fcntl.h>
@@ -24,13 +24,13 @@ namespace {
     for (volatile unsigned turns = 0;;) turns = turns + 1;
 }
 
-/// Takes memory, and touches it, until there is no more.
-void eat() {
-    std::vector<std::vector<char>> eaten;
-    for (;;) eaten.emplace_back(std::size_t{16} << 20U, 'x');
+/// Allocates memory, and writes to it, until there is none left.
+void exhaustMemory() {
+    std::vector<std::vector<char>> blocks;
+    for (;;) blocks.emplace_back(std::size_t{16} << 20U, 'x');
 }
 
-/// Leaves a process behind that holds every descriptor open, and crashes.
+/// Starts a process that keeps every descriptor open, and crashes.
 void leaveChild() {
     if (fork() == 0) {
         for (;;) pause();
@@ -38,12 +38,13 @@ void leaveChild() {
     std::abort();
 }
 
-void talkOutOfTurn() {
+/// Writes to the socket of the reader process.
+void sendUnrequestedMessage() {
     const char noise[] = "\5\0\0\0\0\0\0\0noise";
     if (write(3, noise, sizeof noise - 1) < 0) std::abort();
 }
 
-const std::map<std::string, std::function<void()>> kDeeds{
+const std::map<std::string, std::function<void()>> kActions{
     {"throw", [] { throw std::runtime_error("boo"); }},
     {"throwInt", [] { throw 1; }},
     {"abort", [] { std::abort(); }},
@@ -54,7 +55,7 @@ const std::map<std::string, std::function<void()>> kDeeds{
      [] {
          for (;;) pause();
      }},
-    {"eat", [] { eat(); }},
+    {"eat", [] { exhaustMemory(); }},
     {"fork", [] { leaveChild(); }},
     {"close",
      [] {
@@ -62,7 +63,7 @@ const std::map<std::string, std::function<void()>> kDeeds{
          close(4);
      }},
     {"truncate", [] { static_cast<void>(ftruncate(4, 0)); }},
-    {"noise", [] { talkOutOfTurn(); }},
+    {"noise", [] { sendUnrequestedMessage(); }},
     {"print",
      [] {
          std::puts("hostile was here");
@@ -72,39 +73,39 @@ const std::map<std::string, std::function<void()>> kDeeds{
 
 }  // namespace
 
-std::string Words::lieAt(const char* where) const {
-    return stage == where ? deed : "";
+std::string Instruction::actionIn(const char* where) const {
+    return call == where ? action : "";
 }
 
-void Words::actAt(const char* where) const {
-    if (stage != where) return;
-    const auto found = kDeeds.find(deed);
-    if (found != kDeeds.end()) found->second();
+void Instruction::runIn(const char* where) const {
+    if (call != where) return;
+    const auto found = kActions.find(action);
+    if (found != kActions.end()) found->second();
 }
 
-Words wordsOf(const char* path) {
+Instruction readInstruction(const char* path) {
     std::ifstream in(path);
     std::string magic;
-    Words words;
-    in >> magic >> words.stage >> words.deed;
-    return magic == "HOSTILE" ? words : Words{};
+    Instruction instruction;
+    in >> magic >> instruction.call >> instruction.action;
+    return magic == "HOSTILE" ? instruction : Instruction{};
 }
 
-Words loadWords() {
-    Words words;
+Instruction loadInstruction() {
+    Instruction instruction;
     const char* text = std::getenv("NEPH_HOSTILE_LOAD");
     const std::string both = text != nullptr ? text : "good -";
-    words.stage = both.substr(0, both.find(' '));
-    words.deed = both.substr(both.find(' ') + 1);
-    return words;
+    instruction.call = both.substr(0, both.find(' '));
+    instruction.action = both.substr(both.find(' ') + 1);
+    return instruction;
 }
 
 }  // namespace hostile
 
 struct NephFile {
-    hostile::Words words;
-    hostile::Lies lies;
-    int described = 0;
+    hostile::Instruction instruction;
+    hostile::FalseDescription description;
+    int described = 0;  ///< how often it was asked for its description
 };
 
 namespace {
@@ -112,42 +113,42 @@ namespace {
 using namespace hostile;
 
 struct Constructor {
-    Constructor() { loadWords().actAt("constructor"); }
+    Constructor() { loadInstruction().runIn("constructor"); }
 } const constructor;
 
 std::int32_t score(const char* path) {
-    const Words words = wordsOf(path);
-    words.actAt("score");
-    if (words.lieAt("score") == "huge") return 2'000'000'000;
-    return words.stage.empty() ? 0 : 100;
+    const Instruction instruction = readInstruction(path);
+    instruction.runIn("score");
+    if (instruction.actionIn("score") == "huge") return 2'000'000'000;
+    return instruction.call.empty() ? 0 : 100;
 }
 
 NephStatus open(const char* path, NephFile** file, NephError* error) {
-    const Words words = wordsOf(path);
-    words.actAt("open");
-    const std::string lie = words.lieAt("open");
+    const Instruction instruction = readInstruction(path);
+    instruction.runIn("open");
+    const std::string lie = instruction.actionIn("open");
     if (lie == "noHandle") return NEPH_OK;
     if (lie == "endless") {
         std::memset(error->what, 'x', sizeof *error - offsetof(NephError, what));
         return NEPH_FAILED;
     }
-    *file = new NephFile{words, {}, 0};
+    *file = new NephFile{instruction, {}, 0};
     return lie == "badStatus" ? 77 : NEPH_OK;
 }
 
 const NephDescription* describe(NephFile* file) {
-    file->words.actAt("describe");
-    if (file->words.lieAt("describe") == "null") return nullptr;
-    return file->lies.describe(file->words.lieAt("describe"), ++file->described);
+    file->instruction.runIn("describe");
+    if (file->instruction.actionIn("describe") == "null") return nullptr;
+    return file->description.describe(file->instruction.actionIn("describe"), ++file->described);
 }
 
 NephStatus read(NephFile* file, NephReadRequest* request, NephError*) {
-    file->words.actAt("read");
-    return hostile::read(file->words.lieAt("read"), *request);
+    file->instruction.runIn("read");
+    return hostile::read(file->instruction.actionIn("read"), *request);
 }
 
 void close(NephFile* file) {
-    file->words.actAt("close");
+    file->instruction.runIn("close");
     delete file;
 }
 
@@ -164,14 +165,14 @@ extern "C" NEPH_READER_EXPORT const NephReader* nephReader(std::uint32_t) {
                              &describe,
                              &read,
                              &close};
-    const Words words = loadWords();
-    words.actAt("entry");
-    const std::string lie = words.lieAt("entry");
+    const Instruction instruction = loadInstruction();
+    instruction.runIn("entry");
+    const std::string lie = instruction.actionIn("entry");
     if (lie == "null") return nullptr;
     if (lie == "abi") reader.header.abi_version = 99;
     if (lie == "small") reader.header.struct_size = 16;
     if (lie == "noId") reader.id = nullptr;
-    if (lie == "endlessId") reader.id = endlessText();
+    if (lie == "endlessId") reader.id = unterminatedText();
     if (lie == "noRead") reader.read = nullptr;
     if (lie == "nowhere") return reinterpret_cast<const NephReader*>(std::uintptr_t{8});
     return &reader;

@@ -1,4 +1,4 @@
-// hostile.h: what the parts of the hostile reader share.
+// hostile.h: declarations shared by the parts of the hostile reader.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,28 +7,29 @@
 
 namespace hostile {
 
-struct Words {
-    std::string stage, deed;
+/// What a file asks for: `action` during `call`, one of the calls of the ABI.
+struct Instruction {
+    std::string call, action;
 
-    std::string lieAt(const char* where) const;  ///< the deed, where this is its stage
-    void actAt(const char* where) const;         ///< does the deed, where this is its stage
+    std::string actionIn(const char* where) const;  ///< the action if `where` is its call, or empty
+    void runIn(const char* where) const;            ///< performs the action if `where` is its call
 };
-Words wordsOf(const char* path);
-Words loadWords();
+Instruction readInstruction(const char* path);
+Instruction loadInstruction();
 
-/// A text that runs up to memory that is not there.
-const char* endlessText();
+/// A text without an end: it continues up to memory that is not mapped.
+const char* unterminatedText();
 
-/// The description of one file, right but for one lie.
-class Lies {
+/// A description that is valid except for one lie.
+class FalseDescription {
   public:
-    /// `call` counts from 1.
-    const NephDescription* describe(const std::string& lie, int call);
+    /// `callNumber` counts from 1.
+    const NephDescription* describe(const std::string& lie, int callNumber);
 
   private:
-    void tellTruth();
-    void spoilGrid(const std::string& lie, int call);
-    void spoilLists(const std::string& lie);
+    void setValid();
+    void falsifyGrid(const std::string& lie, int callNumber);
+    void falsifyLists(const std::string& lie);
 
     NephTime time_{};
     NephVariable variable_{}, heights_{};
@@ -40,7 +41,7 @@ class Lies {
     NephDescription description_{};
 };
 
-/// Gives the cells asked for, or breaks one promise.
+/// Reads the requested cells, except for one lie.
 NephStatus read(const std::string& lie, NephReadRequest& request);
 
 }  // namespace hostile

@@ -1,4 +1,4 @@
-// hostile_lies.cpp: descriptions and reads that are right but for one lie.
+// hostile_lies.cpp: descriptions and reads that are valid except for one lie.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -20,7 +20,8 @@ NephHeader header() {
     return {NEPH_READER_ABI_VERSION, sizeof(T)};
 }
 
-float truth(const NephReadRequest& request, std::int32_t x, std::int32_t y, std::int32_t z) {
+/// What a read should return: heights for variable 1, otherwise the index of the cell.
+float validValue(const NephReadRequest& request, std::int32_t x, std::int32_t y, std::int32_t z) {
     if (request.variable == 1) return 100.0f * static_cast<float>(z);
     return static_cast<float>(x + 4 * (y + 4 * z));
 }
@@ -30,7 +31,7 @@ void fill(NephReadRequest& request) {
     for (std::int32_t z = request.lower[2]; z < request.upper[2]; ++z) {
         for (std::int32_t y = request.lower[1]; y < request.upper[1]; ++y) {
             for (std::int32_t x = request.lower[0]; x < request.upper[0]; ++x) {
-                *to++ = truth(request, x, y, z);
+                *to++ = validValue(request, x, y, z);
             }
         }
     }
@@ -39,7 +40,7 @@ void fill(NephReadRequest& request) {
 
 }  // namespace
 
-const char* endlessText() {
+const char* unterminatedText() {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     auto* text = static_cast<char*>(
         mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
@@ -48,7 +49,7 @@ const char* endlessText() {
     return text;
 }
 
-void Lies::tellTruth() {
+void FalseDescription::setValid() {
     time_ = {header<NephTime>(), "noon", 0.0};
     variable_ = {header<NephVariable>(), "q",      "", "kg kg-1", "", NEPH_ROLE_MIXING_RATIO,
                  NEPH_SPECIES_CLOUD,     {4, 4, 4}};
@@ -76,7 +77,7 @@ void Lies::tellTruth() {
     d.attributes = attributes_.data();
 }
 
-void Lies::spoilGrid(const std::string& lie, int call) {
+void FalseDescription::falsifyGrid(const std::string& lie, int callNumber) {
     NephDescription& d = description_;
     if (lie == "nanSpacing") d.spacing_m[0] = kNan;
     if (lie == "infiniteSpacing") d.spacing_m[1] = std::numeric_limits<double>::infinity();
@@ -87,12 +88,12 @@ void Lies::spoilGrid(const std::string& lie, int call) {
     if (lie == "hugeSize") d.size[0] = d.size[1] = d.size[2] = 2'000'000'000;
     if (lie == "negativeVariable") variable_.size[0] = -1;
     if (lie == "otherGrid") variable_.size[0] = 3;
-    if (lie == "changing" && call > 1) d.size[0] = d.size[1] = 1000 * call;
+    if (lie == "changing" && callNumber > 1) d.size[0] = d.size[1] = 1000 * callNumber;
     if (lie == "strangeRole") variable_.role = heights_.species = 12345;
     if (lie == "strangeScheme") d.microphysics = -7;
 }
 
-void Lies::spoilLists(const std::string& lie) {
+void FalseDescription::falsifyLists(const std::string& lie) {
     NephDescription& d = description_;
     if (lie == "noTimes") d.time_count = 0;
     if (lie == "manyTimes") d.time_count = 4'000'000'000U;
@@ -102,8 +103,8 @@ void Lies::spoilLists(const std::string& lie) {
     if (lie == "wildVariable") variables_[0] = reinterpret_cast<const NephVariable*>(&d + 4096);
     if (lie == "twice") variables_[1] = &variable_;
     if (lie == "nullName") variable_.name = nullptr;
-    if (lie == "endlessName") variable_.name = endlessText();
-    if (lie == "endlessNote") notes_[0] = endlessText();
+    if (lie == "endlessName") variable_.name = unterminatedText();
+    if (lie == "endlessNote") notes_[0] = unterminatedText();
     if (lie == "nullTexts") {
         d.model = d.scheme = time_.label = variable_.units = variable_.standard_name =
             variable_.description = attribute_.value = attribute_.name = notes_[0] = nullptr;
@@ -112,10 +113,10 @@ void Lies::spoilLists(const std::string& lie) {
     if (lie == "smallStruct") d.header.struct_size = 4;
 }
 
-const NephDescription* Lies::describe(const std::string& lie, int call) {
-    tellTruth();
-    spoilGrid(lie, call);
-    spoilLists(lie);
+const NephDescription* FalseDescription::describe(const std::string& lie, int callNumber) {
+    setValid();
+    falsifyGrid(lie, callNumber);
+    falsifyLists(lie);
     return &description_;
 }
 
@@ -137,7 +138,7 @@ NephStatus read(const std::string& lie, NephReadRequest& request) {
     fill(request);
     if (lie == "short") request.values_written = count - 1;
     if (lie == "long") request.values_written = count + 1;
-    if (lie == "untold") request.values_written = 0;
+    if (lie == "uncounted") request.values_written = 0;
     if (lie == "beyond") request.values[count] = 1.0f;
     if (lie == "farBeyond") {
         for (std::size_t i = 0; i < (std::size_t{1} << 40U); ++i) request.values[count + i] = 1.0f;
