@@ -120,7 +120,7 @@ Stage Renderer::Impl::stageFor(const FrameInputs& inputs) const {
                         firstDifference(*lit, inputs.look).value_or(Stage::eye));
     }
     if (!last) return Stage::medium;
-    const Stage changed = firstDifference(last->look, inputs.look).value_or(Stage::resolve);
+    const Stage changed = firstDifference(*last, inputs).value_or(Stage::resolve);
     if (finer) return std::min(Stage::light, changed);
     const bool moved = !sameView(last->camera, inputs.camera) || last->planes != inputs.planes;
     if (moved) return std::min(slices ? Stage::light : Stage::eye, changed);

@@ -16,7 +16,7 @@ constexpr std::chrono::seconds kLongestInMotion{1};
 /// Whether paths that were traced for the one are as good for the other.
 bool samePaths(const Document& a, const Document& b) {
     return a.camera == b.camera && a.time == b.time && a.look.engine == Engine::reference &&
-           firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve;
+           firstDifference(a, b).value_or(Stage::resolve) == Stage::resolve;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ bool Slot::averages(bool moving) const {
 /// With a target that was changed since the picture was drawn, too.
 bool Slot::addsPaths(bool moving) const {
     ui::ReferenceReport reached = report.reference;
-    reached.targetError = static_cast<double>(session.document.look.targetError);
+    reached.targetError = static_cast<double>(session.document.sampling.targetError);
     return !moving && !ui::isReached(reached);
 }
 
@@ -72,6 +72,7 @@ Slot::Waiting Slot::waiting(bool moving) const {
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
     render::FrameInputs inputs;
     inputs.look = session.document.look;
+    inputs.sampling = session.document.sampling;
     inputs.sizePx = draft.sizePx;
     inputs.sample = draft.sample;
     inputs.draftLight = draft.step == 0;
@@ -79,7 +80,7 @@ render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& re
     if (inputs.look.engine == Engine::slicing) {
         inputs.planes = ui::planesOf(draft, inputs.look.planes);
     } else {
-        inputs.look.quality *= static_cast<float>(draft.detail);
+        inputs.sampling.quality *= static_cast<float>(draft.detail);
     }
     inputs.camera = placeCamera(session.document.camera, session.shown()->grid,
                                 static_cast<double>(request.placePx.x) / request.placePx.y);
@@ -125,8 +126,9 @@ std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
 }
 
 /// Learns from a picture of data of `time` what pictures cost, and reports it.
-void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
+void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
                 const render::FrameStats& stats) {
+    const Look& look = of.look;
     ui::QualityControl& quality = qualityOf(look.engine);
     const render::ReferenceProgress& traced = stats.reference;
     // What the camera does not change is no measure of how finely to draw while it moves.
@@ -149,7 +151,7 @@ void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
               .time = time,
               .reference = {.paths = traced.samples,
                             .relativeError = traced.relativeError,
-                            .targetError = static_cast<double>(look.targetError),
+                            .targetError = static_cast<double>(of.sampling.targetError),
                             .seconds = traced.seconds}};
 }
 
@@ -171,7 +173,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     const int time = session.shows(session.document.time) ? session.document.time : report.time;
     const std::optional<render::FrameStats> stats = render(*wanted, inputs, request);
     if (!stats) return false;
-    tell(*wanted, inputs.look, time, *stats);
+    tell(*wanted, inputs, time, *stats);
     if (inputs.profile) ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = wanted;
     if (!retones) ++pictures_;

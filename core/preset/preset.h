@@ -1,8 +1,9 @@
 // preset.h: a look, and perhaps a camera, kept as JSON.
 //
-// A preset knows no data set and no path. A file is {"type": "nephoscope-look", "version": 1,
-// "title", "description", "look": {id: value}, "camera": {...}}; the ids, ranges and defaults are
-// those of the look table. Files are untrusted: size, depth and duplicates are checked.
+// A preset knows no data set, no path and no sampling. A file is {"type": "nephoscope-look",
+// "version": 1, "title", "description", "look": {id: value}, "camera": {...}}; the ids, ranges and
+// defaults are those of the look table. Files are untrusted: size, depth and duplicates are
+// checked.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -31,6 +32,7 @@ struct PresetText {
 struct LoadedPreset {
     Preset preset;
     std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
+    std::vector<std::string> notes;     ///< sampling that the file names, which no preset holds
 };
 
 /// Reads a preset from text; `where` opens the messages. Missing keys take their defaults. Throws

@@ -1,4 +1,4 @@
-// preset_difference.cpp: which part a parameter belongs to, and differences row by row.
+// preset_difference.cpp: parts by name, and differences row by row.
 #include "core/preset/preset_difference.h"
 
 #include <fmt/format.h>
@@ -10,25 +10,6 @@
 
 namespace neph {
 namespace {
-
-/// Ids, or how they begin, that go with another part than the rest of their group: light through
-/// the cloud is a mode, and two things that all fields share stand in the group of the light.
-struct Exception {
-    std::string_view opening;
-    PresetParts part;
-};
-constexpr std::array<Exception, 3> kExceptions{{{"mode.transport", kPresetLight},
-                                                {"light.equal_extinction", kPresetFields},
-                                                {"light.uniform_phase", kPresetFields}}};
-
-struct GroupPart {
-    std::string_view group;
-    PresetParts part;
-};
-constexpr std::array<GroupPart, 4> kGroupParts{{{"Modes", kPresetFields},
-                                                {"Light", kPresetLight},
-                                                {"Sun and sky", kPresetLight},
-                                                {"View", kPresetView}}};
 
 /// The numbers of a camera on screen; the target stands apart.
 struct CameraNumber {
@@ -80,12 +61,7 @@ void addCameras(const CameraPose& before, const CameraPose& after,
 }  // namespace
 
 PresetParts partOf(const Parameter& row) {
-    if (row.species) return kPresetFields;
-    for (const Exception& exception : kExceptions) {
-        if (row.id.starts_with(exception.opening)) return exception.part;
-    }
-    const auto group = std::ranges::find(kGroupParts, row.group, &GroupPart::group);
-    return group == kGroupParts.end() ? kPresetView : group->part;
+    return bitOf(row.part);
 }
 
 PresetParts parsePresetParts(std::string_view list) {

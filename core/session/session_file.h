@@ -2,11 +2,11 @@
 //
 // A file is {"type": "nephoscope-session", "version": 1, "active", "compare", "split_at",
 // "linked_cameras", "linked_times", "slots": [{"data": [names], "region", "preset", "time", "look",
-// "camera", "bookmarks", "path"}, ...]}. Look and camera are spelled as in presets, lengths are in
-// metres, null is a side without bound. Data that lie under the file's folder or beside it are
-// named from there ("./run", "../run"), so that both can be moved together; a name without a
-// slash is that of a bundled sample. Files are untrusted: size, depth, duplicates and ranges are
-// checked.
+// "sampling", "camera", "bookmarks", "path"}, ...]}. Look and camera are spelled as in presets,
+// sampling as the look; lengths are in metres, null is a side without bound. Data that lie under
+// the file's folder or beside it are named from there ("./run", "../run"), so that both can be
+// moved together; a name without a slash is that of a bundled sample. Files are untrusted: size,
+// depth, duplicates and ranges are checked.
 #pragma once
 #include <filesystem>
 #include <string>

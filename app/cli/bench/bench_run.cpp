@@ -122,7 +122,7 @@ std::string cell(const Json& number, int decimals) {
 }
 
 std::string_view nameOf(Engine engine) {
-    return parameter("view.engine").choices[static_cast<std::size_t>(engine)];
+    return parameter("view.engine").choices[static_cast<std::size_t>(engine)].id;
 }
 
 std::optional<double> eyeMilliseconds(const render::FrameStats& stats) {

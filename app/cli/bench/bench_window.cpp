@@ -62,7 +62,7 @@ class Window {
         if (look_.engine == Engine::slicing) {
             inputs.planes = ui::planesOf(draft, look_.planes);
         } else {
-            inputs.look.quality *= static_cast<float>(draft.detail);
+            inputs.sampling.quality *= static_cast<float>(draft.detail);
         }
         return inputs;
     }

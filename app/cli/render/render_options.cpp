@@ -56,12 +56,12 @@ FileKind kindOf(const std::filesystem::path& out) {
                       extension.empty() ? "no extension" : extension, ".png, .exr or .mp4", ""});
 }
 
-SamplePlan planSamples(const RenderOptions& options, const Look& look) {
-    if (look.engine == Engine::slicing) return {};
-    if (look.engine == Engine::march) return {options.samples.value_or(kMarchSamples), 0.0};
+SamplePlan planSamples(const RenderOptions& options, const ParameterSet& drawn) {
+    if (drawn.look.engine == Engine::slicing) return {};
+    if (drawn.look.engine == Engine::march) return {options.samples.value_or(kMarchSamples), 0.0};
     const bool untilError = !options.samples || !options.error.empty();
     return {options.samples.value_or(kMaxSamples),
-            untilError ? static_cast<double>(look.targetError) : 0.0};
+            untilError ? static_cast<double>(drawn.sampling.targetError) : 0.0};
 }
 
 double parseSplit(const std::string& text) {

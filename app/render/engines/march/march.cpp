@@ -118,7 +118,7 @@ double diagonalOf(const SliceBox& box) {
 
 double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium) {
     return inputs.planes > 0 ? diagonalOf(boxOf(medium, grid)) / inputs.planes
-                             : voxelM(grid) / static_cast<double>(inputs.look.quality);
+                             : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
 }
 
 gl::Texture uploadBlueNoise() {
@@ -139,13 +139,13 @@ void MarchEngine::bind(const FrameInputs& inputs, const RegularGrid& grid,
                        const PackedMedium& medium, const gl::Texture* noise, glm::ivec2 batch) {
     const double diagonalM = diagonalOf(boxOf(medium, grid));
     const bool fixed = inputs.planes > 0;
-    const double stepM =
-        fixed ? diagonalM / inputs.planes : voxelM(grid) / static_cast<double>(inputs.look.quality);
+    const double stepM = fixed ? diagonalM / inputs.planes
+                               : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
     steps_ = static_cast<int>(std::lround(diagonalM / stepM));
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
-    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
+    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, 0);
