@@ -77,15 +77,21 @@ void addSessionOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("SHARE");
 }
 
+/// An option that stands for a parameter, as its row has it.
+void addAlias(CLI::App& command, std::string_view option, std::string& text) {
+    const OptionAlias& alias = parameterOfOption(option).alias;
+    command.add_option(std::string(alias.name), text, std::string(alias.help))
+        ->type_name(std::string(alias.takes));
+}
+
 /// How well the march and the reference are to draw.
 void addSampleOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--samples", options.samples,
                     "Pictures averaged, march: else 8; paths a pixel, reference: else as --error")
         ->type_name("N");
-    command.add_option("--error", options.error, "Reference; instead of view.target_error")
-        ->type_name("PERCENT");
-    command.add_option("--seed", options.seed, "Reference; instead of view.seed")->type_name("N");
+    addAlias(command, "--error", options.error);
+    addAlias(command, "--seed", options.seed);
 }
 
 void addRender(CLI::App& app, RenderOptions& options) {
@@ -97,17 +103,10 @@ void addRender(CLI::App& app, RenderOptions& options) {
     command.add_option("--size", options.size, "In pixels")
         ->type_name("WxH")
         ->capture_default_str();
-    command
-        .add_option("--engine", options.engine,
-                    fmt::format("Instead of view.engine: {}",
-                                fmt::join(eachEngine(&EngineTraits::id), ", ")))
-        ->type_name("NAME");
-    command
-        .add_option("--quality", options.quality, "Steps a voxel, march; instead of view.quality")
-        ->type_name("NUMBER");
+    addAlias(command, "--engine", options.engine);
+    addAlias(command, "--quality", options.quality);
     addSampleOptions(command, options);
-    command.add_option("--planes", options.planes, "Slices, slicing; instead of view.planes")
-        ->type_name("N");
+    addAlias(command, "--planes", options.planes);
     command.add_option("--format", options.format, "Pixels of an EXR: half or float")
         ->capture_default_str();
     command.add_option("--supersample", options.supersample, "Rays a pixel, a side: 1 to 4")
@@ -133,8 +132,7 @@ void addCompare(CLI::App& app, ComparisonOptions& options) {
     command.add_option("--size", render.size, "In pixels, of what engines draw")
         ->type_name("WxH")
         ->capture_default_str();
-    command.add_option("--planes", render.planes, "Slices, slicing; instead of view.planes")
-        ->type_name("N");
+    addAlias(command, "--planes", render.planes);
     addSampleOptions(command, render);
     command.add_flag("--json", options.json, "As JSON");
     command.add_option("--error-picture", options.errorPicture, "Relative errors as colours")

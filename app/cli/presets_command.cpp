@@ -21,6 +21,9 @@ std::string titleOf(const PresetEntry& entry) {
     }
 }
 
+constexpr std::string_view kAboutSampling =
+    "How finely an image is computed. Sessions keep these, presets do not.\n\n";
+
 std::string shown(const Parameter& row) {
     return formatValue(row, defaultOf(row));
 }
@@ -30,6 +33,11 @@ std::string cell(const Parameter& row) {
                        row.unit == "1" || row.unit.empty();
     return fmt::format("| `{}` | {} | {}{}{} | {} |\n", row.id, rangeText(row), shown(row),
                        plain ? "" : " ", plain ? "" : row.unit, row.help);
+}
+
+void printRemarks(const LoadedPreset& loaded) {
+    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& note : loaded.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
 int runList() {
@@ -45,7 +53,7 @@ int runList() {
 
 int runShow(const std::string& nameOrFile) {
     const LoadedPreset loaded = loadPreset(findPreset(nameOrFile));
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    printRemarks(loaded);
     fmt::print("{}", formatPreset(loaded.preset));
     return 0;
 }
@@ -55,9 +63,7 @@ int runCheck(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         try {
             const LoadedPreset loaded = loadPreset(findPreset(file));
-            for (const std::string& warning : loaded.warnings) {
-                fmt::print(stderr, "warning: {}\n", warning);
-            }
+            printRemarks(loaded);
             if (!loaded.warnings.empty()) status = 1;
             fmt::print("{}: {}\n", file, loaded.warnings.empty() ? "right" : "has unknown keys");
         } catch (const Error& error) {
@@ -84,6 +90,10 @@ int runSave(const PresetsOptions& options) {
                                      scene.document.look, scene.document.camera},
                                     options.replace);
     fmt::print("saved {}\n", file.string());
+    if (scene.document.sampling != Sampling{}) {
+        fmt::print(stderr, "note: without {}, which a preset does not hold\n",
+                   formatAssignments(samplingTable(), scene.document));
+    }
     return 0;
 }
 
@@ -125,15 +135,16 @@ int runPresets(std::string_view subcommand, const PresetsOptions& options) {
 std::string parameterReference() {
     std::string page =
         "# Parameters\n\n"
-        "Every tunable of the picture, as it is spelled in presets and in `--set id=value`. SI "
+        "Every tunable of the image, as it is spelled in presets and in `--set id=value`. SI "
         "units; colours are linear\nred, green and blue. This page is printed by `nephoscope "
         "presets parameters`; change the look table, not the page.\n";
     std::string group;
-    for (const Parameter& row : lookTable()) {
+    for (const Parameter& row : parameterTable()) {
         if (row.group != group) {
             group = row.group;
-            page += fmt::format(
-                "\n## {}\n\n| id | takes | default | meaning |\n|---|---|---|---|\n", group);
+            page +=
+                fmt::format("\n## {}\n\n{}| id | takes | default | meaning |\n|---|---|---|---|\n",
+                            group, row.part == ParameterPart::sampling ? kAboutSampling : "");
         }
         page += cell(row);
     }

@@ -165,7 +165,7 @@ std::vector<float> parseValues(const Object& entry, std::size_t count,
 }
 
 Medium parseGrid(const Object& scene, const std::filesystem::path& folder, bool& trilinear) {
-    constexpr std::size_t kMaxFields = 6;
+    constexpr std::size_t kMaxFields = kSpeciesCount;  // each stands in for a species
     const Object grid(*scene.find("grid"), scene.where + ": grid",
                       {"size", "spacing_m", "trilinear", "fields"});
     Medium medium;

@@ -22,7 +22,7 @@ namespace {
 constexpr double kStepsPerM = 1e6;
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 25;  // 128 MiB per field
 constexpr int kMaxSide = 2048;                             // of a 3-D texture
-constexpr std::size_t kMaxFields = 6;
+constexpr std::size_t kMaxFields = kSpeciesCount;          // each stands in for a species
 // Infinite layers are periodic cells; the wider they are, the fewer a path has to cross.
 constexpr double kWidthOverHeight = 16.0;
 // The tracer distributes its work by what it knows of each cell; with too few cells its results are

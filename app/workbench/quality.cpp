@@ -134,15 +134,15 @@ std::array<QualityControl, kEngineCount> qualityOfEachEngine() {
     return qualities;
 }
 
-void thin(Look& look, const Draft& draft) {
-    switch (traitsOf(look.engine).fineness) {
+void thin(ParameterSet& values, const Draft& draft) {
+    switch (traitsOf(values.look.engine).fineness) {
         case Fineness::none:
             return;
         case Fineness::stepsPerVoxel:
-            look.quality *= static_cast<float>(draft.detail);
+            values.sampling.quality *= static_cast<float>(draft.detail);
             return;
         case Fineness::planes:
-            look.planes = planesOf(draft, look.planes);
+            values.look.planes = planesOf(draft, values.look.planes);
             return;
     }
 }

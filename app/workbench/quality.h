@@ -90,8 +90,8 @@ std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& 
 /// One per engine: what they cost differs a thousandfold.
 std::array<QualityControl, kEngineCount> qualityOfEachEngine();
 
-/// Lowers whichever parameter says how finely `look` is drawn to the detail of the draft.
-void thin(Look& look, const Draft& draft);
+/// Lowers whichever parameter says how finely the engine draws to the detail of the draft.
+void thin(ParameterSet& values, const Draft& draft);
 
 /// Slices of a draft, of `planes` in full. Odd, as sizes are: software drivers compile shaders anew
 /// for textures whose sides are powers of two.

@@ -11,7 +11,7 @@
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph {
 namespace {
@@ -155,7 +155,7 @@ void ScriptPlayer::expect(const ScriptWorld& world) const {
     const std::size_t equals = word(0).find('=');
     const Parameter& row = parameter(word(0).substr(0, equals));
     const std::string wanted = equals == std::string::npos ? "" : word(0).substr(equals + 1);
-    const std::string found = formatValue(row, valueOf(world.ui.session().document.look, row));
+    const std::string found = formatValue(row, valueOf(world.ui.session().document, row));
     const std::string expected = formatValue(row, parseValue(row, wanted, here()));
     if (found != expected) throw Error({here(), row.id + " is another", found, expected, ""});
 }
@@ -170,7 +170,7 @@ bool ScriptPlayer::play(const ScriptWorld& world) {
     if (is("expect") || is("expect-file") || is("expect-time")) expect(world);
     if (is("expect-place")) return find(world, {0.5f, 0.5f}).has_value();
     if (is("screenshot")) world.screenshot(word(0));
-    if (is("set")) applyAssignment(world.ui.session().document.look, word(0));
+    if (is("set")) applyAssignment(world.ui.session().document, word(0));
     if (is("open")) world.open({step().words.begin(), step().words.end()});
     if (is("text")) {
         for (const std::string& part : step().words) {

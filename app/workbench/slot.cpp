@@ -21,7 +21,7 @@ bool converges(const Look& look) {
 /// Whether samples that were gathered for the one are as good for the other.
 bool sameSamples(const Document& a, const Document& b) {
     return a.camera == b.camera && a.time == b.time && converges(a.look) &&
-           firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve;
+           firstDifference(a, b).value_or(Stage::resolve) == Stage::resolve;
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ bool Slot::averages(bool moving) const {
 /// With a target that was changed since the picture was drawn, too.
 bool Slot::addsPaths(bool moving) const {
     ui::ReferenceReport reached = report.reference;
-    reached.targetError = static_cast<double>(session.document.look.targetError);
+    reached.targetError = static_cast<double>(session.document.sampling.targetError);
     return !moving && !ui::isReached(reached);
 }
 
@@ -77,10 +77,11 @@ Slot::Waiting Slot::waiting(bool moving) const {
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
     render::FrameInputs inputs;
     inputs.look = session.document.look;
+    inputs.sampling = session.document.sampling;
     inputs.sizePx = draft.sizePx;
     inputs.draftLight = draft.step == 0;
     inputs.profile = request.profile;
-    ui::thin(inputs.look, draft);
+    ui::thin(inputs, draft);
     inputs.camera = placeCamera(session.document.camera, session.shown()->grid,
                                 static_cast<double>(request.placePx.x) / request.placePx.y);
     return inputs;
@@ -126,8 +127,9 @@ std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
 }
 
 /// Learns from a picture of data of `time` what pictures cost, and reports it.
-void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
+void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
                 const render::FrameStats& stats) {
+    const Look& look = of.look;
     ui::QualityControl& quality = qualityOf(look.engine);
     const render::ReferenceProgress& traced = stats.reference;
     // What the camera does not change is no measure of how finely to draw while it moves.
@@ -151,7 +153,7 @@ void Slot::tell(const ui::Draft& drawn, const Look& look, int time,
               .time = time,
               .reference = {.paths = traced.samples,
                             .relativeError = traced.relativeError,
-                            .targetError = static_cast<double>(look.targetError),
+                            .targetError = static_cast<double>(of.sampling.targetError),
                             .seconds = traced.seconds}};
 }
 
@@ -173,7 +175,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     const std::optional<render::FrameStats> stats =
         retones ? renderer_.retone(inputs.look) : render(*wanted, inputs, request);
     if (!stats) return false;
-    tell(*wanted, inputs.look, time, *stats);
+    tell(*wanted, inputs, time, *stats);
     if (inputs.profile && !retones)
         ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = wanted;

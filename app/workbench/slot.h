@@ -80,7 +80,8 @@ class Slot {
         return qualities_.at(static_cast<std::size_t>(engine));
     }
     std::optional<ui::Draft> next(const DrawRequest& request);
-    void tell(const ui::Draft& drawn, const Look& look, int time, const render::FrameStats& stats);
+    void tell(const ui::Draft& drawn, const ParameterSet& of, int time,
+              const render::FrameStats& stats);
     std::optional<render::FrameStats> render(const ui::Draft& draft,
                                              const render::FrameInputs& inputs,
                                              const DrawRequest& request);

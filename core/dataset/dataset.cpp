@@ -25,6 +25,7 @@ static_assert(static_cast<int>(VariableRole::numberConcentration) ==
 static_assert(static_cast<int>(Microphysics::morrison) == NEPH_MICROPHYSICS_MORRISON);
 static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
 static_assert(static_cast<int>(Species::hail) == NEPH_SPECIES_HAIL);
+static_assert(kSpeciesCount == NEPH_SPECIES_HAIL + 1);
 
 VariableInfo infoOf(const FileVariable& variable) {
     VariableInfo info;

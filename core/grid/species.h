@@ -2,9 +2,13 @@
 //
 // Radii are those of [Riley03] table 3, colours those of its table 2; particle densities are from
 // docs/physics.md. Hail is not in the paper: its radius is the smallest that counts as hail (stones
-// of 5 mm diameter, [AMS]), its density that of Morrison's scheme.
+// of 5 mm diameter, [AMS]), its density that of Morrison's scheme. Radii of phase functions are
+// tuned by eye: droplets of cloud and of drizzle, crystals of cirrus. The accessible colours are
+// those of [OkabeIto08] that are nearest to the others: vermillion for red, reddish purple for
+// magenta, blue, yellow, bluish green for green, sky blue for cyan.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,12 +18,9 @@
 
 namespace neph {
 
-<<<<<<< HEAD
-/// The hydrometeors that a volume can hold; values are indices into arrays.
-=======
 #include "shaders/shared/sizes.glsl"
 
->>>>>>> d5884bd2975ae8c42eece443e85470d28ce49255
+/// The hydrometeors that a volume can hold; values are indices into arrays.
 enum class Species : int { cloud, ice, rain, snow, graupel, hail };
 
 /// Properties of a species that do not depend on the data.
@@ -29,17 +30,21 @@ struct SpeciesInfo {
     bool liquid;                  ///< water droplets; otherwise ice particles
     float radiusM;                ///< equivalent spherical radius
     float densityKgPerM3;         ///< of one particle
+    float phaseRadiusM;           ///< effective radius of the default phase function
     std::array<float, 3> colour;  ///< linear RGB of the field-colour mode
+    std::array<std::uint8_t, 3> accessibleColour;  ///< sRGB, for any common colour blindness
 };
 
-inline constexpr std::array<SpeciesInfo, kSpeciesCount> kSpecies{{
-    {"cloud", "Cloud", true, 10e-6f, 1000.0f, {1.0f, 0.05f, 0.05f}},
-    {"ice", "Ice", false, 1e-3f, 917.0f, {1.0f, 0.05f, 1.0f}},
-    {"rain", "Rain", true, 1e-3f, 1000.0f, {0.08f, 0.12f, 1.0f}},
-    {"snow", "Snow", false, 2e-3f, 100.0f, {1.0f, 0.9f, 0.05f}},
-    {"graupel", "Graupel", false, 2.5e-3f, 400.0f, {0.05f, 0.8f, 0.1f}},
-    {"hail", "Hail", false, 2.5e-3f, 900.0f, {0.05f, 0.85f, 0.9f}},
-}};
+/// In the order of Species.
+inline constexpr auto kSpecies = std::to_array<SpeciesInfo>({
+    {"cloud", "Cloud", true, 10e-6f, 1000.0f, 10e-6f, {1.0f, 0.05f, 0.05f}, {213, 94, 0}},
+    {"ice", "Ice", false, 1e-3f, 917.0f, 30e-6f, {1.0f, 0.05f, 1.0f}, {204, 121, 167}},
+    {"rain", "Rain", true, 1e-3f, 1000.0f, 25e-6f, {0.08f, 0.12f, 1.0f}, {0, 114, 178}},
+    {"snow", "Snow", false, 2e-3f, 100.0f, 30e-6f, {1.0f, 0.9f, 0.05f}, {240, 228, 66}},
+    {"graupel", "Graupel", false, 2.5e-3f, 400.0f, 30e-6f, {0.05f, 0.8f, 0.1f}, {0, 158, 115}},
+    {"hail", "Hail", false, 2.5e-3f, 900.0f, 30e-6f, {0.05f, 0.85f, 0.9f}, {86, 180, 233}},
+});
+inline constexpr int kSpeciesCount = static_cast<int>(kSpecies.size());
 
 constexpr const SpeciesInfo& info(Species s) {
     return kSpecies[static_cast<std::size_t>(s)];

@@ -1,18 +1,12 @@
-// colours.cpp: two sets of six colours, and the transfer function of sRGB.
+// colours.cpp: two sets of colours, and the transfer function of sRGB.
 #include "core/look/colours.h"
 
-#include <array>
 #include <cmath>
 
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
 namespace {
-
-/// sRGB of 8 bits, in the order of Species. [OkabeIto08]: vermillion for red, reddish purple for
-/// magenta, blue, yellow, bluish green for green, sky blue for cyan.
-constexpr std::array<glm::ivec3, kSpeciesCount> kOkabeIto{
-    {{213, 94, 0}, {204, 121, 167}, {0, 114, 178}, {240, 228, 66}, {0, 158, 115}, {86, 180, 233}}};
 
 /// Inverse of srgbEncode; IEC 61966-2-1.
 float srgbDecode(float x) {
@@ -30,9 +24,12 @@ glm::vec3 linearFromSrgb(const glm::vec3& srgb) {
 }
 
 glm::vec3 fieldColour(FieldColours colours, Species species) {
-    const auto& table2 = info(species).colour;
-    if (colours == FieldColours::table2) return {table2[0], table2[1], table2[2]};
-    return linearFromSrgb(glm::vec3(kOkabeIto[static_cast<std::size_t>(species)]) / 255.0f);
+    const SpeciesInfo& known = info(species);
+    if (colours == FieldColours::table2) {
+        return {known.colour[0], known.colour[1], known.colour[2]};
+    }
+    const auto& srgb = known.accessibleColour;
+    return linearFromSrgb(glm::vec3(srgb[0], srgb[1], srgb[2]) / 255.0f);
 }
 
 bool hasFieldColours(const Look& look, FieldColours colours) {

@@ -12,8 +12,8 @@ namespace neph {
 glm::vec3 srgbFromLinear(const glm::vec3& linear);
 glm::vec3 linearFromSrgb(const glm::vec3& srgb);
 
-/// Field colours of a look: those of [Riley03] table 2, or eight that people with any common colour
-/// blindness can tell, [OkabeIto08], of which the nearest are taken.
+/// Field colours of a look: those of [Riley03] table 2, or accessible ones, which people with any
+/// common colour blindness can tell apart.
 enum class FieldColours : int { table2, accessible };
 
 glm::vec3 fieldColour(FieldColours colours, Species species);

@@ -1,17 +1,11 @@
-// look.h: every tunable of the picture, declared once.
+// look.h: what an image shows: every tunable that presets share.
 //
-// `Look` holds values; the rows of `lookTable()` say what they are. Widgets, tooltips, reset, undo,
-// presets, `--set`, what is recomputed and the parameter reference all come from the rows. SI
-// units; panels multiply by `displayScale`.
+// Plain values; the rows of `lookTable()` in core/look/parameter.h say what they are. SI units. How
+// finely an image is computed stands apart, in core/look/sampling.h.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <variant>
 
 #include "core/grid/species.h"
 #include "core/look/engines.h"
@@ -33,10 +27,6 @@ enum class ToneMap : int { linear, filmic };
 
 /// Where the size of a field's particles comes from. docs/physics.md §7
 enum class RadiusSource : int { constant, file, number, scheme };
-
-/// What must be recomputed when a parameter changes; each stage implies those after it. `data`: the
-/// volume is read again.
-enum class Stage : int { data, medium, light, eye, resolve };
 
 struct SpeciesLook {
     bool visible = true;
@@ -86,10 +76,7 @@ struct Look {
     glm::vec3 groundColour{0.13f, 0.12f, 0.065f};
 
     Engine engine{};
-    float quality = 1.0f;  ///< steps a voxel of the march
-    int planes = 256;
-    float targetError = 0.02f;  ///< relative standard error at which the reference rests
-    int seed = 0;
+    int planes = 256;  ///< of the slicing engine; they decide the brightness of its printed form
     float exposureEv = 0.4f;
     ToneMap toneMap = ToneMap::filmic;
 
@@ -99,80 +86,6 @@ struct Look {
     const SpeciesLook& of(Species s) const { return species[static_cast<std::size_t>(s)]; }
     bool operator==(const Look&) const = default;
 };
-
-enum class ParameterKind : int { toggle, integer, number, choice, colour };
-using ParameterValue = std::variant<bool, int, float, glm::vec3>;  // a choice is an int
-
-struct ParameterRange {
-    double lo = 0.0;
-    double hi = 1.0;
-    bool log = false;  ///< sliders are logarithmic; zero, if allowed, sits at the left stop
-};
-
-struct Parameter {
-    std::string id;
-    std::string label;
-    std::string group;  ///< heading in the panel and the reference page
-    std::string unit;   ///< of the value; "1" for a pure number, empty for toggles and choices
-    std::string help;   ///< one line: meaning, equation, source
-    ParameterKind kind = ParameterKind::number;
-    ParameterRange range;
-    std::span<const std::string_view> choices;       ///< spelling in JSON and --set
-    std::span<const std::string_view> choiceLabels;  ///< spelling on screen
-    Stage invalidates = Stage::medium;
-    std::string displayUnit;    ///< unit on screen, "µm"; empty where `unit` is "1" or empty
-    double displayScale = 1.0;  ///< screen value = value × displayScale
-    std::optional<Species> species;
-    std::size_t offset = 0;  ///< of the value within Look
-    /// Of a parameter of a phase function: which one, and where in Look its PhaseSpec lies.
-    float PhaseSpec::*phaseMember = nullptr;
-    std::size_t phaseOffset = 0;
-    bool ofConstantRadius = false;   ///< acts only where the radius of `species` is a constant
-    unsigned engines = kAllEngines;  ///< with which it acts, bits
-};
-
-/// All parameters in the order of the panels.
-std::span<const Parameter> lookTable();
-
-/// nullptr when there is none of that id.
-const Parameter* findParameter(std::string_view id);
-
-/// The row of that id; throws Error naming the nearest known id.
-const Parameter& parameter(std::string_view id);
-
-ParameterValue valueOf(const Look& look, const Parameter& row);
-ParameterValue defaultOf(const Parameter& row);
-
-/// Stores a value; throws Error naming id, value and range or choices when it does not fit. `where`
-/// opens the message.
-void setValue(Look& look, const Parameter& row, const ParameterValue& value,
-              std::string_view where = {});
-
-/// What a parameter takes, in words: "a number from 0 to 90 deg", "one of physical, equal".
-std::string rangeText(const Parameter& row);
-
-/// Text of a value as `--set` reads it: 0.5, true, translucent, or r,g,b.
-std::string formatValue(const Parameter& row, const ParameterValue& value);
-/// Reads such text; throws Error.
-ParameterValue parseValue(const Parameter& row, std::string_view text, std::string_view where = {});
-
-/// Applies one `id=value`; throws Error.
-void applyAssignment(Look& look, std::string_view assignment);
-
-/// What follows a number on screen: " µm", "°", or nothing.
-std::string unitSuffix(const Parameter& row);
-/// Text of a value as the screen shows it: 10 µm, on, Translucent.
-std::string screenText(const Parameter& row, const ParameterValue& value);
-
-/// Whether a row acts at present: a parameter of a phase function acts where its kind reads it, a
-/// constant radius where none comes from the model, a row of one engine while that engine draws.
-bool applies(const Parameter& row, const Look& look);
-
-/// The earliest stage that differs between two looks; none when they are equal.
-std::optional<Stage> firstDifference(const Look& a, const Look& b);
-
-/// The known id that is nearest in spelling, for messages; empty when nothing is near.
-std::string nearestParameterId(std::string_view id);
 
 /// Unit vector towards the sun in world space.
 glm::dvec3 sunDirWorld(const Look& look);

@@ -1,12 +1,7 @@
 // blue_noise.h: a tile of numbers in which neighbours differ as much as possible.
 //
-<<<<<<< HEAD
 // Offsets taken from it move the error of sparse sampling to high frequencies, which the eye hardly
-// sees. 64 x 64, row by row; repeats seamlessly.
-=======
-// Offsets taken from it spread the error of sparse sampling over frequencies that the eye hardly
-// sees. kBlueNoiseSize squared, row by row; repeats without a seam.
->>>>>>> d5884bd2975ae8c42eece443e85470d28ce49255
+// sees. kBlueNoiseSize squared, row by row; repeats seamlessly.
 #pragma once
 #include <vector>
 

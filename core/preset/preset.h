@@ -1,8 +1,9 @@
 // preset.h: a look, and optionally a camera, saved as JSON.
 //
-// A preset does not depend on a data set or a camera path. A file is {"type": "nephoscope-look",
-// "version": 1, "title", "description", "look": {id: value}, "camera": {...}}; the ids, ranges and
-// defaults are those of the look table. Files are untrusted: size, depth and duplicate keys are
+// A preset does not depend on a data set or a camera path, and says nothing of sampling. A file is
+// {"type": "nephoscope-look", "version": 1, "title", "description", "look": {id: value},
+// "camera": {...}}; the ids, ranges and defaults are those of the look table. Files are untrusted:
+// size, depth and duplicate keys are
 // checked.
 #pragma once
 #include <filesystem>
@@ -34,6 +35,7 @@ struct PresetText {
 struct LoadedPreset {
     Preset preset;
     std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
+    std::vector<std::string> notes;     ///< sampling that the file names, which no preset holds
 };
 
 /// Reads a preset from text; `where` starts the messages. Missing keys get their defaults. Throws

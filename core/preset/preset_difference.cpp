@@ -1,4 +1,4 @@
-// preset_difference.cpp: assigns parameters to parts, and compares looks row by row.
+// preset_difference.cpp: parses the names of parts, and compares looks row by row.
 #include "core/preset/preset_difference.h"
 
 #include <fmt/format.h>
@@ -10,26 +10,6 @@
 
 namespace neph {
 namespace {
-
-/// Ids, or beginnings of ids, that belong to another part than the rest of their group: the
-/// transport of light is a mode, and two properties shared by all fields are in the group of the
-/// light.
-struct Exception {
-    std::string_view opening;
-    PresetParts part;
-};
-constexpr std::array<Exception, 3> kExceptions{{{"mode.transport", kPresetLight},
-                                                {"light.equal_extinction", kPresetFields},
-                                                {"light.uniform_phase", kPresetFields}}};
-
-struct GroupPart {
-    std::string_view group;
-    PresetParts part;
-};
-constexpr std::array<GroupPart, 4> kGroupParts{{{"Modes", kPresetFields},
-                                                {"Light", kPresetLight},
-                                                {"Sun and sky", kPresetLight},
-                                                {"View", kPresetView}}};
 
 /// The numbers of a camera on screen, except the target.
 struct CameraNumber {
@@ -81,12 +61,7 @@ void addCameras(const CameraPose& before, const CameraPose& after,
 }  // namespace
 
 PresetParts partOf(const Parameter& row) {
-    if (row.species) return kPresetFields;
-    for (const Exception& exception : kExceptions) {
-        if (row.id.starts_with(exception.opening)) return exception.part;
-    }
-    const auto group = std::ranges::find(kGroupParts, row.group, &GroupPart::group);
-    return group == kGroupParts.end() ? kPresetView : group->part;
+    return bitOf(row.part);
 }
 
 PresetParts parsePresetParts(std::string_view list) {

@@ -1,6 +1,6 @@
 // preset_difference.h: describes how two looks and cameras differ, and applies parts of a preset.
 //
-// Every parameter of the look table belongs to one part; the camera is a separate part.
+// Every row of the look table says which part it belongs to; the camera is a separate part.
 #pragma once
 #include <array>
 #include <optional>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/look/parameter.h"
 #include "core/preset/preset.h"
 
 namespace neph {
@@ -22,16 +23,24 @@ struct PresetPart {
     std::string_view label;  ///< on buttons
     std::string_view help;
 };
+constexpr PresetParts bitOf(ParameterPart part) {
+    return 1u << static_cast<unsigned>(part);
+}
+/// The camera has the bit after those of parameters.
+inline constexpr PresetParts kPresetFields = bitOf(ParameterPart::fields),
+                             kPresetLight = bitOf(ParameterPart::light),
+                             kPresetView = bitOf(ParameterPart::view),
+                             kPresetCamera = bitOf(ParameterPart::sampling) << 1u,
+                             kPresetAll =
+                                 kPresetFields | kPresetLight | kPresetView | kPresetCamera;
 inline constexpr std::array<PresetPart, 4> kPresetParts{{
-    {1, "fields", "Fields", "what each field does to light, and the modes of that"},
-    {2, "light", "Light", "how light goes through the cloud; sun, sky and ground"},
-    {4, "view", "View", "engine, quality and exposure"},
-    {8, "camera", "Camera", "where the picture is taken from"},
+    {kPresetFields, "fields", "Fields", "what each field does to light, and the modes of that"},
+    {kPresetLight, "light", "Light", "how light goes through the cloud; sun, sky and ground"},
+    {kPresetView, "view", "View", "engine, planes and exposure"},
+    {kPresetCamera, "camera", "Camera", "where the picture is taken from"},
 }};
-inline constexpr PresetParts kPresetFields = 1, kPresetLight = 2, kPresetView = 4,
-                             kPresetCamera = 8, kPresetAll = 15;
 
-/// The part that a parameter belongs to: one bit.
+/// The part that a row of the look table belongs to: one bit.
 PresetParts partOf(const Parameter& row);
 
 /// Parses "all" or a list such as "fields,light". Throws Error naming the valid parts.

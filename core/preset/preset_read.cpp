@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/strict_json.h"
 #include "core/camera/camera_format.h"
+#include "core/look/parameter_format.h"
 #include "core/preset/preset.h"
 #include "core/preset/preset_format.h"
 
@@ -28,71 +28,20 @@ std::string readPresetText(const std::filesystem::path& file) {
     return readJsonText(file, "a preset", kMaxJsonBytes);
 }
 
-std::optional<glm::vec3> toVector(const Json& value) {
-    if (!value.is_array() || value.size() != 3) return {};
-    glm::vec3 v{0.0f};
-    for (int i = 0; i < 3; ++i) {
-        const Json& item = value[static_cast<std::size_t>(i)];
-        if (!item.is_number()) return {};
-        v[i] = item.get<float>();
+/// Reads the look of a preset. Sampling is named in a note, because older files held it.
+void readLook(std::string_view values, std::string_view where, LoadedPreset& loaded) {
+    ParameterSet read;
+    std::string sampling;
+    for (const Parameter* row :
+         parseParameters(values, parameterTable(), where, read, loaded.warnings)) {
+        if (row->part != ParameterPart::sampling) continue;
+        sampling += (sampling.empty() ? "" : ", ") + row->id;
     }
-    return v;
-}
-
-/// Choices are written by name, so that files survive a change of the enumeration.
-std::optional<int> toChoice(const Parameter& row, const Json& value) {
-    if (!value.is_string()) return {};
-    const auto& name = value.get_ref<const std::string&>();
-    for (std::size_t i = 0; i < row.choices.size(); ++i) {
-        if (row.choices[i] == name) return static_cast<int>(i);
-    }
-    return {};
-}
-
-std::optional<int> toInteger(const Json& value) {
-    if (!value.is_number()) return {};
-    const auto number = value.get<double>();
-    if (std::abs(number) > 1e9 || number != std::floor(number)) return {};
-    return static_cast<int>(number);
-}
-
-/// The value in the type of the parameter; empty if JSON has another type.
-std::optional<ParameterValue> toValue(const Parameter& row, const Json& value) {
-    switch (row.kind) {
-        case ParameterKind::toggle:
-            if (value.is_boolean()) return value.get<bool>();
-            return {};
-        case ParameterKind::integer:
-            return toInteger(value);
-        case ParameterKind::choice:
-            return toChoice(row, value);
-        case ParameterKind::colour:
-            return toVector(value);
-        case ParameterKind::number:
-            break;
-    }
-    if (!value.is_number()) return {};
-    return value.get<float>();
-}
-
-void readLook(const Json& values, Look& look, std::string_view where,
-              std::vector<std::string>& warnings) {
-    std::vector<std::string_view> known;
-    for (const Parameter& row : lookTable()) known.push_back(row.id);
-    for (const auto& [key, value] : values.items()) {
-        const Parameter* row = findParameter(key);
-        if (row == nullptr) {
-            warnings.push_back(unknownJsonKey(where, key, known));
-            continue;
-        }
-        const auto read = toValue(*row, value);
-        if (!read) {
-            throw Error({std::string(where),
-                         fmt::format("parameter {} cannot take this value", key), excerpt(value),
-                         rangeText(*row), ""});
-        }
-        setValue(look, *row, *read, where);
-    }
+    loaded.preset.look = read.look;
+    if (sampling.empty()) return;
+    loaded.notes.push_back(
+        fmt::format("{}: {} not taken over: how finely an image is computed is no part of a preset",
+                    where, sampling));
 }
 
 }  // namespace
@@ -105,7 +54,7 @@ LoadedPreset parsePreset(std::string_view content, std::string_view where) {
     loaded.preset.description = jsonText(document, "description", where);
     for (const auto& [key, value] : document.items()) {
         if (key == "look") {
-            readLook(jsonObject(value, key, where), loaded.preset.look, where, loaded.warnings);
+            readLook(jsonObject(value, key, where).dump(), where, loaded);
         } else if (key == "camera") {
             loaded.preset.camera = parseCamera(value.dump(), where, loaded.warnings);
         } else if (std::find(kTopKeys.begin(), kTopKeys.end(), key) == kTopKeys.end()) {

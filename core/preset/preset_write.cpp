@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/camera/camera_format.h"
+#include "core/look/parameter_format.h"
 #include "core/preset/preset.h"
 #include "core/preset/preset_format.h"
 
@@ -15,29 +16,9 @@ namespace {
 using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
                                   std::int64_t, std::uint64_t, float>;
 
-Json toJson(const glm::vec3& v) {
-    return Json::array({v.x, v.y, v.z});
-}
-
-Json toJson(const Parameter& row, const ParameterValue& value) {
-    switch (row.kind) {
-        case ParameterKind::toggle:
-            return std::get<bool>(value);
-        case ParameterKind::integer:
-            return std::get<int>(value);
-        case ParameterKind::choice:
-            return formatValue(row, value);
-        case ParameterKind::colour:
-            return toJson(std::get<glm::vec3>(value));
-        case ParameterKind::number:
-            break;
-    }
-    return std::get<float>(value);
-}
-
 Json toJson(const CameraPose& pose) {
     Json camera = Json::object();
-    camera["target"] = toJson(pose.target);
+    camera["target"] = {pose.target.x, pose.target.y, pose.target.z};
     for (const CameraKey& row : kCameraKeys) camera[std::string(row.key)] = pose.*(row.member);
     return camera;
 }
@@ -73,9 +54,7 @@ std::string formatPreset(const Preset& preset) {
     document["version"] = kPresetVersion;
     document["title"] = preset.title;
     document["description"] = preset.description;
-    Json look = Json::object();
-    for (const Parameter& row : lookTable()) look[row.id] = toJson(row, valueOf(preset.look, row));
-    document["look"] = std::move(look);
+    document["look"] = Json::parse(formatParameters(lookTable(), {preset.look, {}}));
     if (preset.camera) document["camera"] = toJson(*preset.camera);
     return layOut(document);
 }

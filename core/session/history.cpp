@@ -23,7 +23,8 @@ std::string joined(const std::vector<std::string>& parts) {
     return text;
 }
 
-std::string valuesText(const Parameter& row, const Look& before, const Look& after) {
+std::string valuesText(const Parameter& row, const ParameterSet& before,
+                       const ParameterSet& after) {
     if (row.kind == ParameterKind::colour) return {};
     return fmt::format(" {} -> {}", screenText(row, valueOf(before, row)),
                        screenText(row, valueOf(after, row)));
@@ -34,9 +35,9 @@ bool allSame(const std::vector<std::string>& texts) {
 }
 
 /// "Cloud: Mixing scale 1 -> 0.5", "Cloud, Rain: Mixing scale", "Cloud: 3 parameters".
-std::string describeLook(const Look& before, const Look& after) {
+std::string describeParameters(const ParameterSet& before, const ParameterSet& after) {
     std::vector<std::string> labels, groups, values;
-    for (const Parameter& row : lookTable()) {
+    for (const Parameter& row : parameterTable()) {
         if (valueOf(before, row) == valueOf(after, row)) continue;
         labels.push_back(row.label);
         groups.push_back(row.group);
@@ -80,7 +81,7 @@ std::string describePath(const CameraPath& before, const CameraPath& after) {
 }  // namespace
 
 std::string describeChange(const Document& before, const Document& after) {
-    std::vector<std::string> parts{describeLook(before.look, after.look)};
+    std::vector<std::string> parts{describeParameters(before, after)};
     if (before.time != after.time) {
         parts.push_back(fmt::format("Time {} -> {}", before.time + 1, after.time + 1));
     }

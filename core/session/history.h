@@ -9,13 +9,12 @@
 
 #include "core/camera/camera.h"
 #include "core/camera/camera_path.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph {
 
-/// Everything about the image that the user can change.
-struct Document {
-    Look look;
+/// Everything about the image that the user can change: look, sampling and what follows.
+struct Document : ParameterSet {
     CameraPose camera;
     int time = 0;  ///< index into the times of the data set
     std::vector<Bookmark> bookmarks;

@@ -2,11 +2,11 @@
 //
 // A file is {"type": "nephoscope-session", "version": 1, "active", "compare", "split_at",
 // "linked_cameras", "linked_times", "slots": [{"data": [names], "region", "preset", "time", "look",
-// "camera", "bookmarks", "path"}, ...]}. Look and camera are written as in presets, lengths are in
-// metres, null is an unlimited side. Data below the folder of the file or beside it are named
-// relative to it ("./run", "../run"), so that both can be moved together; a name without a slash is
-// that of a bundled sample. Files are untrusted: size, depth, duplicate keys and ranges are
-// checked.
+// "sampling", "camera", "bookmarks", "path"}, ...]}. Look, sampling and camera are written as in
+// presets, lengths are in metres, null is an unlimited side. Data below the folder of the file or
+// beside it are named relative to it ("./run", "../run"), so that both can be moved together; a
+// name without a slash is that of a bundled sample. Files are untrusted: size, depth, duplicate
+// keys and ranges are checked.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -24,6 +24,7 @@ void Session::setPreset(const std::string& name) {
 /// Commits pending changes first, so that undo returns to the look before the preset.
 void Session::takePreset(const LoadedPreset& loaded, PresetParts parts, const std::string& label) {
     for (const std::string& warning : loaded.warnings) say(Message::Kind::warning, warning);
+    for (const std::string& note : loaded.notes) say(Message::Kind::note, note);
     history.commit(document);
     takeOver(loaded.preset, parts, document.look, document.camera);
     if ((parts & kPresetCamera) != 0 && loaded.preset.camera) homeCamera = *loaded.preset.camera;

@@ -9,8 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/strict_json.h"
 #include "core/camera/camera_format.h"
-#include "core/preset/preset.h"
-#include "core/preset/preset_format.h"
+#include "core/look/parameter_format.h"
 #include "core/session/session_file.h"
 
 namespace neph {
@@ -25,8 +24,8 @@ constexpr std::size_t kMaxNameLength = 4096;              // PATH_MAX
 constexpr std::size_t kMaxBookmarks = 1000;
 constexpr std::array<std::string_view, 8> kTopKeys{
     "type", "version", "active", "compare", "split_at", "linked_cameras", "linked_times", "slots"};
-constexpr std::array<std::string_view, 8> kSlotKeys{"data", "region", "preset",    "time",
-                                                    "look", "camera", "bookmarks", "path"};
+constexpr std::array<std::string_view, 9> kSlotKeys{
+    "data", "region", "preset", "time", "look", "sampling", "camera", "bookmarks", "path"};
 constexpr std::array<std::string_view, 2> kRegionKeys{"lower_m", "upper_m"};
 constexpr std::array<std::string_view, 2> kBookmarkKeys{"name", "camera"};
 
@@ -163,16 +162,16 @@ CameraPath readPath(const Reader& slot) {
     return parseCameraPath(path.dump(), slot.where + ": path", slot.warnings);
 }
 
-/// Reads look and camera with the code that reads presets.
-void readLook(const Reader& slot, Document& document) {
-    Json preset{{"type", kPresetType}, {"version", kPresetVersion}};
-    for (const char* key : {"look", "camera"}) {
-        if (const Json* json = slot.find(key)) preset[key] = *json;
-    }
-    LoadedPreset loaded = parsePreset(preset.dump(), slot.where);
-    document.look = loaded.preset.look;
-    if (loaded.preset.camera) document.camera = *loaded.preset.camera;
-    slot.warnings.insert(slot.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+/// Reads look and sampling. Older sessions have both in "look".
+void readParameters(const Reader& slot, ParameterSet& values) {
+    const auto read = [&](std::string_view key, std::span<const Parameter> rows) {
+        const Json* json = slot.find(key);
+        if (json == nullptr) return;
+        parseParameters(jsonObject(*json, key, slot.where).dump(), rows, slot.where, values,
+                        slot.warnings);
+    };
+    read("look", parameterTable());
+    read("sampling", samplingTable());
 }
 
 SlotState readSlot(const Reader& from, const fs::path& folder) {
@@ -182,7 +181,10 @@ SlotState readSlot(const Reader& from, const fs::path& folder) {
     slot.region = readRegion(from);
     slot.presetName = readName(from, "preset");
     from.read("time", slot.document.time, std::numeric_limits<int>::max());
-    readLook(from, slot.document);
+    readParameters(from, slot.document);
+    if (const Json* camera = from.find("camera")) {
+        slot.document.camera = parseCamera(camera->dump(), from.where, from.warnings);
+    }
     slot.document.bookmarks = readBookmarks(from);
     slot.document.path = readPath(from);
     return slot;

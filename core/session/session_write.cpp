@@ -8,7 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/strict_json.h"
 #include "core/camera/camera_format.h"
-#include "core/preset/preset.h"
+#include "core/look/parameter_format.h"
 #include "core/session/session_file.h"
 
 namespace neph {
@@ -78,7 +78,8 @@ Json toJson(const SlotState& slot, const fs::path& folder) {
     }
     json["preset"] = slot.presetName;
     json["time"] = document.time;
-    json["look"] = Json::parse(formatPreset({"", "", document.look, {}}))["look"];
+    json["look"] = Json::parse(formatParameters(lookTable(), document));
+    json["sampling"] = Json::parse(formatParameters(samplingTable(), document));
     json["camera"] = toJson(document.camera);
     json["bookmarks"] = Json::array();
     for (const Bookmark& bookmark : document.bookmarks) {

@@ -3,7 +3,6 @@
 #include "core/volume/radius_scheme.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -46,6 +45,13 @@ double densityOf(Microphysics scheme, Species species) {
             return scheme == Microphysics::wsm6 ? 700.0 : 900.0;
     }
     return 0.0;
+}
+
+/// What WRF writes where a species is absent; 0: nothing.
+double backgroundRadiusM(Species species) {
+    if (species == Species::cloud) return 2.49e-6;
+    if (species == Species::ice) return 4.99e-6;
+    return species == Species::snow ? 9.99e-6 : 0.0;
 }
 
 /// Droplets per m³ if unknown; 100 per cm³ is the value of Thompson and of maritime clouds.
@@ -199,10 +205,7 @@ ParticleSize sizeFromFile(Microphysics scheme, Species species, double radiusM) 
 
 bool isBackgroundRadius(Species species, double radiusM) {
     if (!(radiusM > 0.0)) return true;
-    constexpr std::array<double, kSpeciesCount> kBackgroundM{2.49e-6, 4.99e-6, 0.0,
-                                                             9.99e-6, 0.0,     0.0};
-    const double background = kBackgroundM[static_cast<std::size_t>(species)];
-    return std::abs(radiusM - background) < 0.012e-6;
+    return std::abs(radiusM - backgroundRadiusM(species)) < 0.012e-6;
 }
 
 double extinctionPerM(RadiationOptics optics, Species species, double contentKgPerM3,

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
@@ -60,7 +61,7 @@ TEST_CASE("Bad usage exits with 2 and says what would be right") {
                           Case{"render --quality 0.1", "from 0.25 to 8"},
                           Case{"render --quality fine", "--quality"},
                           Case{"render --samples 0", "from 1 to 65536"},
-                          Case{"render --error 0", "percent from 0.05 to 50"},
+                          Case{"render --error 0", "from 0.05 to 50 %"},
                           Case{"render --seed x", "--seed"},
                           Case{"render --samples 1.5", "--samples"},
                           Case{"render --format double", "half or float"},
@@ -128,17 +129,21 @@ TEST_CASE("A rendered PNG has the size asked for and says where it comes from") 
     CHECK(contains(textOf(metadata, "nephoscope.camera"), "azimuth"));
 }
 
-TEST_CASE("The look in a picture's metadata renders the same picture again") {
+TEST_CASE("Look and sampling in an image's metadata render the same image again") {
     const TemporaryFolder folder;
     const auto first = folder / "first.png", second = folder / "second.png";
     REQUIRE(runProgram("render " + kStormFile + kQuick +
                        "--set cloud.mixing_scale=0.3 --set sun.elevation=20 --out " +
                        first.string())
                 .status == 0);
-    std::ofstream(folder / "look.json") << textOf(readPngMetadata(first), "nephoscope.look");
-    // Without --quality: that of the first picture is part of its look.
+    const Metadata made = readPngMetadata(first);
+    std::ofstream(folder / "look.json") << textOf(made, "nephoscope.look");
+    std::string sampling;
+    std::istringstream assignments(textOf(made, "nephoscope.sampling"));
+    for (std::string word; assignments >> word;) sampling += " --set " + word;
+    CHECK(contains(sampling, "view.quality=0.25"));
     REQUIRE(runProgram("render " + kStormFile + " --size 48x32 --samples 1 --preset " +
-                       (folder / "look.json").string() + " --out " + second.string())
+                       (folder / "look.json").string() + sampling + " --out " + second.string())
                 .status == 0);
     CHECK(readPng(first).rgba == readPng(second).rgba);
 }
@@ -153,13 +158,16 @@ TEST_CASE(
         CHECK(outcome.status == 0);
         const Metadata metadata = readPngMetadata(file);
         const auto look = nlohmann::json::parse(textOf(metadata, "nephoscope.look"))["look"];
+        CHECK(contains(textOf(metadata, "nephoscope.sampling"), "view.seed=0"));
+        CHECK_FALSE(look.contains("view.seed"));
+        const bool half = contains(textOf(metadata, "nephoscope.sampling"), "view.quality=0.5 ");
+        CHECK(half == contains(options, "--quality 0.5"));
         return std::pair(textOf(metadata, "nephoscope.renderer"), look);
     };
     const auto march = rendered("--engine march --quality 0.5 --samples 2");
     CHECK(march.first.starts_with("march, "));
     CHECK(contains(march.first, " steps, 2 samples, "));
     CHECK(march.second["view.engine"] == "march");
-    CHECK(march.second["view.quality"] == 0.5);
     const auto slicing = rendered("--engine slicing --planes 16 --samples 2");
     CHECK(slicing.first.starts_with("slicing, 16 planes, "));
     CHECK(slicing.second["view.engine"] == "slicing");
@@ -279,6 +287,20 @@ TEST_CASE("Checking a preset with an unknown key fails and names the nearest one
     const Outcome outcome = runProgram("presets check " + (folder / "a.json").string());
     CHECK(outcome.status == 1);
     CHECK(contains(outcome.err, "sun.azimuth"));
+}
+
+TEST_CASE("A preset with sampling is right, and a note says that it is read without it") {
+    const TemporaryFolder home;
+    const auto file = (home / "old.json").string();
+    std::ofstream(file) << R"({"type": "nephoscope-look", "version": 1, "look": {"view.seed": 7}})";
+    const Outcome checked = runProgram("presets check " + file);
+    CHECK(checked.status == 0);
+    CHECK(contains(checked.err, "note: " + file + ": view.seed not taken over"));
+    CHECK(contains(checked.out, "right"));
+    const Outcome saved = runProgram("presets save mine --set view.seed=7", home.path().string());
+    CHECK(saved.status == 0);
+    CHECK(contains(saved.err, "view.seed=7"));
+    CHECK_FALSE(contains(runProgram("presets show mine", home.path().string()).out, "view.seed"));
 }
 
 TEST_CASE("The page of parameters is what the program prints") {

@@ -43,7 +43,7 @@ SessionState cumulusSession() {
     state.slots.resize(2);
     for (SlotState& slot : state.slots) {
         slot.data = {"cumulus"};
-        slot.document.look.quality = 0.25f;
+        slot.document.sampling.quality = 0.25f;
         slot.document.time = 2;
     }
     state.slots[0].document.camera.azimuthDeg = 90.0f;
@@ -238,7 +238,7 @@ TEST_CASE("Thumbnails are made where the browser looks for them, once") {
     const Environment cache("XDG_CACHE_HOME", folder.path().string());
     const auto preset = folder / "coarse.json";
     std::ofstream(preset) << R"({"type": "nephoscope-look", "version": 1, "title": "coarse",
-                                 "look": {"view.quality": 0.25, "mode.noise": false}})";
+                                 "look": {"mode.noise": false}})";
     const auto file = thumbnailFile({"coarse", preset, false});
     REQUIRE(file);
     const std::string make = "thumbnails --preset " + quoted(preset);

@@ -60,12 +60,12 @@ const Floors kCore{{"core/base", "core/grid"},
                    {"core/preset"},
                    {"core/session"}};
 
-const Floors kRender{{"app/render/light"},
-                     {"app/render/medium"},
-                     {"app/render/frame"},
-                     {"app/render/engines/march", "app/render/engines/slicing",
-                      "app/render/engines/reference"},
-                     {"app/render"}};
+const Floors kRender{
+    {"app/render/light"},
+    {"app/render/medium"},
+    {"app/render/frame"},
+    {"app/render/engines/march", "app/render/engines/slicing", "app/render/engines/reference"},
+    {"app/render"}};
 
 const Floors kCommands{
     {"app/cli/common"},

@@ -103,6 +103,8 @@ void seedDocuments() {
         seed("preset", entry.path().filename().string(), text);
         seed("camera", entry.path().filename().string(), text);
     }
+    seed("preset", "with_sampling", R"({"type": "nephoscope-look", "version": 1,
+ "look": {"view.engine": "reference", "view.quality": 2, "view.target_error": 0.01, "view.seed": 7}})");
     seed("camera", "alone", R"({"target": [0.5, 0.5, 0.3], "distance": 1.2, "azimuth_deg": 200,
  "elevation_deg": 10, "fov_deg": 40})");
     seed("camera", "path", R"({"type": "nephoscope-camera-path", "version": 1, "with_time": true,
@@ -125,6 +127,7 @@ void seedSessions() {
     neph::SlotState& slot = state.slots.front();
     slot.data = {"/runs/wrf/wrfout_d01", "/far/away", "cumulus"};
     slot.region = neph::Region{{0.0, 0.0, 0.0}, {1e4, 2e4, 1e4}};
+    slot.document.sampling = {.quality = 2.0f, .targetError = 0.01f, .seed = 7};
     slot.document.bookmarks = {{"south", {}}};
     slot.document.path.keys = {{0.0, {}}, {2.5, {}}};
     seed("session", "full", neph::formatSession(state, "/runs/sessions"));

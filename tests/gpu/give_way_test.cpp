@@ -65,7 +65,7 @@ TEST_CASE("A further sample that gave way can be asked for again, and the pictur
     const SpeciesVolume volume = test::blobs();
     renderer.setVolume(volume);
     render::FrameInputs inputs = marchFrame(volume);
-    inputs.look.quality = 0.25f;  // so that samples differ
+    inputs.sampling.quality = 0.25f;  // so that samples differ
     const auto average = [&](bool givesWay) {
         render::Accumulation image;
         while (image.samples() < 8) {

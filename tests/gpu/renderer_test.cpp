@@ -71,7 +71,7 @@ TEST_CASE(
     checkRedone(volume, inputs, kResolve);
     inputs.camera = placeCamera(views()[4].pose, volume.grid, 0.75);
     checkRedone(volume, inputs, kEye);
-    inputs.look.quality = 0.5f;  // steps too long for detail below the voxel
+    inputs.sampling.quality = 0.5f;  // steps too long for detail below the voxel
     checkRedone(volume, inputs, kEyeAndDetail);
     inputs.look.sunIntensity = 0.5f;
     checkRedone(volume, inputs, kEye);

@@ -59,7 +59,7 @@ class Window {
         render::FrameInputs inputs = run_.inputs(volume_.grid, draft.sizePx, turnDeg);
         inputs.camera.aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         inputs.look = look_;
-        ui::thin(inputs.look, draft);
+        ui::thin(inputs, draft);
         return inputs;
     }
 

@@ -54,7 +54,9 @@ void applyPreset(const std::string& nameOrFile, PresetParts parts, Scene& scene)
     const LoadedPreset loaded = loadPreset(file);
     scene.presetName = presetNameOf(file.string());
     takeOver(loaded.preset, parts, scene.document.look, scene.document.camera);
-    scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+    for (const auto& texts : {loaded.warnings, loaded.notes}) {
+        scene.warnings.insert(scene.warnings.end(), texts.begin(), texts.end());
+    }
 }
 
 PresetParts partsOf(const SceneOptions& options) {
@@ -88,7 +90,7 @@ Scene makeScene(const SceneOptions& options, const std::optional<Scene>& start) 
     applyPresets(options, start.has_value(), scene);
     for (const std::string& assignment : options.assignments) {
         try {
-            applyAssignment(scene.document.look, assignment);
+            applyAssignment(scene.document, assignment);
         } catch (const Error& error) {
             ErrorParts parts = error.parts();
             parts.where = "--set " + assignment;

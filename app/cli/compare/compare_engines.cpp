@@ -78,13 +78,14 @@ class Drawer {
 ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     DrawnSide drawn;
     drawn.renderer = &side_->renderer();
-    drawn.inputs.look = side_->look();
+    drawn.inputs.look = side_->parameters().look;
+    drawn.inputs.sampling = side_->parameters().sampling;
     for (const std::string& assignment : engine.assignments) {
-        applyAssignment(drawn.inputs.look, assignment);
+        applyAssignment(drawn.inputs, assignment);
     }
     drawn.inputs.sizePx = sizePx_;
     drawn.inputs.camera = camera_;
-    const SamplePlan plan = planSamples(options_, drawn.inputs.look);
+    const SamplePlan plan = planSamples(options_, drawn.inputs);
     drawn.samples = plan.samples;
     drawn.targetError = plan.targetError;
     drawn.toPx = sizePx_.x;

@@ -38,10 +38,10 @@ std::vector<ComparedEngine> parseEngines(const std::vector<std::string>& texts) 
         for (const std::string& name : split(text, ',')) {
             std::vector<std::string> parts = split(name, ':');
             parts.front().insert(0, "view.engine=");
-            Look look;
+            ParameterSet scratch;
             for (const std::string& assignment : parts) {
                 try {
-                    applyAssignment(look, assignment);
+                    applyAssignment(scratch, assignment);
                 } catch (const Error& error) {
                     ErrorParts told = error.parts();
                     told.where = "--engine " + name;
@@ -77,9 +77,9 @@ std::optional<double> parseOptionalNumber(const std::string& option, const std::
     throw UsageError({option, "cannot be read", text, "a number", ""});
 }
 
-SamplePlan planSamples(const ComparisonOptions& options, const Look& look) {
-    if (traitsOf(look.engine).refinement == Refinement::averages) return {ui::kSamples, 0.0};
-    return planSamples(options.render, look);
+SamplePlan planSamples(const ComparisonOptions& options, const ParameterSet& drawn) {
+    if (traitsOf(drawn.look.engine).refinement == Refinement::averages) return {ui::kSamples, 0.0};
+    return planSamples(options.render, drawn);
 }
 
 void checkOptions(const ComparisonOptions& options) {

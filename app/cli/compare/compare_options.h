@@ -36,7 +36,7 @@ std::optional<double> parseOptionalNumber(const std::string& option, const std::
 
 /// Samples of an engine: those that the window averages for the march, and paths of the reference
 /// as typed.
-SamplePlan planSamples(const ComparisonOptions& options, const Look& look);
+SamplePlan planSamples(const ComparisonOptions& options, const ParameterSet& drawn);
 
 /// Throws UsageError.
 void checkOptions(const ComparisonOptions& options);

@@ -139,8 +139,9 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     printAll("note", side.newNotes());
     DrawnSide drawn;
     drawn.renderer = &side.renderer();
-    drawn.inputs.look = side.look();
-    const SamplePlan plan = planSamples(options_, side.look());
+    drawn.inputs.look = side.parameters().look;
+    drawn.inputs.sampling = side.parameters().sampling;
+    const SamplePlan plan = planSamples(options_, side.parameters());
     drawn.samples = plan.samples;
     drawn.targetError = plan.targetError;
     drawn.inputs.sizePx = sizePx_;
@@ -210,7 +211,8 @@ void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
                workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
     if (!options_.profile) return;
     render::FrameInputs inputs;
-    inputs.look = first.look();
+    inputs.look = first.parameters().look;
+    inputs.sampling = first.parameters().sampling;
     inputs.sizePx = sizePx_;
     fmt::print(stderr, "{}",
                profileText(profileOf(bands.stats(), inputs, sides_.front()->renderer())));

@@ -55,15 +55,15 @@ FileKind kindOf(const std::filesystem::path& out) {
                       extension.empty() ? "no extension" : extension, ".png, .exr or .mp4", ""});
 }
 
-SamplePlan planSamples(const RenderOptions& options, const Look& look) {
-    const EngineTraits& engine = traitsOf(look.engine);
+SamplePlan planSamples(const RenderOptions& options, const ParameterSet& drawn) {
+    const EngineTraits& engine = traitsOf(drawn.look.engine);
     if (engine.refinement == Refinement::once) return {};
     if (engine.refinement == Refinement::averages) {
         return {options.samples.value_or(engine.samples), 0.0};
     }
     const bool untilError = !options.samples || !options.error.empty();
     return {options.samples.value_or(kMaxSamples),
-            untilError ? static_cast<double>(look.targetError) : 0.0};
+            untilError ? static_cast<double>(drawn.sampling.targetError) : 0.0};
 }
 
 double parseSplit(const std::string& text) {

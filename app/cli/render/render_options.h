@@ -56,7 +56,7 @@ struct SamplePlan {
     int samples = 1;
     double targetError = 0.0;
 };
-SamplePlan planSamples(const RenderOptions& options, const Look& look);
+SamplePlan planSamples(const RenderOptions& options, const ParameterSet& drawn);
 
 /// "WxH" in pixels, each 1 to 65535. Throws UsageError.
 glm::ivec2 parseSize(const std::string& text);

@@ -14,29 +14,16 @@
 namespace neph {
 namespace {
 
-constexpr float kPercent = 0.01f;
-
-/// Sets a parameter as an option of its own says, if it does. As part of the look, so that the look
-/// in the metadata renders the same picture again.
-void apply(Look& look, std::string_view id, std::string_view option, const std::string& text,
-           float unit = 1.0f) {
+/// Sets a parameter as the option of its own says, if it does. As part of the document, so that the
+/// metadata name what renders the same image again.
+void apply(ParameterSet& values, std::string_view option, const std::string& text) {
     if (text.empty()) return;
     try {
-        const Parameter& row = parameter(id);
-        ParameterValue value = parseValue(row, text);
-        if (float* number = std::get_if<float>(&value)) *number *= unit;
-        setValue(look, row, value);
+        const Parameter& row = parameterOfOption(option);
+        setValue(values, row, parseScreenValue(row, text));
     } catch (const Error& error) {
         ErrorParts parts = error.parts();
         parts.where = option;
-        if (unit != 1.0f) {
-            const double perUnit = 1.0 / static_cast<double>(unit);
-            const ParameterRange& range = parameter(id).range;
-            parts = {std::string(option), "cannot take this value", text,
-                     fmt::format("a number of percent from {:.4g} to {:.4g}", range.lo * perUnit,
-                                 range.hi * perUnit),
-                     ""};
-        }
         throw UsageError(parts);
     }
 }
@@ -54,12 +41,12 @@ SideScene sceneOf(const RenderOptions& options, SceneOptions typed, const SlotSt
     }
     side.scene = makeScene(typed, start);
     side.options = std::move(typed);
-    Look& look = side.scene.document.look;
-    apply(look, "view.engine", "--engine", options.engine);
-    apply(look, "view.quality", "--quality", options.quality);
-    apply(look, "view.planes", "--planes", options.planes);
-    apply(look, "view.seed", "--seed", options.seed);
-    apply(look, "view.target_error", "--error", options.error, kPercent);
+    Document& document = side.scene.document;
+    apply(document, "--engine", options.engine);
+    apply(document, "--quality", options.quality);
+    apply(document, "--planes", options.planes);
+    apply(document, "--seed", options.seed);
+    apply(document, "--error", options.error);
     return side;
 }
 
@@ -150,7 +137,8 @@ Metadata Side::describe(const CameraPose& pose, const std::string& work) const {
         {"camera", fmt::format("target {},{},{} distance {} azimuth {} elevation {} fov {}",
                                pose.target.x, pose.target.y, pose.target.z, pose.distance,
                                pose.azimuthDeg, pose.elevationDeg, pose.fovDeg)},
-        {"look", formatPreset(Preset{name, "", look(), pose})},
+        {"look", formatPreset(Preset{name, "", parameters().look, pose})},
+        {"sampling", formatAssignments(samplingTable(), parameters())},
         {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,
                              time.file.filename().string(), shown_.timeLabel, info().reader)},
         {"resolution", plan.empty() ? "full" : plan},

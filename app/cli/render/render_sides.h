@@ -42,7 +42,7 @@ class Side {
 
     /// As typed, as the session says, or the default one; none but those there are.
     std::vector<int> times() const;
-    const Look& look() const { return what_.scene.document.look; }
+    const ParameterSet& parameters() const { return what_.scene.document; }
     const SideScene& what() const { return what_; }
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }

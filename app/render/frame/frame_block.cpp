@@ -71,7 +71,7 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     block.mixtureExtentM = v4(dvec3(2 * ((grid.size + 1) / 2)) * grid.spacingM);
     block.brickM = v4(bricks.brickM);
     block.slices = {slices.count, 0, 0, static_cast<int>(medium.classes.size())};
-    block.refinement = {0, inputs.backdrop ? 1 : 0, 0, 0};
+    block.sampling = {0, inputs.backdrop ? 1 : 0, 0, 0};
     block.picture = {inputs.sizePx, slices.lightSizePx};
     const PicturePart part = inputs.part.value_or(PicturePart{inputs.sizePx, {0, 0}});
     block.whole = {part.wholePx, part.lowerPx};

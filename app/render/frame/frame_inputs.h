@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/camera/camera.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph::render {
 
@@ -18,8 +18,8 @@ struct PicturePart {
     bool operator==(const PicturePart&) const = default;
 };
 
-struct FrameInputs {
-    Look look;
+/// Look and sampling, and what follows.
+struct FrameInputs : ParameterSet {
     Camera camera;
     glm::ivec2 sizePx{640, 480};
     std::optional<PicturePart> part;  ///< none: the whole

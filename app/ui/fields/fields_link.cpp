@@ -9,14 +9,6 @@
 namespace neph::ui {
 namespace {
 
-bool ends(const Parameter& row, std::string_view name) {
-    return row.id.ends_with(name) && row.id[row.id.size() - name.size() - 1] == '.';
-}
-
-bool byFactor(const Parameter& row) {
-    return ends(row, "mixing_scale") || ends(row, "effective_radius");
-}
-
 /// The row of another field that means the same.
 const Parameter& sameRow(const Parameter& row, Species other) {
     return parameter(fmt::format("{}{}", info(other).id, row.id.substr(row.id.find('.'))));
@@ -53,19 +45,15 @@ bool linkOf(const FieldsState& state, Species species) {
     return info(species).liquid ? state.linkLiquid : state.linkIce;
 }
 
-bool isLinked(const Parameter& row) {
-    return row.species && !ends(row, "visible") && !ends(row, "colour") && !ends(row, "density");
-}
-
 void follow(Look& look, const Look& before, const Look& atPress, Species edited) {
     for (const Parameter& row : lookTable()) {
-        if (row.species != edited || !isLinked(row)) continue;
+        if (row.species != edited || row.link == LinkPolicy::own) continue;
         if (valueOf(before, row) == valueOf(look, row)) continue;
         for (int s = 0; s < kSpeciesCount; ++s) {
             const auto other = static_cast<Species>(s);
             if (other == edited || info(other).liquid != info(edited).liquid) continue;
             const Parameter& own = sameRow(row, other);
-            if (byFactor(row)) {
+            if (row.link == LinkPolicy::factor) {
                 setValue(look, own, scaled(row, own, look, atPress));
             } else {
                 setValue(look, own, valueOf(look, row));

@@ -9,12 +9,8 @@ namespace neph::ui {
 bool& linkOf(FieldsState& state, Species species);
 bool linkOf(const FieldsState& state, Species species);
 
-/// Whether a linked field takes over an edit of this row: sizes and mixing scale by the same
-/// factor, phase function, noise, albedo and source of radius by the same value; visibility, colour
-/// and density are each field's own.
-bool isLinked(const Parameter& row);
-
-/// Gives what differs between `before` and `look` in `edited` to the other fields of its group.
+/// Gives what differs between `before` and `look` in `edited` to the other fields of its group, as
+/// the rows' link policies say.
 /// Factors are those since `atPress`, so that a drag to a bound and back loses nothing; from zero,
 /// where there is no factor, the value itself is given.
 void follow(Look& look, const Look& before, const Look& atPress, Species edited);

@@ -57,7 +57,7 @@ void drawEye(Session& session, Species s) {
         look.of(s).visible = !look.of(s).visible;
     }
     place(visible.id);
-    parameterExtras(visible, look, session.presetLook);
+    parameterExtras(visible, session.document, session.presetLook);
 }
 
 void drawSolo(Session& session, FieldsState& state, Species s) {
@@ -79,7 +79,7 @@ void drawSwatch(Session& session, Species s) {
         ImGui::OpenPopup("##colour");
     }
     place(colour.id);
-    parameterExtras(colour, look, session.presetLook);
+    parameterExtras(colour, session.document, session.presetLook);
     if (!ImGui::BeginPopup("##colour")) return;
     ImGui::TextUnformatted((colour.group + ": " + colour.label).c_str());
     if (natural) {
@@ -92,7 +92,7 @@ void drawSwatch(Session& session, Species s) {
 void drawScale(Session& session, Species s) {
     const float least = kLeastSliderEms * ImGui::GetFontSize();
     ImGui::SetNextItemWidth(std::max(least, ImGui::GetContentRegionAvail().x - 1.0f));
-    parameterEditor(row(s, "mixing_scale"), session.document.look, session.presetLook);
+    parameterEditor(row(s, "mixing_scale"), session.document, session.presetLook);
 }
 
 /// The row of a field; true when it is unfolded.
@@ -100,7 +100,7 @@ bool header(Session& session, FieldsState& state, Species s, const Absence& abse
     const float start = ImGui::GetCursorPosX();
     const bool present = absent.brief.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, present ? 1.0f : kAbsentAlpha);
-    changedMark(row(s, "mixing_scale"), session.document.look, session.presetLook);
+    changedMark(row(s, "mixing_scale"), session.document, session.presetLook);
     const bool open = ImGui::TreeNodeEx("##fold", ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                                       ImGuiTreeNodeFlags_FramePadding |
                                                       ImGuiTreeNodeFlags_AllowItemOverlap);
@@ -134,15 +134,8 @@ bool drawsItself(const Parameter& r) {
 
 /// Said where parameters of a field do not act because of a mode of the whole picture.
 void drawUnused(const Parameter& r, const Look& look) {
-    if (r.id.ends_with(".phase") && look.phaseMode == PhaseMode::uniform) {
-        ImGui::TextDisabled("Not used: Phase is Uniform");
-    }
-    if (r.id.ends_with(".radius_source") && look.extinction == ExtinctionMode::equal) {
-        ImGui::TextDisabled("Not used: Extinction is Equal");
-    }
-    if (r.id.ends_with(".noise_amount") && !look.noise) {
-        ImGui::TextDisabled("Not used: Detail noise is off");
-    }
+    const std::string because(overruledBy(r, look));
+    if (!because.empty()) ImGui::TextDisabled("Not used: %s", because.c_str());
 }
 
 void unfolded(const PanelContext& context, FieldsState& state, Species s, const Absence& absent) {
@@ -151,13 +144,13 @@ void unfolded(const PanelContext& context, FieldsState& state, Species s, const 
     ImGui::Indent();
     if (!absent.full.empty()) {
         ImGui::TextDisabled("%s", absent.full.c_str());
-        parameterWidget(row(s, "mixing_scale"), look, session.presetLook);
+        parameterWidget(row(s, "mixing_scale"), session.document, session.presetLook);
     }
     for (const Parameter& r : lookTable()) {
         if (r.species != s || drawsItself(r) || !applies(r, look)) continue;
         drawUnused(r, look);
         if (r.id.ends_with(".noise_amount")) drawPhasePlot(context, state, s);
-        parameterWidget(r, look, session.presetLook);
+        parameterWidget(r, session.document, session.presetLook);
     }
     ImGui::Spacing();
     if (const VolumeSummary* shown = session.shown()) {

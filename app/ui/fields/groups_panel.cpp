@@ -1,4 +1,4 @@
-// groups_panel.cpp: everything in the look table that is not of a field, a fold a group, and a box
+// groups_panel.cpp: every parameter that is not of a field, a fold per group, and a box
 // that finds any parameter.
 #include "app/ui/fields/groups_panel.h"
 
@@ -34,14 +34,14 @@ void drawFound(Session& session, const FieldsState& state) {
     Look& look = session.document.look;
     std::string group;
     ImGui::PushID("found");
-    for (const Parameter& row : lookTable()) {
+    for (const Parameter& row : parameterTable()) {
         if (!matches(row, state.find) || !applies(row, look)) continue;
         if (row.group != group) {
             group = row.group;
             ImGui::TextDisabled("%s", group.c_str());
         }
         const Look before = look;
-        parameterWidget(row, look, session.presetLook);
+        parameterWidget(row, session.document, session.presetLook);
         if (row.species && linkOf(state, *row.species)) {
             follow(look, before, state.atPress, *row.species);
         }
@@ -71,16 +71,15 @@ void drawFind(const PanelContext& context, FieldsState& state) {
 
 void drawGroups(const PanelContext& context) {
     Session& session = context.session();
-    Look& look = session.document.look;
     std::string group;
     bool open = false;
-    for (const Parameter& row : lookTable()) {
-        if (row.species) continue;
+    for (const Parameter& row : parameterTable()) {
+        if (row.species || !applies(row, session.document.look)) continue;
         if (row.group != group) {
             group = row.group;
             open = beginGroup(group);
         }
-        if (open && applies(row, look)) parameterWidget(row, look, session.presetLook);
+        if (open) parameterWidget(row, session.document, session.presetLook);
     }
 }
 

@@ -36,7 +36,7 @@ bool within(const std::string& word, const std::vector<std::string>& known) {
 std::vector<Command> allCommands() {
     std::vector<Command> all;
     for (const Action& action : actions()) all.push_back({&action, nullptr});
-    for (const Parameter& row : lookTable()) all.push_back({nullptr, &row});
+    for (const Parameter& row : parameterTable()) all.push_back({nullptr, &row});
     return all;
 }
 

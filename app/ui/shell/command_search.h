@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/ui/shell/actions.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph::ui {
 

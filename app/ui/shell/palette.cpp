@@ -42,8 +42,8 @@ void run(Ui& ui, const Command& command) {
 /// Chord of an action, value of a parameter.
 std::string noteOf(const Ui& ui, const Command& command) {
     if (command.action != nullptr) return chordText(command.action->chord);
-    const Look& look = ui.session().document.look;
-    return screenText(*command.parameter, valueOf(look, *command.parameter));
+    const Parameter& row = *command.parameter;
+    return screenText(row, valueOf(ui.session().document, row));
 }
 
 std::string helpOf(const Command& command) {
@@ -52,11 +52,11 @@ std::string helpOf(const Command& command) {
 
 void parameterMenu(Ui& ui, const Command& command) {
     if (command.parameter == nullptr || !ImGui::BeginPopupContextItem("##menu")) return;
-    Look& look = ui.session().document.look;
+    Document& document = ui.session().document;
     const Parameter& row = *command.parameter;
-    if (ImGui::MenuItem("Reset to default")) setValue(look, row, defaultOf(row));
+    if (ImGui::MenuItem("Reset to default")) setValue(document, row, defaultOf(row));
     if (ImGui::MenuItem("Copy id=value")) {
-        ImGui::SetClipboardText((row.id + "=" + formatValue(row, valueOf(look, row))).c_str());
+        ImGui::SetClipboardText((row.id + "=" + formatValue(row, valueOf(document, row))).c_str());
     }
     ImGui::EndPopup();
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/ui/widgets/words.h"
 #include "core/base/error.h"
 
@@ -26,9 +24,13 @@ std::string factsOf(const Parameter& row, const Look& preset) {
                            screenText(row, bound(row, row.range.hi)));
     }
     text += "default " + screenText(row, defaultOf(row));
-    const ParameterValue ofPreset = valueOf(preset, row);
+    const ParameterValue ofPreset = startingValue(row, preset);
     if (ofPreset != defaultOf(row)) text += " · preset " + screenText(row, ofPreset);
     return text;
+}
+
+ParameterValue startingValue(const Parameter& row, const Look& preset) {
+    return row.part == ParameterPart::sampling ? defaultOf(row) : valueOf(preset, row);
 }
 
 ParameterValue pastedValue(const Parameter& row, std::string_view text) {
@@ -41,14 +43,7 @@ ParameterValue pastedValue(const Parameter& row, std::string_view text) {
     if (!unit.empty() && text.ends_with(unit)) {
         text = trimmed(text.substr(0, text.size() - unit.size()));
     }
-    if (row.displayScale == 1.0) return parseValue(row, text, "The clipboard");
-    // On screen the number is another: read it without bounds, which setValue looks after.
-    Parameter onScreen = row;
-    onScreen.range = {row.range.lo * row.displayScale, row.range.hi * row.displayScale};
-    onScreen.unit = row.displayUnit;
-    const ParameterValue shown = parseValue(onScreen, text, "The clipboard");
-    const double si = static_cast<double>(std::get<float>(shown)) / row.displayScale;
-    return static_cast<float>(std::clamp(si, row.range.lo, row.range.hi));
+    return parseScreenValue(row, text, "The clipboard");
 }
 
 }  // namespace neph::ui

@@ -11,7 +11,6 @@
 #include "app/ui/widgets/number_slider.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
-#include "core/look/choice_help.h"
 
 namespace neph::ui {
 namespace {
@@ -35,29 +34,27 @@ bool rested(const Parameter& row) {
     return ImGui::GetTime() - since >= kTooltipDelayS;
 }
 
-void listChoices(const Parameter& row, const Look& look) {
-    const int chosen = std::get<int>(valueOf(look, row));
+void listChoices(const Parameter& row, const ParameterSet& values) {
+    const auto chosen = static_cast<std::size_t>(std::get<int>(valueOf(values, row)));
     ImGui::Spacing();
-    for (int i = 0; i < static_cast<int>(row.choices.size()); ++i) {
-        const std::string_view help = choiceHelp(row, i);
-        if (help.empty()) continue;
-        const std::string text =
-            fmt::format("{}: {}", row.choiceLabels[static_cast<std::size_t>(i)], help);
-        const ImGuiCol colour = i == chosen ? ImGuiCol_CheckMark : ImGuiCol_Text;
+    for (const Choice& choice : row.choices) {
+        const std::string text = fmt::format("{}: {}", choice.label, choice.help);
+        const bool lit = &choice == &row.choices[chosen];
+        const ImGuiCol colour = lit ? ImGuiCol_CheckMark : ImGuiCol_Text;
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(colour));
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
     }
 }
 
-void tooltip(const Parameter& row, const Look& look, const Look& preset) {
+void tooltip(const Parameter& row, const ParameterSet& values, const Look& preset) {
     if (!rested(row)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipEms);
     ImGui::Text("%s: %s", row.group.c_str(), row.label.c_str());
     ImGui::Separator();
     ImGui::TextUnformatted(row.help.c_str());
-    if (row.kind == ParameterKind::choice) listChoices(row, look);
+    if (row.kind == ParameterKind::choice) listChoices(row, values);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextUnformatted(factsOf(row, preset).c_str());
@@ -67,25 +64,26 @@ void tooltip(const Parameter& row, const Look& look, const Look& preset) {
     ImGui::EndTooltip();
 }
 
-bool assign(const Parameter& row, Look& look, const ParameterValue& value) {
-    if (valueOf(look, row) == value) return false;
-    setValue(look, row, value);
+bool assign(const Parameter& row, ParameterSet& values, const ParameterValue& value) {
+    if (valueOf(values, row) == value) return false;
+    setValue(values, row, value);
     return true;
 }
 
-bool resetItem(const char* label, const Parameter& row, Look& look, const ParameterValue& value) {
-    const bool other = valueOf(look, row) != value;
+bool resetItem(const char* label, const Parameter& row, ParameterSet& values,
+               const ParameterValue& value) {
+    const bool other = valueOf(values, row) != value;
     return ImGui::MenuItem(label, screenText(row, value).c_str(), false, other) &&
-           assign(row, look, value);
+           assign(row, values, value);
 }
 
-bool pasteItem(const Parameter& row, Look& look) {
+bool pasteItem(const Parameter& row, ParameterSet& values) {
     const char* held = ImGui::GetClipboardText();
     bool changed = false;
     try {
         const ParameterValue value = pastedValue(row, held == nullptr ? "" : held);
         if (ImGui::MenuItem("Paste value", screenText(row, value).c_str())) {
-            changed = assign(row, look, value);
+            changed = assign(row, values, value);
         }
     } catch (const Error& error) {
         ImGui::MenuItem("Paste value", nullptr, false, false);
@@ -97,24 +95,27 @@ bool pasteItem(const Parameter& row, Look& look) {
 }
 
 /// Menu on right click on the last item.
-bool menu(const Parameter& row, Look& look, const Look& preset) {
+bool menu(const Parameter& row, ParameterSet& values, const Look& preset) {
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
-    bool changed = resetItem("Reset to the preset", row, look, valueOf(preset, row));
-    place("menu.preset");
-    changed |= resetItem("Reset to the default", row, look, defaultOf(row));
+    bool changed = false;
+    if (row.part != ParameterPart::sampling) {
+        changed |= resetItem("Reset to the preset", row, values, valueOf(preset, row));
+        place("menu.preset");
+    }
+    changed |= resetItem("Reset to the default", row, values, defaultOf(row));
     place("menu.default");
     ImGui::Separator();
     if (ImGui::MenuItem("Copy id", row.id.c_str())) ImGui::SetClipboardText(row.id.c_str());
-    const std::string pair = row.id + "=" + formatValue(row, valueOf(look, row));
+    const std::string pair = row.id + "=" + formatValue(row, valueOf(values, row));
     if (ImGui::MenuItem("Copy id=value")) ImGui::SetClipboardText(pair.c_str());
-    changed |= pasteItem(row, look);
+    changed |= pasteItem(row, values);
     place("menu.paste");
     ImGui::EndPopup();
     return changed;
 }
 
-bool editNumber(const Parameter& row, Look& look) {
-    const ParameterValue before = valueOf(look, row);
+bool editNumber(const Parameter& row, ParameterSet& values) {
+    const ParameterValue before = valueOf(values, row);
     const bool whole = row.kind == ParameterKind::integer;
     const double si = whole ? static_cast<double>(std::get<int>(before))
                             : static_cast<double>(std::get<float>(before));
@@ -125,21 +126,21 @@ bool editNumber(const Parameter& row, Look& look) {
         return false;
     }
     const double wanted = std::clamp(shown / row.displayScale, row.range.lo, row.range.hi);
-    if (whole) return assign(row, look, static_cast<int>(wanted));
-    return assign(row, look, static_cast<float>(wanted));
+    if (whole) return assign(row, values, static_cast<int>(wanted));
+    return assign(row, values, static_cast<float>(wanted));
 }
 
-void choiceTooltip(const Parameter& row, int choice) {
-    const std::string help(choiceHelp(row, choice));
-    if (!help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help.c_str());
+void choiceTooltip(const Choice& choice) {
+    const std::string help(choice.help);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help.c_str());
 }
 
 /// Buttons side by side, the chosen one lit.
 int chooseByButton(const Parameter& row, int chosen) {
     const float spacing = ImGui::GetStyle().ItemInnerSpacing.x / 2.0f;
-    const auto count = static_cast<float>(row.choiceLabels.size());
+    const auto count = static_cast<float>(row.choices.size());
     const float width = (ImGui::CalcItemWidth() - spacing * (count - 1.0f)) / count;
-    for (int i = 0; i < static_cast<int>(row.choiceLabels.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(row.choices.size()); ++i) {
         if (i > 0) ImGui::SameLine(0.0f, spacing);
         const bool lit = i == chosen;
         if (lit) {
@@ -147,7 +148,7 @@ int chooseByButton(const Parameter& row, int chosen) {
             ImGui::PushStyleColor(ImGuiCol_Button, accent);
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
         }
-        const std::string label(row.choiceLabels[static_cast<std::size_t>(i)]);
+        const std::string label(row.choices[static_cast<std::size_t>(i)].label);
         if (ImGui::Button(label.c_str(), {width, 0.0f})) chosen = i;
         if (lit) ImGui::PopStyleColor(2);
     }
@@ -155,17 +156,17 @@ int chooseByButton(const Parameter& row, int chosen) {
 }
 
 int chooseFromList(const Parameter& row, int chosen) {
-    const std::string current(row.choiceLabels[static_cast<std::size_t>(chosen)]);
+    const std::string current(row.choices[static_cast<std::size_t>(chosen)].label);
     // Where the words need the room there is no arrow.
     const float words =
         ImGui::CalcTextSize(current.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     const bool tight = words + ImGui::GetFrameHeight() > ImGui::CalcItemWidth();
     const auto flags = tight ? ImGuiComboFlags_NoArrowButton : ImGuiComboFlags_None;
     if (!ImGui::BeginCombo("##value", current.c_str(), flags)) return chosen;
-    for (int i = 0; i < static_cast<int>(row.choiceLabels.size()); ++i) {
-        const std::string label(row.choiceLabels[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < static_cast<int>(row.choices.size()); ++i) {
+        const std::string label(row.choices[static_cast<std::size_t>(i)].label);
         if (ImGui::Selectable(label.c_str(), i == chosen)) chosen = i;
-        choiceTooltip(row, i);
+        choiceTooltip(row.choices[static_cast<std::size_t>(i)]);
     }
     ImGui::EndCombo();
     return chosen;
@@ -173,69 +174,69 @@ int chooseFromList(const Parameter& row, int chosen) {
 
 /// Whether the labels of a choice fit on buttons in the width of the next item.
 bool fitsOnButtons(const Parameter& row) {
-    if (row.choiceLabels.size() > kMaxButtons) return false;
+    if (row.choices.size() > kMaxButtons) return false;
     float widest = 0.0f;
-    for (const std::string_view label : row.choiceLabels) {
+    for (const auto& [id, label, help] : row.choices) {
         widest = std::max(widest, ImGui::CalcTextSize(label.data(), label.data() + label.size()).x);
     }
     const float button = widest + 2.0f * ImGui::GetStyle().FramePadding.x + 2.0f;
-    return button * static_cast<float>(row.choiceLabels.size()) <= ImGui::CalcItemWidth();
+    return button * static_cast<float>(row.choices.size()) <= ImGui::CalcItemWidth();
 }
 
-bool editChoice(const Parameter& row, Look& look) {
-    const int before = std::get<int>(valueOf(look, row));
+bool editChoice(const Parameter& row, ParameterSet& values) {
+    const int before = std::get<int>(valueOf(values, row));
     ImGui::BeginGroup();
     const int after =
         fitsOnButtons(row) ? chooseByButton(row, before) : chooseFromList(row, before);
     ImGui::EndGroup();
-    return assign(row, look, after);
+    return assign(row, values, after);
 }
 
-bool editToggle(const Parameter& row, Look& look) {
-    bool value = std::get<bool>(valueOf(look, row));
-    return ImGui::Checkbox("##value", &value) && assign(row, look, value);
+bool editToggle(const Parameter& row, ParameterSet& values) {
+    bool value = std::get<bool>(valueOf(values, row));
+    return ImGui::Checkbox("##value", &value) && assign(row, values, value);
 }
 
-bool editColour(const Parameter& row, Look& look) {
-    auto colour = std::get<glm::vec3>(valueOf(look, row));
-    return colourEditor("##value", colour) && assign(row, look, colour);
+bool editColour(const Parameter& row, ParameterSet& values) {
+    auto colour = std::get<glm::vec3>(valueOf(values, row));
+    return colourEditor("##value", colour) && assign(row, values, colour);
 }
 
-bool edit(const Parameter& row, Look& look) {
+bool edit(const Parameter& row, ParameterSet& values) {
     switch (row.kind) {
         case ParameterKind::toggle:
-            return editToggle(row, look);
+            return editToggle(row, values);
         case ParameterKind::choice:
-            return editChoice(row, look);
+            return editChoice(row, values);
         case ParameterKind::colour:
-            return editColour(row, look);
+            return editColour(row, values);
         case ParameterKind::integer:
         case ParameterKind::number:
             break;
     }
-    return editNumber(row, look);
+    return editNumber(row, values);
 }
 
 }  // namespace
 
-bool parameterExtras(const Parameter& row, Look& look, const Look& preset) {
+bool parameterExtras(const Parameter& row, ParameterSet& values, const Look& preset) {
     ImGui::PushID(row.id.c_str());
-    const bool changed = menu(row, look, preset);
-    tooltip(row, look, preset);
+    const bool changed = menu(row, values, preset);
+    tooltip(row, values, preset);
     ImGui::PopID();
     return changed;
 }
 
-bool parameterEditor(const Parameter& row, Look& look, const Look& preset) {
+bool parameterEditor(const Parameter& row, ParameterSet& values, const Look& preset) {
     ImGui::PushID(row.id.c_str());
-    const bool changed = edit(row, look);
+    const bool changed = edit(row, values);
     ImGui::PopID();
     place(row.id);
-    return parameterExtras(row, look, preset) || changed;
+    return parameterExtras(row, values, preset) || changed;
 }
 
-void changedMark(const Parameter& row, const Look& look, const Look& preset) {
-    if (valueOf(look, row) == valueOf(preset, row)) return;
+void changedMark(const Parameter& row, const ParameterSet& values, const Look& preset) {
+    if (valueOf(values, row) == startingValue(row, preset)) return;
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddCircleFilled(
@@ -243,25 +244,25 @@ void changedMark(const Parameter& row, const Look& look, const Look& preset) {
         ImGui::GetColorU32(ImGuiCol_CheckMark));
 }
 
-bool parameterWidget(const Parameter& row, Look& look, const Look& preset) {
+bool parameterWidget(const Parameter& row, ParameterSet& values, const Look& preset) {
     const float line = ImGui::GetContentRegionAvail().x;
     const float start = ImGui::GetCursorPosX();
     ImGui::PushID(row.id.c_str());
     ImGui::PushID("label");
-    changedMark(row, look, preset);
+    changedMark(row, values, preset);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(row.label.c_str());
     place(row.id + ":label");
     bool changed = false;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        changed = assign(row, look, valueOf(preset, row));
+        changed = assign(row, values, startingValue(row, preset));
     }
-    changed |= parameterExtras(row, look, preset);
+    changed |= parameterExtras(row, values, preset);
     ImGui::PopID();
     ImGui::PopID();
     ImGui::SameLine(start + line * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);
-    changed |= parameterEditor(row, look, preset);
+    changed |= parameterEditor(row, values, preset);
     return changed;
 }
 

@@ -5,8 +5,7 @@
 
 #include <set>
 
-#include "core/look/choice_help.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 using namespace neph;
 
@@ -62,9 +61,9 @@ TEST_CASE("The parameter view.engine offers the engines of the table, with their
     const Parameter& row = parameter("view.engine");
     REQUIRE(row.choices.size() == kEngineCount);
     for (std::size_t i = 0; i < kEngineCount; ++i) {
-        CHECK(row.choices[i] == kEngines[i].id);
-        CHECK(row.choiceLabels[i] == kEngines[i].label);
-        CHECK(choiceHelp(row, static_cast<int>(i)) == kEngines[i].help);
+        CHECK(row.choices[i].id == kEngines[i].id);
+        CHECK(row.choices[i].label == kEngines[i].label);
+        CHECK(row.choices[i].help == kEngines[i].help);
         CHECK(row.help.find(kEngines[i].help) != std::string::npos);
     }
 }

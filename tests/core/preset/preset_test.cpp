@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/look/parameter.h"
 #include "tests/environment.h"
 #include "tests/temporary_folder.h"
 #include "tests/text.h"
@@ -88,6 +89,24 @@ TEST_CASE("A preset holds every parameter once, in the order of the table") {
         CHECK(key == lookTable()[i++].id);
     }
     CHECK(i == lookTable().size());
+}
+
+TEST_CASE("A preset holds no sampling, and sampling in a file is left alone with a note") {
+    const std::string text = formatPreset({});
+    for (const Parameter& row : samplingTable()) {
+        CHECK_FALSE(contains(text, "\"" + row.id + "\""));
+    }
+    const LoadedPreset loaded = parsePreset(
+        withLook(R"("view.seed": 7, "view.quality": 2, "view.exposure": 1, "view.planes": 64)"),
+        "old.json");
+    Look expected;
+    expected.exposureEv = 1.0f;
+    expected.planes = 64;
+    CHECK(loaded.preset.look == expected);
+    CHECK(loaded.warnings.empty());
+    REQUIRE(loaded.notes.size() == 1);
+    CHECK(contains(loaded.notes[0], "old.json: view.seed, view.quality not taken over"));
+    CHECK(contains(refusal(withLook(R"("view.seed": -1)")), "from 0 to 1000000"));
 }
 
 TEST_CASE("A preset reads as people write numbers") {
@@ -309,6 +328,7 @@ TEST_CASE("Every bundled preset is right, complete and has a camera and a title"
         CAPTURE(item.path().string());
         const LoadedPreset loaded = loadPreset(item.path());
         CHECK(loaded.warnings.empty());
+        CHECK(loaded.notes.empty());
         CHECK(loaded.preset.camera.has_value());
         CHECK_FALSE(loaded.preset.title.empty());
         ++count;

@@ -77,6 +77,9 @@ TEST_CASE("Labels speak as the panels do: units on screen, words for choices") {
     after.look.transport = Transport::lowAlbedo;
     CHECK(describeChange(before, after) == "Modes: Light Translucent -> Low albedo");
     after = {};
+    after.sampling.targetError = 0.01f;
+    CHECK(describeChange(before, after) == "Sampling: Target error 2 % -> 1 %");
+    after = {};
     after.look.groundVisible = false;
     CHECK(describeChange(before, after) == "Sun and sky: Ground on -> off");
     after.time = 1;

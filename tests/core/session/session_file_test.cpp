@@ -28,6 +28,7 @@ SessionState full(const fs::path& folder) {
     a.presetName = "Größe \"7\"\n";
     a.document.look.of(Species::rain).mixingScale = 1.0f / 3.0f;
     a.document.look.of(Species::snow).visible = false;
+    a.document.sampling = {.quality = 1.0f / 3.0f, .targetError = 0.011f, .seed = 12345};
     a.document.camera = {{0.1f, 1.0f / 7.0f, -0.99f}, 0.123456789f, 359.99f, -89.9f, 5.0f};
     a.document.time = 12;
     a.document.bookmarks = {{"Von Süden", {}}, {"", a.document.camera}};
@@ -115,6 +116,21 @@ TEST_CASE("Keys of a session that are missing take their defaults") {
     CHECK(state == expected);
 }
 
+TEST_CASE("Sessions from when looks held the sampling are read in full") {
+    const SessionState old =
+        parsed(slot(R"("look": {"view.quality": 2, "view.seed": 7, "view.exposure": 1})"));
+    CHECK(old.slots[0].document.sampling == Sampling{.quality = 2.0f, .seed = 7});
+    CHECK(old.slots[0].document.look.exposureEv == 1.0f);
+    std::vector<std::string> warnings;
+    const std::string text = slot(R"("sampling": {"view.seed": 7, "view.exposure": 1})");
+    const SessionState state = parseSession(text, "my.json", "/data", warnings);
+    CHECK(state.slots[0].document.sampling == Sampling{.seed = 7});
+    CHECK(state.slots[0].document.look == Look{});
+    REQUIRE(warnings.size() == 1);
+    CHECK(contains(warnings[0], "my.json: slot A"));
+    CHECK(contains(warnings[0], "view.exposure"));
+}
+
 TEST_CASE("Unknown keys of a session are left out with a warning that says where") {
     std::vector<std::string> warnings;
     parseSession(session(R"("splt_at": 0.5, "slots": [{}, {"camra": {}, "look": {"x": 1}}])"),
@@ -155,6 +171,8 @@ TEST_CASE("A wrong value in a session is refused with file, key and what is expe
           Case{slot(R"("region": {"lower_m": [0, 0, "a"]})"), "lower_m", "null"},
           Case{slot(R"("look": {"cloud.mixing_scale": 1000})"), "cloud.mixing_scale", "100"},
           Case{slot(R"("look": 1)"), "look", "braces"},
+          Case{slot(R"("sampling": {"view.quality": 9})"), "view.quality", "8"},
+          Case{slot(R"("sampling": [])"), "sampling", "braces"},
           Case{slot(R"("camera": {"fov_deg": 500})"), "fov_deg", "from"},
           Case{slot(R"("bookmarks": [{"camera": {"fov_deg": 500}}])"), "fov_deg", "from"},
           Case{slot(R"("bookmarks": [{"name": 1}])"), "name", "quotes"},

@@ -103,7 +103,8 @@ TEST_CASE("The level of a brick is that of the largest extinction in and around 
             if (chebyshev(p, q) <= 1) largest = std::max(largest, maxima.at(q.x, q.y, q.z));
         });
         const int level = texels[maxima.index(p.x, p.y, p.z)].level;
-        const double perM = std::exp2((level - kLevelOfOne) / static_cast<double>(kLevelsPerOctave));
+        const double perM =
+            std::exp2((level - kLevelOfOne) / static_cast<double>(kLevelsPerOctave));
         const double share = static_cast<double>(largest) / perM;
         right = right && (largest == 0.0f ? level == 0
                                           : share < 1.0 + 1e-6 && share > std::exp2(-0.125) - 1e-6);

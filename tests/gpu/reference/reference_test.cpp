@@ -52,7 +52,7 @@ TEST_CASE("The same seed gives the same picture, another seed another") {
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF first = tracedOn(volume, inputs, 3);
     CHECK(worstDifference(first, tracedOn(volume, inputs, 3)) == 0.0f);
-    inputs.look.seed = 1;
+    inputs.sampling.seed = 1;
     CHECK(worstDifference(first, tracedOn(volume, inputs, 3)) > 0.0f);
 }
 

@@ -58,10 +58,10 @@ void event(std::mt19937& random, ui::Ui& state) {
 }
 
 void checkDocument(const Document& document) {
-    for (const Parameter& row : lookTable()) {
+    for (const Parameter& row : parameterTable()) {
         CAPTURE(row.id);
-        Look copy = document.look;
-        CHECK_NOTHROW(setValue(copy, row, valueOf(document.look, row)));
+        ParameterSet copy = document;
+        CHECK_NOTHROW(setValue(copy, row, valueOf(document, row)));
     }
     const CameraPose& pose = document.camera;
     CHECK(std::isfinite(pose.azimuthDeg));

@@ -20,13 +20,13 @@ using namespace neph;
 namespace {
 
 /// A window of 300 pixels at the origin with one parameter in it.
-bool drawParameter(Headless& gui, const Parameter& row, Look& look) {
+bool drawParameter(Headless& gui, const Parameter& row, ParameterSet& values) {
     bool changed = false;
     gui.frame([&] {
         ImGui::SetNextWindowPos({0.0f, 0.0f});
         ImGui::SetNextWindowSize({300.0f, 100.0f});
         ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
-        changed = ui::parameterWidget(row, look, Look{});
+        changed = ui::parameterWidget(row, values, Look{});
         ImGui::End();
     });
     return changed;
@@ -36,11 +36,11 @@ bool drawParameter(Headless& gui, const Parameter& row, Look& look) {
 
 TEST_CASE("Drawing a parameter changes nothing while the mouse is elsewhere") {
     Headless gui;
-    for (const Parameter& row : lookTable()) {
+    for (const Parameter& row : parameterTable()) {
         CAPTURE(row.id);
-        Look look;
-        for (int i = 0; i < 3; ++i) CHECK_FALSE(drawParameter(gui, row, look));
-        CHECK(look == Look{});
+        ParameterSet values;
+        for (int i = 0; i < 3; ++i) CHECK_FALSE(drawParameter(gui, row, values));
+        CHECK(values == ParameterSet{});
     }
 }
 
@@ -49,37 +49,37 @@ TEST_CASE("A drag on a slider sets the parameter of its row alone, within its ra
         CAPTURE(id);
         Headless gui;
         const Parameter& row = parameter(id);
-        Look look;
-        drawParameter(gui, row, look);
+        ParameterSet values;
+        drawParameter(gui, row, values);
         ImGui::GetIO().MousePos = {220.0f, 18.0f};
-        drawParameter(gui, row, look);
+        drawParameter(gui, row, values);
         ImGui::GetIO().MouseDown[0] = true;
         for (const float x : {220.0f, 240.0f, 5000.0f}) {
             ImGui::GetIO().MousePos = {x, 18.0f};
-            drawParameter(gui, row, look);
+            drawParameter(gui, row, values);
         }
-        const float value = std::get<float>(valueOf(look, row));
+        const float value = std::get<float>(valueOf(values, row));
         CHECK(static_cast<double>(value) == doctest::Approx(row.range.hi).epsilon(1e-6));
         ImGui::GetIO().MousePos = {-5000.0f, 18.0f};
-        drawParameter(gui, row, look);
-        CHECK(static_cast<double>(std::get<float>(valueOf(look, row))) ==
+        drawParameter(gui, row, values);
+        CHECK(static_cast<double>(std::get<float>(valueOf(values, row))) ==
               doctest::Approx(row.range.lo).epsilon(1e-6));
-        setValue(look, row, defaultOf(row));
-        CHECK(look == Look{});
+        setValue(values, row, defaultOf(row));
+        CHECK(values == ParameterSet{});
     }
 }
 
 TEST_CASE("A double click on the label resets to the default") {
     Headless gui;
     const Parameter& row = parameter("cloud.mixing_scale");
-    Look look;
-    look.of(Species::cloud).mixingScale = 0.25f;
+    ParameterSet values;
+    values.look.of(Species::cloud).mixingScale = 0.25f;
     ImGui::GetIO().MousePos = {30.0f, 18.0f};
     for (const bool down : {false, true, false, true, false}) {
         ImGui::GetIO().MouseDown[0] = down;
-        drawParameter(gui, row, look);
+        drawParameter(gui, row, values);
     }
-    CHECK(look == Look{});
+    CHECK(values == ParameterSet{});
 }
 
 TEST_CASE("All panels are laid out without data, with help, messages and every fold") {

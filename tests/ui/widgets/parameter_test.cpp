@@ -12,7 +12,6 @@
 #include "app/ui/widgets/format.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
-#include "core/look/choice_help.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
@@ -37,7 +36,7 @@ struct Bench {
             ImGui::SetNextWindowPos({0.0f, 0.0f});
             ImGui::SetNextWindowSize({400.0f, 100.0f});
             ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
-            changed = ui::parameterWidget(row, look, preset);
+            changed = ui::parameterWidget(row, values, preset);
             ImGui::End();
         });
         return changed;
@@ -83,13 +82,14 @@ struct Bench {
         io().KeyCtrl = false;
         for (int i = 0; i < 3; ++i) frame();
     }
-    double value() const { return static_cast<double>(std::get<float>(valueOf(look, row))); }
+    double value() const { return static_cast<double>(std::get<float>(valueOf(values, row))); }
     static ImGuiIO& io() { return ImGui::GetIO(); }
 
     static constexpr int kEnter = 10, kEscape = 11;
     Headless gui;
     const Parameter& row;
-    Look look, preset;
+    ParameterSet values;
+    Look preset;
 };
 
 }  // namespace
@@ -122,7 +122,7 @@ TEST_CASE("A press with Shift does not move a slider, one without goes to the mo
     const ImVec2 there = bench.at("sun.azimuth", 0.9f);
     bench.io().KeyShift = true;
     bench.click(there);
-    CHECK((bench.look == Look{}));
+    CHECK((bench.values == ParameterSet{}));
     bench.io().KeyShift = false;
     bench.click(there);
     CHECK(bench.value() > 310.0);
@@ -135,7 +135,7 @@ TEST_CASE("The wheel over a slider changes nothing") {
         bench.io().MouseWheel = 1.0f;
         bench.frame();
     }
-    CHECK((bench.look == Look{}));
+    CHECK((bench.values == ParameterSet{}));
 }
 
 TEST_CASE("A typed number is in the units of the screen, with or without the unit") {
@@ -164,7 +164,7 @@ TEST_CASE("What is no number changes nothing, and can be corrected at once; Esc 
     bench.beginTyping();
     bench.type("high");
     bench.tap(Bench::kEnter);
-    CHECK((bench.look == Look{}));
+    CHECK((bench.values == ParameterSet{}));
     bench.frame();
     bench.type("12");  // typed over what was wrong
     bench.tap(Bench::kEnter);
@@ -178,7 +178,7 @@ TEST_CASE("What is no number changes nothing, and can be corrected at once; Esc 
 TEST_CASE("A double click on the label goes back to the preset, the menu there or to the default") {
     Bench bench("cloud.mixing_scale");
     bench.preset.of(Species::cloud).mixingScale = 0.25f;
-    bench.look.of(Species::cloud).mixingScale = 4.0f;
+    bench.values.look.of(Species::cloud).mixingScale = 4.0f;
     const ImVec2 label = bench.at("cloud.mixing_scale:label");
     bench.moveTo(label);
     for (const bool down : {true, false, true, false}) bench.press(down);
@@ -202,7 +202,7 @@ TEST_CASE("What is not the preset's has a mark, what is has none") {
     const int plain = vertices();
     bench.preset.of(Species::cloud).mixingScale = 2.0f;  // both default, but the preset has another
     CHECK(vertices() > plain);
-    bench.preset = bench.look;
+    bench.preset = bench.values.look;
     CHECK(vertices() == plain);
 }
 
@@ -221,12 +221,15 @@ TEST_CASE("Values are pasted as screens and as --set spell them, and refused wit
     CHECK(std::get<int>(ui::pastedValue(parameter("view.engine"), "view.engine=slicing")) == 1);
 }
 
-TEST_CASE("Every choice of every parameter says what it means") {
-    for (const Parameter& row : lookTable()) {
-        CAPTURE(row.id);
-        for (int i = 0; i < static_cast<int>(row.choices.size()); ++i) {
-            CAPTURE(i);
-            CHECK_FALSE(choiceHelp(row, i).empty());
-        }
-    }
+TEST_CASE("Sampling, which no preset holds, goes back to the default") {
+    Bench bench("view.target_error");
+    bench.values.sampling.targetError = 0.1f;
+    const ImVec2 label = bench.at("view.target_error:label");
+    bench.moveTo(label);
+    for (const bool down : {true, false, true, false}) bench.press(down);
+    CHECK((bench.values == ParameterSet{}));
+    bench.click(label, 1);
+    bench.frame();
+    CHECK(ui::placeOf("menu.default").has_value());
+    CHECK_FALSE(ui::placeOf("menu.preset").has_value());
 }

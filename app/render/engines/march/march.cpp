@@ -126,7 +126,7 @@ double diagonalOf(const SliceBox& box) {
 
 double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium) {
     return inputs.planes > 0 ? diagonalOf(boxOf(medium, grid)) / inputs.planes
-                             : voxelM(grid) / static_cast<double>(inputs.look.quality);
+                             : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
 }
 
 /// How much of the detail the medium should hold for a picture: steps that are too long to show
@@ -204,14 +204,14 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     const RegularGrid& grid = context.volume.grid;
     const double diagonalM = diagonalOf(boxOf(medium, grid));
     const bool fixed = inputs.planes > 0;
-    const double stepM =
-        fixed ? diagonalM / inputs.planes : voxelM(grid) / static_cast<double>(inputs.look.quality);
+    const double stepM = fixed ? diagonalM / inputs.planes
+                               : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
     steps_ = static_cast<int>(std::lround(diagonalM / stepM));
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
-    block.refinement.x = frame.sample;
-    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.look.quality,
+    block.sampling.x = frame.sample;
+    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);

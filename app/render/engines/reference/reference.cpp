@@ -83,7 +83,8 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
     }
     if (frame.sample == 0) {
         // A first pass that gave way goes on.
-        const TraceSetup setup{.block = blockOf(inputs, grid, medium), .seed = inputs.look.seed};
+        const TraceSetup setup{.block = blockOf(inputs, grid, medium),
+                               .seed = inputs.sampling.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }
     tracer_.pass(medium, paths_, noise, context.programs, frame.linear, context.progress);

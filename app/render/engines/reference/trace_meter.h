@@ -54,7 +54,7 @@ struct MeterScene {
     glm::dvec3 spacingM{1.0};
     bool trilinear = false;          ///< between voxel centres; else constant in each voxel
     bool periodic = true;            ///< in x and y; else nothing is around the grid
-    std::vector<MeterField> fields;  ///< at most six
+    std::vector<MeterField> fields;  ///< at most kSpeciesCount
     glm::dvec3 towardsSun{0.0, 0.0, 1.0};
     double sunIrradiance = 1.0;  ///< across the beam
     double sunRadiusRad = kSunRadiusRad;
