@@ -23,7 +23,7 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
     inputs.look.engine = Engine::reference;
     const render::ReferenceProgress first = renderer.render(inputs).reference;
     render::ReferenceProgress last;
-    while (inputs.sample < run.options.frames) {
+    while (inputs.sample < run.request.frames) {
         ++inputs.sample;
         last = renderer.render(inputs).reference;
     }
@@ -51,7 +51,7 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
 }  // namespace
 
 Json measureReference(const Run& run) {
-    fmt::print(stderr, "\nreference: {} passes after the first\n", run.options.frames);
+    fmt::print(stderr, "\nreference: {} passes after the first\n", run.request.frames);
     fmt::print(stderr, "{:<12} {:>6} {:>10} {:>12} {:>12} {:>10} {:>10}\n", "size", "paths/px",
                "paths/s", "Mcollisions/s", "scatt./path", "error %", "s to 2 %");
     Json rows = Json::array();

@@ -43,7 +43,8 @@ bool exports(const Ui& ui) {
 
 ExportScene exportSceneOf(const Ui& ui) {
     return {pictureBox(ui).size(), ui.compare.active + 1,
-            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers};
+            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers,
+            ui.session().document.look.engine == Engine::march};
 }
 
 void startExport(Ui& ui, const ExportSettings& settings) {
