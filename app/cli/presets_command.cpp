@@ -82,13 +82,13 @@ int runDiff(const std::string& before, const std::string& after) {
     return 0;
 }
 
-int runSave(const PresetsOptions& options) {
-    const Scene scene = makeScene(options.scene);
+int runSave(const PresetsRequest& request) {
+    const Scene scene = makeScene(request.scene);
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
-    const auto file = saveOwnPreset(options.preset,
-                                    {options.title.value_or(""), options.description.value_or(""),
+    const auto file = saveOwnPreset(request.preset,
+                                    {request.title.value_or(""), request.description.value_or(""),
                                      scene.document.look, scene.document.camera},
-                                    options.replace);
+                                    request.replace);
     fmt::print("saved {}\n", file.string());
     if (scene.document.sampling != Sampling{}) {
         fmt::print(stderr, "note: without {}, which a preset does not hold\n",
@@ -104,30 +104,40 @@ int runDelete(const std::vector<std::string>& names) {
     return 0;
 }
 
-int runDescribe(const PresetsOptions& options) {
-    const Preset before = loadPreset(presetEntry(options.preset).file).preset;
-    describePreset(options.preset, {options.title.value_or(before.title),
-                                    options.description.value_or(before.description)});
+int runDescribe(const PresetsRequest& request) {
+    const Preset before = loadPreset(presetEntry(request.preset).file).preset;
+    describePreset(request.preset, {request.title.value_or(before.title),
+                                    request.description.value_or(before.description)});
     return 0;
 }
 
 }  // namespace
 
-int runPresets(std::string_view subcommand, const PresetsOptions& options) {
-    if (subcommand == "show") return runShow(options.preset);
-    if (subcommand == "check") return runCheck(options.several);
-    if (subcommand == "diff") return runDiff(options.preset, options.other);
-    if (subcommand == "save") return runSave(options);
-    if (subcommand == "describe") return runDescribe(options);
-    if (subcommand == "delete") return runDelete(options.several);
-    if (subcommand == "duplicate") {
-        fmt::print("{}\n", duplicatePreset(options.preset, options.other));
-    } else if (subcommand == "rename") {
-        renamePreset(options.preset, options.other);
-    } else if (subcommand == "parameters") {
-        fmt::print("{}", parameterReference());
-    } else {
-        return runList();
+int runPresets(const PresetsRequest& request) {
+    switch (request.action) {
+        case PresetsAction::list:
+            return runList();
+        case PresetsAction::show:
+            return runShow(request.preset);
+        case PresetsAction::check:
+            return runCheck(request.several);
+        case PresetsAction::diff:
+            return runDiff(request.preset, request.other);
+        case PresetsAction::parameters:
+            fmt::print("{}", parameterReference());
+            return 0;
+        case PresetsAction::save:
+            return runSave(request);
+        case PresetsAction::duplicate:
+            fmt::print("{}\n", duplicatePreset(request.preset, request.other));
+            return 0;
+        case PresetsAction::rename:
+            renamePreset(request.preset, request.other);
+            return 0;
+        case PresetsAction::describe:
+            return runDescribe(request);
+        case PresetsAction::remove:
+            return runDelete(request.several);
     }
     return 0;
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/common/interrupt.h"
+#include "app/cli/common/usage.h"
 #include "app/gl/context.h"
 #include "app/validate/checks.h"
 #include "app/validate/runner.h"
@@ -44,9 +45,9 @@ void append(std::vector<Trial>& trials, std::vector<Trial>&& more) {
 }
 
 /// Of the files, or of all that there is to prove.
-std::vector<Trial> chooseTrials(const ValidateOptions& options) {
+std::vector<Trial> chooseTrials(const ValidateRequest& request) {
     std::vector<Trial> trials;
-    std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
+    std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
     if (files.empty()) {
         append(trials, transmissionTrials());
         append(trials, singleScatteringTrials());
@@ -59,7 +60,7 @@ std::vector<Trial> chooseTrials(const ValidateOptions& options) {
         append(trials, trialsOf(loadSceneFile(file), file.string()));
     }
     std::erase_if(trials, [&](const Trial& trial) {
-        return (options.quick && !trial.quick) || trial.name.find(options.only) == trial.name.npos;
+        return (request.quick && !trial.quick) || trial.name.find(request.only) == trial.name.npos;
     });
     return trials;
 }
@@ -80,33 +81,33 @@ std::string_view wordOf(Verdict verdict) {
 
 class Report {
   public:
-    Report(const ValidateOptions& options, std::string renderer)
-        : options_(options), renderer_(std::move(renderer)) {
-        if (!options_.json) fmt::print("{}\n", renderer_);
+    Report(const ValidateRequest& request, std::string renderer)
+        : request_(request), renderer_(std::move(renderer)) {
+        if (!request_.json) fmt::print("{}\n", renderer_);
     }
 
     void add(const std::vector<Row>& rows, double seconds) {
         if (rows.empty()) return;
-        if (!options_.json) {
+        if (!request_.json) {
             fmt::print("\n{}\n", rows.front().trial);
             if (!rows.front().source.empty()) fmt::print("expected: {}\n", rows.front().source);
             fmt::print("  {:<42}{:>12}{:>12}{:>11}{:>11}\n", "quantity", "expected", "measured",
                        "sigma", "tolerance");
         }
         for (const Row& row : rows) addRow(row);
-        if (options_.json) return;
+        if (request_.json) return;
         fmt::print("  {:.1f} s\n", seconds);
         std::fflush(stdout);
     }
 
     /// The exit status.
     int close(double seconds) {
-        if (options_.json) {
+        if (request_.json) {
             const Json document{{"type", "nephoscope-validation"},
                                 {"version", 1},
                                 {"program", versionText()},
                                 {"renderer", renderer_},
-                                {"quick", options_.quick},
+                                {"quick", request_.quick},
                                 {"seconds", seconds},
                                 {"samples", samples_},
                                 {"passed", passed_},
@@ -116,7 +117,7 @@ class Report {
         } else {
             fmt::print("\n{} passed, {} failed; {} paths in {:.0f} s{}\n", passed_, failed_,
                        samples_, seconds,
-                       options_.quick ? "; quick: tolerances are ten times as wide" : "");
+                       request_.quick ? "; quick: tolerances are ten times as wide" : "");
         }
         return failed_ == 0 ? 0 : 1;
     }
@@ -127,7 +128,7 @@ class Report {
         passed_ += result == Verdict::pass;
         failed_ += result == Verdict::fail || result == Verdict::noisy;
         samples_ += row.samples;
-        if (options_.json) {
+        if (request_.json) {
             Json json{{"case", row.trial},  {"quantity", row.quantity}, {"measured", row.measured},
                       {"sigma", row.sigma}, {"samples", row.samples},   {"source", row.source}};
             if (row.expected) {
@@ -145,26 +146,31 @@ class Report {
         }
     }
 
-    const ValidateOptions& options_;
+    const ValidateRequest& request_;
     std::string renderer_;
     Json checks_ = Json::array();
     int passed_ = 0, failed_ = 0;
     std::uint64_t samples_ = 0;
 };
 
-Effort effortOf(const ValidateOptions& options) {
-    Effort effort = options.quick ? kQuickEffort : kFullEffort;
-    if (options.samples > 0) {
-        effort.first = options.samples;
-        effort.most = std::max(effort.most, options.samples);
+Effort effortOf(const ValidateRequest& request) {
+    Effort effort = request.quick ? kQuickEffort : kFullEffort;
+    if (request.samples > 0) {
+        effort.first = request.samples;
+        effort.most = std::max(effort.most, request.samples);
     }
     return effort;
 }
 
-void measureAll(const ValidateOptions& options, render::TraceMeter& meter, Report& report) {
+void measureAll(const ValidateRequest& request, render::TraceMeter& meter, Report& report) {
     const Progress goesOn = untilInterrupted();
-    const std::vector<Trial> trials = chooseTrials(options);
-    const Effort effort = effortOf(options);
+    const std::vector<Trial> trials = chooseTrials(request);
+    if (trials.empty()) {
+        throw UsageError({.where = request.only.empty() ? "--quick" : "--only " + request.only,
+                          .what = "leaves nothing to measure",
+                          .hint = "nephoscope validate names all on stderr as it goes"});
+    }
+    const Effort effort = effortOf(request);
     std::size_t done = 0;
     std::vector<Row> all;
     for (const Trial& trial : trials) {
@@ -174,25 +180,25 @@ void measureAll(const ValidateOptions& options, render::TraceMeter& meter, Repor
         report.add(rows, secondsSince(start));
         all.insert(all.end(), rows.begin(), rows.end());
     }
-    if (!options.files.empty() || !options.only.empty()) return;
+    if (!request.files.empty() || !request.only.empty()) return;
     if (const auto together = allTogether(all, effort)) report.add({*together}, 0.0);
     fmt::print(stderr, "Scattering angles of every phase function\n");
     const auto start = Clock::now();
-    const std::vector<Row> rows = phaseRows(meter, options.quick);
+    const std::vector<Row> rows = phaseRows(meter, request.quick);
     report.add(rows, secondsSince(start));
 }
 
 }  // namespace
 
-int runValidate(const ValidateOptions& options) {
+int runValidate(const ValidateRequest& request) {
     constexpr int kSignalBase = 128;  // as shells report what a signal has ended
     noteInterrupts();
     const gl::HeadlessContext context;
     render::TraceMeter meter(resourcePath("shaders"));
-    Report report(options, meter.deviceName());
+    Report report(request, meter.deviceName());
     const auto start = Clock::now();
     try {
-        measureAll(options, meter, report);
+        measureAll(request, meter, report);
     } catch (const Cancelled&) {
         fmt::print(stderr, "interrupted\n");
         return kSignalBase + interruptSignal();

@@ -7,7 +7,7 @@
 
 namespace neph {
 
-struct ValidateOptions {
+struct ValidateRequest {
     std::vector<std::string> files;  ///< none: all that is bundled and built in
     std::string only;                ///< part of the names of what is to be run
     bool quick = false, json = false;
@@ -15,6 +15,6 @@ struct ValidateOptions {
 };
 
 /// Prints a table, or JSON; 0 when all is as expected, else 1. Throws Error.
-int runValidate(const ValidateOptions& options);
+int runValidate(const ValidateRequest& request);
 
 }  // namespace neph

@@ -57,13 +57,13 @@ double secondsSince(Clock::time_point start) {
 
 class Workbench {
   public:
-    explicit Workbench(const SceneOptions& options);
+    explicit Workbench(const WorkbenchRequest& request);
     void run();
 
   private:
     std::unique_ptr<Slot> makeSlot();
     void offerServices();
-    void openFirst(const SceneOptions& options);
+    void openFirst(const SceneRequest& request);
     void frameFirst();
     void takeInput();
     void open(const std::vector<std::filesystem::path>& files);
@@ -106,12 +106,12 @@ class Workbench {
     bool framesFirst_ = false;  // no camera was asked for: the first data choose it
 };
 
-Workbench::Workbench(const SceneOptions& options)
-    : readers_(options.readers), slots_(ui_.compare, [this] { return makeSlot(); }) {
-    const Scene scene = makeScene(options);
+Workbench::Workbench(const WorkbenchRequest& request)
+    : readers_(request.scene.readers), slots_(ui_.compare, [this] { return makeSlot(); }) {
+    const Scene scene = makeScene(request.scene);
     std::vector<std::string> warnings = scene.warnings;
     ui_.settings = remembered_ = loadSettings(warnings);
-    budget_ = chooseBudget(options.memory, rendererBytes(gl::deviceMemory()), warnings);
+    budget_ = chooseBudget(request.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
     ui_.active = &session();
     ui_.output.readers = readers_;
     session().setBudget(budget_);
@@ -122,22 +122,23 @@ Workbench::Workbench(const SceneOptions& options)
     for (const std::string& warning : warnings) session().say(Message::Kind::warning, warning);
     host_.restyle(ui_.settings);
     offerServices();
-    if (!options.script.empty()) {
-        script_.emplace(loadScript(options.script),
-                        std::filesystem::path(options.script).filename().string());
+    if (!request.script.empty()) {
+        script_.emplace(loadScript(request.script),
+                        std::filesystem::path(request.script).filename().string());
         ui::wantPlaces(true);
     }
-    openFirst(options);
+    openFirst(request.scene);
 }
 
-void Workbench::openFirst(const SceneOptions& options) {
+void Workbench::openFirst(const SceneRequest& request) {
     ui_.sessionDialogs.autosave = &autosave_;
-    ui_.sessionDialogs.offersCrashed = options.files.empty() && !script_;
-    if (options.files.size() == 1 && kindOfFile(options.files.front()) == FileKind::session) {
-        ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, options.files.front());
+    ui_.sessionDialogs.offersCrashed = request.files.empty() && !script_;
+    if (request.files.size() == 1 && kindOfFile(request.files.front()) == FileKind::session) {
+        ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, request.files.front());
     } else {
-        framesFirst_ = options.preset.empty() && options.camera.empty();
-        session().open(options.files, parseFirstTime(options.time), parseRegion(options.region));
+        framesFirst_ = request.preset.empty() && request.camera.empty();
+        const auto time = request.times ? std::optional(request.times->first) : std::nullopt;
+        session().open(request.files, time, request.region);
     }
 }
 
@@ -391,8 +392,8 @@ void Workbench::run() {
 
 }  // namespace
 
-int runWorkbench(const SceneOptions& options) {
-    Workbench(options).run();
+int runWorkbench(const WorkbenchRequest& request) {
+    Workbench(request).run();
     return 0;
 }
 

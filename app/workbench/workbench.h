@@ -5,6 +5,6 @@
 namespace neph {
 
 /// Runs until the window is closed; returns 0. Throws Error when there is no display.
-int runWorkbench(const SceneOptions& options);
+int runWorkbench(const WorkbenchRequest& request);
 
 }  // namespace neph

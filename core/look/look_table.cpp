@@ -200,7 +200,7 @@ void addSampling(std::vector<Parameter>& table) {
         "Steps of the march for each voxel that a ray crosses; fewer where little is, more "
         "where much is. The error falls with its square. docs/performance.md");
     quality.engines = enginesWith(&EngineTraits::fineness, Fineness::stepsPerVoxel);
-    quality.alias = {"--quality", "NUMBER", "Steps a voxel, march; instead of view.quality"};
+    quality.alias = {"--quality", "NUMBER", "Steps per voxel, march; instead of view.quality"};
     Parameter& error =
         rows.number("target_error", "Target error", "1", &Sampling::targetError,
                     {0.0005, 0.5, true}, Stage::resolve,

@@ -41,8 +41,8 @@ std::string writeCloud(const std::filesystem::path& folder) {
 
 Json bench(const std::string& arguments) {
     const TemporaryFolder folder;
-    const Outcome outcome = runProgram("bench " + writeCloud(folder.path()) +
-                                       " --size 20x16 --steps 16 --frames 2 " + arguments);
+    const Outcome outcome =
+        runProgram("bench " + writeCloud(folder.path()) + " --size 20x16 " + arguments);
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     return Json::parse(outcome.out);
@@ -57,7 +57,7 @@ void checkTimes(const Json& times) {
 }  // namespace
 
 TEST_CASE("Bench draws the paper's four modes with both engines, the march beside its floor") {
-    const Json modes = bench("--section modes --grid 16")["modes"];
+    const Json modes = bench("--steps 16 --frames 2 --section modes --grid 16")["modes"];
     CHECK(contains(modes["bandwidth"].get<std::string>(), "samples x bytes a sample"));
     // [Riley03] table 4
     const std::vector<double> paperFps{5.1, 4.28, 1.68, 1.18};
@@ -86,7 +86,8 @@ TEST_CASE("Bench draws the paper's four modes with both engines, the march besid
 }
 
 TEST_CASE("Bench takes every size on every grid, of one engine where told") {
-    const Json modes = bench("--section modes --engine march --size 12x8 --grid 1 --grid 9x9x9");
+    const Json modes = bench(
+        "--steps 16 --frames 2 --section modes --engine march --size 12x8 --grid 1 --grid 9x9x9");
     std::set<std::string> seen;
     for (const Json& row : modes["modes"]["rows"]) {
         CHECK(row["engine"] == "march");
@@ -98,7 +99,7 @@ TEST_CASE("Bench takes every size on every grid, of one engine where told") {
 }
 
 TEST_CASE("Bench tells the first and the full picture after each kind of change") {
-    const Json changes = bench("--section changes --grid 16")["changes"];
+    const Json changes = bench("--frames 2 --section changes --grid 16")["changes"];
     CHECK(changes["engine"] == "march");
     CHECK(changes["full_size"] == Json{20, 16});
     CHECK(changes["first_size"] == Json{5, 4});
@@ -113,7 +114,8 @@ TEST_CASE("Bench tells the first and the full picture after each kind of change"
 }
 
 TEST_CASE("Bench doubles cells and steps as far as told, and tells the memory of a voxel") {
-    const Json rows = bench("--section growth --grid 8 --growth-to 32")["growth"]["rows"];
+    const Json rows =
+        bench("--steps 16 --frames 2 --section growth --grid 8 --growth-to 32")["growth"]["rows"];
     REQUIRE(rows.size() == 12);
     CHECK(rows[0]["grid"] == Json{8, 6, 4});
     CHECK(rows[4]["grid"] == Json{16, 12, 8});
@@ -152,7 +154,14 @@ TEST_CASE("Bench with bad usage exits with 2 and says what would be right") {
          {Case{"--section models", "modes"}, Case{"--engine warp", "slicing"},
           Case{"--grid 0", "XxYxZ"}, Case{"--grid 8x8", "XxYxZ"}, Case{"--grid 8x", "XxYxZ"},
           Case{"--grid 8x8x8x", "XxYxZ"}, Case{"--grid 9999", "from 1 to 2048"},
-          Case{"--size 20", "WxH"}, Case{"--frames 0", "--frames"}, Case{"--steps 4", "--steps"}}) {
+          Case{"--size 20", "WxH"}, Case{"--frames 0", "--frames"}, Case{"--steps 4", "--steps"},
+          Case{"--section window --frames 3", "modes or changes or growth or reference"},
+          Case{"--section reference --grid 16", "--section modes"},
+          Case{"--section changes --steps 64", "modes or growth"}, Case{"--growth-to 64", "growth"},
+          Case{"--section growth --size 3x3 --size 4x4", "the first alone"},
+          Case{"--section growth --engine both", "the first alone"},
+          Case{"--section changes --grid 8 --grid 16", "the first alone"},
+          Case{"--open --section modes", "--open"}}) {
         CAPTURE(c.arguments);
         const Outcome outcome = runProgram(std::string("bench ") + c.arguments);
         CHECK(outcome.status == 2);

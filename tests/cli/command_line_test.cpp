@@ -168,7 +168,7 @@ TEST_CASE(
     CHECK(march.first.starts_with("march, "));
     CHECK(contains(march.first, " steps, 2 samples, "));
     CHECK(march.second["view.engine"] == "march");
-    const auto slicing = rendered("--engine slicing --planes 16 --samples 2");
+    const auto slicing = rendered("--engine slicing --planes 16");
     CHECK(slicing.first.starts_with("slicing, 16 planes, "));
     CHECK(slicing.second["view.engine"] == "slicing");
 }

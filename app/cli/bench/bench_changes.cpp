@@ -35,10 +35,10 @@ double millisecondsSince(Clock::time_point start) {
 class Screen {
   public:
     explicit Screen(const Run& run)
-        : volumes_{onGrid(run.volume, run.grids().front())},
+        : volumes_{onGrid(run.volume, run.request.grids.front())},
           full_(run.inputs(volumes_.front().grid, run.sizesOr(kSizePx).front(), 0.0)) {
-        if (run.otherTime) volumes_.push_back(onGrid(*run.otherTime, run.grids().front()));
-        full_.look.engine = run.engines().front();
+        if (run.otherTime) volumes_.push_back(onGrid(*run.otherTime, run.request.grids.front()));
+        full_.look.engine = run.request.engines.front();
         renderer_.setVolume(volumes_.front());
     }
 
@@ -98,7 +98,7 @@ Json measureChanges(const Run& run) {
     Screen screen(run);
     std::vector<Kind> kinds{{Change::mixingScale, "mixing-scale"}, {Change::sun, "sun-azimuth"}};
     if (screen.hasTimes()) kinds.push_back({Change::time, "time"});
-    for (int round = -1; round < run.options.frames; ++round) {
+    for (int round = -1; round < run.request.frames; ++round) {
         for (Kind& kind : kinds) screen.take(kind, round >= 0);
     }
     const render::FrameInputs draft = screen.draft();
@@ -120,7 +120,7 @@ Json measureChanges(const Run& run) {
             {"first_size", toJson(draft.sizePx)},
             {"first_steps", draft.planes},
             {"full_size", toJson(screen.full().sizePx)},
-            {"frames", run.options.frames},
+            {"frames", run.request.frames},
             {"rows", rows}};
 }
 

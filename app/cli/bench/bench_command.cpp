@@ -63,12 +63,12 @@ struct Opened {
     std::uint64_t peakBytes = 0;  ///< resident while reading, above what there was before
 };
 
-Opened openData(const BenchOptions& options, std::uint64_t gpuBytes) {
+Opened openData(const bench::BenchRequest& request, std::uint64_t gpuBytes) {
     Opened opened;
     resetPeak();
     const std::uint64_t before = processBytes("VmRSS");
     const auto start = Clock::now();
-    opened.dataset = Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
+    opened.dataset = Dataset::open(listFiles(request.files), PluginHost::standard(request.readers));
     opened.openMs = millisecondsSince(start);
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     opened.time = std::min(kBenchTime, last);
@@ -109,10 +109,10 @@ Json summaryOf(const Opened& opened, double firstPictureMs, std::uint64_t gpuByt
 }
 
 /// Opens the data and draws them once, as the look says.
-std::pair<Opened, Json> measureOpening(const BenchOptions& options, const Scene& scene,
+std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, const Scene& scene,
                                        Clock::time_point start) {
     render::Renderer renderer(resourcePath("shaders"));
-    Opened opened = openData(options, rendererBytes(gl::deviceMemory()));
+    Opened opened = openData(request, rendererBytes(gl::deviceMemory()));
     renderer.setVolume(opened.volume);
     render::FrameInputs inputs;
     inputs.look = scene.document.look;
@@ -135,53 +135,41 @@ std::pair<Opened, Json> measureOpening(const BenchOptions& options, const Scene&
 
 void measureSections(const bench::Run& run, Json& result) {
     using Measure = Json (*)(const bench::Run&);
-    constexpr std::array<std::pair<std::string_view, Measure>, 5> kSections{
-        {{"modes", bench::measureModes},
-         {"changes", bench::measureChanges},
-         {"growth", bench::measureGrowth},
-         {"window", bench::measureWindow},
-         {"reference", bench::measureReference}}};
-    const std::vector<std::string>& asked = run.options.sections;
-    for (const auto& [name, measure] : kSections) {
-        if (std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
-        result[std::string(name)] = measure(run);
+    // In the order of bench::Section.
+    constexpr std::array<Measure, bench::kSectionNames.size()> kMeasures{
+        bench::measureModes, bench::measureChanges, bench::measureGrowth, bench::measureWindow,
+        bench::measureReference};
+    const std::vector<bench::Section>& wanted = run.request.sections;
+    for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+        if (std::ranges::find(wanted, static_cast<bench::Section>(i)) == wanted.end()) continue;
+        result[std::string(bench::kSectionNames[i])] = kMeasures[i](run);
     }
 }
 
-void write(const BenchOptions& options, const Json& result) {
+void write(const bench::BenchRequest& request, const Json& result) {
     const std::string text = result.dump(2) + "\n";
-    if (options.json.empty()) {
+    if (request.json.empty()) {
         fmt::print("{}", text);
     } else {
-        replaceFile(options.json, text);
+        replaceFile(request.json, text);
     }
 }
 
 }  // namespace
 
-std::vector<std::string> benchEngines() {
-    std::vector<std::string> names{"all"};
-    for (const EngineTraits& engine : kEngines) {
-        if (engine.refinement != Refinement::converges) names.emplace_back(engine.id);
-    }
-    return names;
-}
-
-int runBench(const BenchOptions& options) {
-    if (!options.json.empty()) checkReplaceable(options.json);
+int runBench(const bench::BenchRequest& request) {
+    if (!request.json.empty()) checkReplaceable(request.json);
     const auto start = Clock::now();
     const Scene scene = makeScene({});
-    bench::Run run{options, scene.document.look, scene.document.camera, {}, {}};
-    run.grids();  // so that what is mistyped is said before the work
-    run.sizesOr(kFirstPicturePx);
+    bench::Run run{request, scene.document.look, scene.document.camera, {}, {}};
     const gl::HeadlessContext context;
-    auto [opened, result] = measureOpening(options, scene, start);
-    if (!options.openOnly) {
+    auto [opened, result] = measureOpening(request, scene, start);
+    if (!request.openOnly) {
         run.otherTime = readOtherTime(opened);
         run.volume = std::move(opened.volume);
         measureSections(run, result);
     }
-    write(options, result);
+    write(request, result);
     return 0;
 }
 

@@ -55,7 +55,7 @@ RegularGrid measureGrid(const Run& run, const GridRequest& request, int steps, J
     render::Renderer renderer(resourcePath("shaders"));
     const RegularGrid grid = upload(run.volume, request, renderer);
     const OrbitPlan plan{grid, run.sizesOr(kSizePx).front(), steps};
-    const Engine engine = run.engines().front();
+    const Engine engine = run.request.engines.front();
     const Json memory = memoryOf(run, plan, renderer, engine);
     std::vector<Row> orbits;
     for (const Mode& mode : kModes) orbits.push_back({engine, &mode});
@@ -84,9 +84,9 @@ Json measureGrowth(const Run& run) {
     fmt::print(stderr, "{:<16} {:<28} {:>6} {:>8} {:>8} {:>6} {:>8} {:>8}\n", "cells", "mode",
                "steps", "median", "eye ms", "ratio", "floor", "B/voxel");
     Json rows = Json::array();
-    int steps = run.options.steps;
-    glm::ivec3 size = measureGrid(run, run.grids().front(), steps, rows).size;
-    while (2 * longestOf(size) <= run.options.growthTo && 2 * steps <= kMaxSteps) {
+    int steps = run.request.steps;
+    glm::ivec3 size = measureGrid(run, run.request.grids.front(), steps, rows).size;
+    while (2 * longestOf(size) <= run.request.growthTo && 2 * steps <= kMaxSteps) {
         size *= 2;
         steps *= 2;
         measureGrid(run, {0, size}, steps, rows);

@@ -39,7 +39,7 @@ void print(const Json& json) {
 
 void measureSize(const Run& run, const OrbitPlan& plan, render::Renderer& renderer, Json& rows) {
     std::vector<Row> orbits;
-    for (const Engine engine : run.engines()) {
+    for (const Engine engine : run.request.engines) {
         for (const Mode& mode : kModes) orbits.push_back({engine, &mode});
     }
     orbitAll(run, plan, renderer, orbits);
@@ -59,11 +59,11 @@ void measureSize(const Run& run, const OrbitPlan& plan, render::Renderer& render
 
 Json measureModes(const Run& run) {
     Json rows = Json::array();
-    for (const GridRequest& request : run.grids()) {
+    for (const GridRequest& request : run.request.grids) {
         render::Renderer renderer(resourcePath("shaders"));
         const RegularGrid grid = upload(run.volume, request, renderer);
         for (const glm::ivec2 sizePx : run.sizesOr(kSizePx)) {
-            measureSize(run, {grid, sizePx, run.options.steps}, renderer, rows);
+            measureSize(run, {grid, sizePx, run.request.steps}, renderer, rows);
         }
     }
     return {{"floor", kFloorText}, {"bandwidth", kBandwidthText}, {"rows", rows}};

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFloorBytes = 8.0 * 8.0;  // of the texels of a trilinear fetch, RGBA16
 
-double azimuthOf(const BenchOptions& options, double frame) {
-    return 360.0 * frame / options.frames;
+double azimuthOf(const BenchRequest& request, double frame) {
+    return 360.0 * frame / request.frames;
 }
 
 void push(std::vector<double>& values, std::optional<double> value) {
@@ -21,7 +21,7 @@ void takeTurn(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
               Row& row) {
     const auto inputsAt = [&](double turn) {
         render::FrameInputs inputs =
-            run.inputs(plan.grid, plan.sizePx, azimuthOf(run.options, frame + turn));
+            run.inputs(plan.grid, plan.sizePx, azimuthOf(run.request, frame + turn));
         setMode(inputs.look, *row.mode, row.engine);
         inputs.planes = plan.steps;
         return inputs;
@@ -54,7 +54,7 @@ RegularGrid upload(const SpeciesVolume& volume, const GridRequest& request,
 
 void orbitAll(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
               std::span<Row> rows) {
-    for (int frame = -kWarmUp; frame < run.options.frames; ++frame) {
+    for (int frame = -kWarmUp; frame < run.request.frames; ++frame) {
         for (Row& row : rows) takeTurn(run, plan, renderer, frame, row);
     }
 }

@@ -24,7 +24,7 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
     render::Accumulation image;
     const render::ReferenceProgress first = renderer.render(inputs, image).reference;
     render::ReferenceProgress last;
-    while (image.samples() <= run.options.frames) last = renderer.render(inputs, image).reference;
+    while (image.samples() <= run.request.frames) last = renderer.render(inputs, image).reference;
     const double seconds = last.seconds - first.seconds;
     const double paths = static_cast<double>(sizePx.x) * sizePx.y * (last.samples - first.samples);
     const auto collisions = static_cast<double>(last.collisions - first.collisions);
@@ -49,7 +49,7 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
 }  // namespace
 
 Json measureReference(const Run& run) {
-    fmt::print(stderr, "\nreference: {} passes after the first\n", run.options.frames);
+    fmt::print(stderr, "\nreference: {} passes after the first\n", run.request.frames);
     fmt::print(stderr, "{:<12} {:>6} {:>10} {:>12} {:>12} {:>10} {:>10}\n", "size", "paths/px",
                "paths/s", "Mcollisions/s", "scatt./path", "error %", "s to 2 %");
     Json rows = Json::array();

@@ -4,19 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
-#include "app/cli/common/scene.h"
-#include "app/cli/render/render_options.h"
 #include "core/volume/upsample.h"
 
 namespace neph::bench {
-namespace {
-
-constexpr int kMaxCells = 2048;  // a side: what every OpenGL 4.5 driver takes
-
-}  // namespace
 
 void setMode(Look& look, const Mode& mode, Engine engine) {
     look.transport = mode.transport;
@@ -25,49 +17,16 @@ void setMode(Look& look, const Mode& mode, Engine engine) {
     look.engine = engine;
 }
 
-GridRequest parseGrid(const std::string& text) {
-    std::vector<int> cells;
-    const char* at = text.data();
-    const char* end = at + text.size();
-    bool whole = false;
-    while (!whole) {
-        int number = 0;
-        const auto [next, fault] = std::from_chars(at, end, number);
-        if (fault != std::errc{} || number < 1 || number > kMaxCells) break;
-        cells.push_back(number);
-        whole = next == end;
-        if (!whole && *next != 'x') break;
-        at = next + 1;
+std::vector<Engine> measuredEngines() {
+    std::vector<Engine> engines;
+    for (const EngineTraits& engine : kEngines) {
+        if (engine.refinement != Refinement::converges) engines.push_back(engine.engine);
     }
-    if (whole && cells.size() == 1) return {cells[0], {}};
-    if (whole && cells.size() == 3) return {0, {cells[0], cells[1], cells[2]}};
-    throw UsageError(
-        {"--grid", "cannot be read as a grid", text,
-         fmt::format("N cells along the longest side, or XxYxZ, each from 1 to {}", kMaxCells),
-         ""});
+    return engines;
 }
 
 std::vector<glm::ivec2> Run::sizesOr(glm::ivec2 own) const {
-    if (options.sizes.empty()) return {own};
-    std::vector<glm::ivec2> sizes;
-    for (const std::string& text : options.sizes) sizes.push_back(parseSize(text));
-    return sizes;
-}
-
-std::vector<GridRequest> Run::grids() const {
-    std::vector<GridRequest> grids;
-    for (const std::string& text : options.grids) grids.push_back(parseGrid(text));
-    return grids;
-}
-
-std::vector<Engine> Run::engines() const {
-    std::vector<Engine> engines;
-    for (const EngineTraits& engine : kEngines) {
-        if (engine.refinement == Refinement::converges) continue;
-        if (options.engine == "all" || options.engine == engine.id)
-            engines.push_back(engine.engine);
-    }
-    return engines;
+    return request.sizesPx.empty() ? std::vector{own} : request.sizesPx;
 }
 
 render::FrameInputs Run::inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const {

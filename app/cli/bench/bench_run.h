@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/bench/bench_command.h"
+#include "app/cli/bench/bench_request.h"
 #include "app/render/renderer.h"
 #include "core/camera/camera.h"
 #include "core/grid/species.h"
@@ -40,18 +40,9 @@ inline constexpr std::array kModes{
 /// The mode as part of a look; the rest of it stays.
 void setMode(Look& look, const Mode& mode, Engine engine);
 
-/// Cells asked for: of the longest side, or of each; one of the two is zero.
-struct GridRequest {
-    int longest = 0;
-    glm::ivec3 size{0};
-};
-
-/// "128" or "128x128x128"; throws UsageError.
-GridRequest parseGrid(const std::string& text);
-
 /// What a run works on. The volumes are as they were read.
 struct Run {
-    const BenchOptions& options;
+    const BenchRequest& request;
     Look look;
     CameraPose pose;
     SpeciesVolume volume;
@@ -59,9 +50,6 @@ struct Run {
 
     /// Sizes asked for, or the section's own.
     std::vector<glm::ivec2> sizesOr(glm::ivec2 own) const;
-    std::vector<GridRequest> grids() const;
-    /// As asked for.
-    std::vector<Engine> engines() const;
     /// Look and pose as they are; the camera turned by `turnDeg`.
     render::FrameInputs inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const;
 };

@@ -32,7 +32,7 @@ double secondsSince(Clock::time_point start) {
 class Window {
   public:
     Window(const Run& run, glm::ivec2 sizePx, Engine engine)
-        : run_(run), sizePx_(sizePx), volume_(onGrid(run.volume, run.grids().front())) {
+        : run_(run), sizePx_(sizePx), volume_(onGrid(run.volume, run.request.grids.front())) {
         look_ = run.look;
         look_.engine = engine;
         renderer_.setVolume(volume_);
@@ -128,7 +128,7 @@ Json measureWindow(const Run& run) {
                    textOf(sizePx));
         fmt::print(stderr, "{:<8} {:>8} {:>8} {:>8} {:>8} {:>12} {:>7} {:>13}\n", "engine", "fps",
                    "median", "min", "max", "in motion", "steps", "rest to full");
-        for (const Engine engine : run.engines()) {
+        for (const Engine engine : run.request.engines) {
             rows.push_back(measureEngine(run, sizePx, engine));
             print(rows.back());
         }

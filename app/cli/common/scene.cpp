@@ -2,6 +2,7 @@
 #include "app/cli/common/scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -22,18 +23,20 @@ constexpr double kMPerKm = 1000.0;
 // Of the GPU memory that is free; pictures, tables and other programs need some too. Tuned by eye.
 constexpr double kDeviceShare = 0.75;
 
-std::optional<int> parseNumber(std::string_view text) {
+std::optional<int> parseInteger(std::string_view text) {
     int number = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (fault != std::errc{} || end != text.data() + text.size()) return {};
     return number;
 }
 
-/// Index of one of `count` times; negative counts from the end.
-std::optional<int> parseIndex(std::string_view text, int count) {
-    std::optional<int> index = parseNumber(text);
-    if (index && *index < 0) *index += count;
-    return index && *index >= 0 && *index < count ? index : std::nullopt;
+/// "march, slicing"
+std::string engineNames(unsigned engines) {
+    std::vector<std::string_view> names;
+    for (const EngineTraits& engine : kEngines) {
+        if ((engines & bitOf(engine.engine)) != 0) names.push_back(engine.id);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// "a:b" as two numbers, the first less than the second.
@@ -59,61 +62,85 @@ void applyPreset(const std::string& nameOrFile, PresetParts parts, Scene& scene)
     }
 }
 
-PresetParts partsOf(const SceneOptions& options) {
-    if (options.parts.empty()) return kPresetAll;
-    if (options.preset.empty()) {
-        throw UsageError({"--parts", "is of a preset", "", "--preset NAME", ""});
-    }
-    try {
-        return parsePresetParts(options.parts);
-    } catch (const Error& error) {
-        ErrorParts parts = error.parts();
-        parts.where = "--parts " + options.parts;
-        throw UsageError(parts);
-    }
-}
-
-/// The preset of the options, upon the standard one where it is not taken as a whole.
-void applyPresets(const SceneOptions& options, bool started, Scene& scene) {
-    const PresetParts parts = partsOf(options);
-    const bool whole = !options.preset.empty() && parts == kPresetAll;
+/// The preset of the request, upon the standard one where it is not taken as a whole.
+void applyPresets(const SceneRequest& request, bool started, Scene& scene) {
+    const bool whole = !request.preset.empty() && request.parts == kPresetAll;
     if (!started && !whole && presetNameUse("default") != PresetNameUse::free) {
         applyPreset("default", kPresetAll, scene);
     }
-    if (!options.preset.empty()) applyPreset(options.preset, parts, scene);
+    if (!request.preset.empty()) applyPreset(request.preset, request.parts, scene);
 }
 
 }  // namespace
 
-Scene makeScene(const SceneOptions& options, const std::optional<Scene>& start) {
+Scene makeScene(const SceneRequest& request, const std::optional<Scene>& start) {
     Scene scene = start.value_or(Scene{});
-    applyPresets(options, start.has_value(), scene);
-    for (const std::string& assignment : options.assignments) {
-        try {
-            applyAssignment(scene.document, assignment);
-        } catch (const Error& error) {
-            ErrorParts parts = error.parts();
-            parts.where = "--set " + assignment;
-            throw UsageError(parts);
+    applyPresets(request, start.has_value(), scene);
+    for (const auto* settings : {&request.settings, &request.engineSettings}) {
+        for (const Setting& setting : *settings) {
+            setValue(scene.document, *setting.row, setting.value);
         }
     }
-    if (!options.camera.empty()) {
-        scene.document.camera = loadCamera(options.camera, scene.warnings);
+    if (!request.camera.empty()) {
+        scene.document.camera = loadCamera(request.camera, scene.warnings);
     }
     return scene;
 }
 
-std::optional<int> parseFirstTime(const std::string& text) {
-    if (text.empty()) return {};
-    if (text == "all") return 0;
-    if (const auto first = parseNumber(std::string_view(text).substr(0, text.find(':')))) {
-        return first;
-    }
-    throw UsageError({"--time", "cannot be read", text, "INDEX, a:b or all", ""});
+void checkActing(const std::string& option, unsigned with, unsigned engines) {
+    if ((with & engines) != 0) return;
+    throw UsageError({.where = option,
+                      .what = "does not act with the engine in use",
+                      .found = engineNames(engines),
+                      .expected = engineNames(with),
+                      .hint = "leave it out, or choose another engine with --engine"});
 }
 
-std::optional<Region> parseRegion(const std::string& text) {
-    if (text.empty()) return {};
+Setting parseSetting(const std::string& option, std::string_view assignment) {
+    return asUsage(fmt::format("{} {}", option, assignment), [&]() -> Setting {
+        ParameterSet values;
+        applyAssignment(values, assignment);
+        const Parameter& row = parameter(assignment.substr(0, assignment.find('=')));
+        return {option, &row, valueOf(values, row)};
+    });
+}
+
+Setting parseAlias(const std::string& option, const std::string& text) {
+    const Parameter& row = parameterOfOption(option);
+    return asUsage(option, [&]() -> Setting {
+        ParameterSet values;
+        setValue(values, row, parseScreenValue(row, text));
+        return {option, &row, valueOf(values, row)};
+    });
+}
+
+void checkSetOnce(const std::vector<Setting>& settings) {
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const Setting& setting = settings[i];
+        const auto end = settings.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto other = std::find_if(
+            settings.begin(), end, [&](const Setting& each) { return each.row == setting.row; });
+        if (other == end) continue;
+        throw UsageError({.where = setting.option,
+                          .what = setting.row->id + " is set twice",
+                          .found = fmt::format("{} and {}", formatValue(*other->row, other->value),
+                                               formatValue(*setting.row, setting.value)),
+                          .hint = "give it once"});
+    }
+}
+
+TimeRange parseTimeRange(const std::string& option, const std::string& text) {
+    const std::string typed = option + " " + text;
+    if (text == "all") return {0, -1, typed};
+    const std::string_view view = text;
+    const std::size_t colon = view.find(':');
+    const auto first = parseInteger(view.substr(0, colon));
+    const auto last = colon == view.npos ? first : parseInteger(view.substr(colon + 1));
+    if (first && last) return {*first, *last, typed};
+    throw UsageError({option, "cannot be read", text, "INDEX, a:b or all", ""});
+}
+
+Region parseRegion(const std::string& text) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     Region region{{0.0, 0.0, -kFar}, {0.0, 0.0, kFar}};
     std::string_view rest = text;
@@ -142,13 +169,7 @@ std::uint64_t rendererBytes(const gl::DeviceMemory& device) {
 MemoryBudget chooseBudget(const std::string& memory, std::uint64_t gpuBytes,
                           std::vector<std::string>& warnings) {
     if (!memory.empty()) {
-        try {
-            return memoryBudget(memory, gpuBytes);
-        } catch (const Error& error) {
-            ErrorParts parts = error.parts();
-            parts.where = "--memory";
-            throw UsageError(parts);
-        }
+        return asUsage("--memory", [&] { return memoryBudget(memory, gpuBytes); });
     }
     try {
         return memoryBudget(loadSettings(warnings).memory, gpuBytes);
@@ -158,20 +179,18 @@ MemoryBudget chooseBudget(const std::string& memory, std::uint64_t gpuBytes,
     }
 }
 
-std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info) {
+std::vector<int> timesOf(const std::optional<TimeRange>& range, const DatasetInfo& info) {
+    if (!range) return {defaultTime(info)};
     const int count = static_cast<int>(info.times.size());
-    if (text.empty()) return {defaultTime(info)};
-    const std::string_view range = text == "all" ? "0:-1" : std::string_view(text);
-    const std::size_t colon = range.find(':');
-    const auto first = parseIndex(range.substr(0, colon), count);
-    const auto last = colon == range.npos ? first : parseIndex(range.substr(colon + 1), count);
-    if (!first || !last || *first > *last) {
-        throw UsageError({"--time " + text, "there are no such times", "",
+    const int first = range->first + (range->first < 0 ? count : 0);
+    const int last = range->last + (range->last < 0 ? count : 0);
+    if (first < 0 || last >= count || first > last) {
+        throw UsageError({range->typed, "there are no such times", "",
                           fmt::format("INDEX, a:b or all, with indices from 0 to {}", count - 1),
                           "nephoscope info FILE... lists the times"});
     }
     std::vector<int> times;
-    for (int i = *first; i <= *last; ++i) times.push_back(i);
+    for (int i = first; i <= last; ++i) times.push_back(i);
     return times;
 }
 

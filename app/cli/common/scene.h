@@ -1,36 +1,51 @@
-// scene.h: what the command line asks to be shown, made into files, times and a document.
+// scene.h: what is to be shown, as asked for on the command line, made into times and a document.
 #pragma once
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/common/usage.h"
 #include "app/gl/context.h"
-#include "core/base/error.h"
 #include "core/dataset/dataset.h"
+#include "core/preset/preset_difference.h"
 #include "core/session/history.h"
 #include "core/volume/read_plan.h"
 
 namespace neph {
 
-/// A fault of the command line itself; exit status 2.
-class UsageError : public Error {
-  public:
-    using Error::Error;
+/// Indices of times, both included; negative ones count from the end.
+struct TimeRange {
+    int first = 0, last = 0;
+    std::string typed;  ///< for messages: "--time 1:2"
 };
 
-/// Options that the workbench and `render` share, as typed.
-struct SceneOptions {
-    std::vector<std::string> files;        ///< files or folders; none for the bundled storm
-    std::vector<std::string> readers;      ///< libraries or folders, before those found elsewhere
-    std::string preset;                    ///< name or file; empty for `default`
-    std::string parts;                     ///< of it, as parsePresetParts; empty for all
-    std::vector<std::string> assignments;  ///< id=value
-    std::string camera;                    ///< preset name or file; empty for the preset's
-    std::string time;                      ///< INDEX, a:b or all; empty for the default time
-    std::string region;                    ///< as parseRegion; empty for the whole domain
-    std::string memory;                    ///< as parseMemory; empty for what is remembered
-    std::string script;                    ///< of the workbench: a file of commands to play
+/// A value for one parameter, and the option that asks for it.
+struct Setting {
+    std::string option;
+    const Parameter* row = nullptr;
+    ParameterValue value;
+};
+
+/// What the workbench and the commands that render share. What is left empty is as the preset, or
+/// the session, has it.
+struct SceneRequest {
+    std::vector<std::string> files;       ///< files or folders; none: the bundled storm
+    std::vector<std::string> readers;     ///< libraries or folders, before those found elsewhere
+    std::string preset;                   ///< name or file
+    PresetParts parts = kPresetAll;       ///< of the preset
+    std::vector<Setting> settings;        ///< of --set
+    std::vector<Setting> engineSettings;  ///< of options of their own, after those; see checkActing
+    std::string camera;                   ///< preset name or file
+    std::optional<TimeRange> times;       ///< none: the default time
+    std::optional<Region> region;         ///< none: the whole domain
+    std::string memory;                   ///< as parseMemory; empty: as remembered
+};
+
+/// The window.
+struct WorkbenchRequest {
+    SceneRequest scene;
+    std::string script;  ///< file of commands to play; empty: none
 };
 
 struct Scene {
@@ -39,21 +54,33 @@ struct Scene {
     std::vector<std::string> warnings;
 };
 
-/// Look and camera of the options, upon those of `start` where given; the time is left as it is.
-/// Throws Error or UsageError.
-Scene makeScene(const SceneOptions& options, const std::optional<Scene>& start = {});
+/// Look and camera of the request, upon those of `start` where given; the time is left as it is.
+/// Throws Error.
+Scene makeScene(const SceneRequest& request, const std::optional<Scene>& start = {});
 
-/// Indices named by `text`: a number (negative counts from the end), a:b (both included), all, or
-/// empty for the default time. Throws UsageError naming the times there are.
-std::vector<int> parseTimes(const std::string& text, const DatasetInfo& info);
+/// Throws UsageError where an option acts `with` none of `engines`; both are bits.
+void checkActing(const std::string& option, unsigned with, unsigned engines);
 
-/// The first of the times in `text`, before the data are open; none when it is empty. Negative
-/// counts from the end. Throws UsageError.
-std::optional<int> parseFirstTime(const std::string& text);
+/// "light.form=printed" as a setting. Throws UsageError.
+Setting parseSetting(const std::string& option, std::string_view assignment);
 
-/// Part of the domain from "x0:x1,y0:y1[,z0:z1]" in km; all levels without the last pair. None when
-/// `text` is empty. Throws UsageError.
-std::optional<Region> parseRegion(const std::string& text);
+/// A value of the parameter that `option` stands for, typed as the screen shows it. Throws
+/// UsageError.
+Setting parseAlias(const std::string& option, const std::string& text);
+
+/// Throws UsageError where two settings are of one parameter.
+void checkSetOnce(const std::vector<Setting>& settings);
+
+/// "INDEX", "a:b" or "all". Throws UsageError.
+TimeRange parseTimeRange(const std::string& option, const std::string& text);
+
+/// The indices of a range, or of the default time where there is none. Throws UsageError that names
+/// the times there are.
+std::vector<int> timesOf(const std::optional<TimeRange>& range, const DatasetInfo& info);
+
+/// Part of the domain from "x0:x1,y0:y1[,z0:z1]" in km; all levels without the last pair. Throws
+/// UsageError.
+Region parseRegion(const std::string& text);
 
 /// What a renderer may take for volumes on this device.
 std::uint64_t rendererBytes(const gl::DeviceMemory& device);

@@ -16,8 +16,6 @@
 namespace neph {
 namespace {
 
-constexpr double kPerPercent = 0.01;
-
 std::string textOf(const Metadata& metadata, std::string_view key) {
     for (const auto& [name, text] : metadata) {
         if (name == key) return text;
@@ -71,12 +69,6 @@ void warnOfDifferences(const Metadata& a, const Metadata& b) {
     }
 }
 
-std::optional<double> endOfScale(const ComparisonOptions& options) {
-    std::optional<double> most = parseOptionalNumber("--error-to", options.errorTo);
-    if (most) *most *= kPerPercent;
-    return most;
-}
-
 void keepPicture(const std::filesystem::path& file, const Image8& picture) {
     if (file.empty()) return;
     writePng(file, picture, {});
@@ -84,65 +76,67 @@ void keepPicture(const std::filesystem::path& file, const Image8& picture) {
 }
 
 /// Figures of all but the last, which is the reference.
-std::vector<Comparison> compareAll(const ComparisonOptions& options,
+std::vector<Comparison> compareAll(const CompareRequest& request,
                                    const std::vector<ComparedPicture>& pictures) {
-    const auto exposure = parseOptionalNumber("--exposure", options.exposureEv);
     std::vector<Comparison> comparisons;
     for (std::size_t i = 0; i + 1 < pictures.size(); ++i) {
-        comparisons.push_back(compare(pictures[i], pictures.back(), exposure));
+        comparisons.push_back(compare(pictures[i], pictures.back(), request.exposureEv));
     }
     return comparisons;
 }
 
-void tell(const ComparisonOptions& options, std::vector<ComparedPicture> pictures,
+void tell(const CompareRequest& request, std::vector<ComparedPicture> pictures,
           const std::vector<Comparison>& comparisons) {
     const ComparedPicture reference = std::move(pictures.back());
     pictures.pop_back();
-    const auto told = options.json ? comparisonJson : comparisonText;
+    const auto told = request.json ? comparisonJson : comparisonText;
     fmt::print("{}", told(pictures, comparisons, reference));
 }
 
-void compareFiles(const ComparisonOptions& options) {
+void compareFiles(const CompareRequest& request) {
     std::vector<Metadata> texts(2);
     std::vector<ComparedPicture> pictures;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        pictures.push_back(readPicture(options.render.scene.files[i], texts[i]));
+        pictures.push_back(readPicture(request.render.scene.files[i], texts[i]));
+    }
+    if (request.exposureEv && pictures[0].display) {
+        throw UsageError({.where = "--exposure",
+                          .what = "is of HDR-FLIP, and these are images of a screen",
+                          .hint = "leave it out, or compare EXR files"});
     }
     warnOfDifferences(texts[0], texts[1]);
-    const std::vector<Comparison> comparisons = compareAll(options, pictures);
-    if (!options.errorPicture.empty()) {
-        keepPicture(
-            options.errorPicture,
-            relativeErrorPicture(pictures[0], pictures[1], options.bothSigns, endOfScale(options)));
+    const std::vector<Comparison> comparisons = compareAll(request, pictures);
+    if (!request.errorPicture.empty()) {
+        keepPicture(request.errorPicture, relativeErrorPicture(pictures[0], pictures[1],
+                                                               request.bothSigns, request.errorTo));
     }
-    if (!options.flipPicture.empty()) keepPicture(options.flipPicture, flipPicture(comparisons[0]));
-    tell(options, std::move(pictures), comparisons);
+    if (!request.flipPicture.empty()) keepPicture(request.flipPicture, flipPicture(comparisons[0]));
+    tell(request, std::move(pictures), comparisons);
 }
 
-void compareEngines(const ComparisonOptions& options) {
-    std::vector<ComparedPicture> pictures = drawEngines(options, untilInterrupted());
-    const std::vector<Comparison> comparisons = compareAll(options, pictures);
-    for (std::size_t i = 0; i < comparisons.size() && !options.out.empty(); ++i) {
+void compareEngines(const CompareRequest& request) {
+    std::vector<ComparedPicture> pictures = drawEngines(request, untilInterrupted());
+    const std::vector<Comparison> comparisons = compareAll(request, pictures);
+    for (std::size_t i = 0; i < comparisons.size() && !request.out.empty(); ++i) {
         const std::string& name = pictures[i].name;
-        keepPicture(fileOf(options, name, "-error.png"),
-                    relativeErrorPicture(pictures[i], pictures.back(), options.bothSigns,
-                                         endOfScale(options)));
-        keepPicture(fileOf(options, name, "-flip.png"), flipPicture(comparisons[i]));
+        keepPicture(
+            fileOf(request, name, "-error.png"),
+            relativeErrorPicture(pictures[i], pictures.back(), request.bothSigns, request.errorTo));
+        keepPicture(fileOf(request, name, "-flip.png"), flipPicture(comparisons[i]));
     }
-    tell(options, std::move(pictures), comparisons);
+    tell(request, std::move(pictures), comparisons);
 }
 
 }  // namespace
 
-int runCompare(const ComparisonOptions& options) {
-    checkOptions(options);
-    if (options.engines.empty()) {
-        compareFiles(options);
+int runCompare(const CompareRequest& request) {
+    if (request.engines.empty()) {
+        compareFiles(request);
         return 0;
     }
     noteInterrupts();
     try {
-        compareEngines(options);
+        compareEngines(request);
     } catch (const Cancelled&) {
         return 128 + interruptSignal();
     }

@@ -38,14 +38,19 @@ Image8 displayOf(const ImageF& linear, const Look& look) {
     return image;
 }
 
+ParameterSet parametersOf(const ComparedEngine& engine, ParameterSet values) {
+    for (const Setting& setting : engine.settings) setValue(values, *setting.row, setting.value);
+    return values;
+}
+
 /// Draws one scene, seen from one place, with any engine.
 class Drawer {
   public:
-    Drawer(const ComparisonOptions& options, const Progress& progress)
-        : options_(options), progress_(progress) {
-        const RenderOptions& render = options.render;
-        const RenderView from = parseRenderView(render.observer, render.view);
+    Drawer(const CompareRequest& request, const Progress& progress)
+        : request_(request), progress_(progress) {
+        const RenderRequest& render = request.render;
         SideScene scene = sideScenes(render, {}).front();
+        checkEngines(scene.scene.document);
         std::vector<std::string> warnings = scene.scene.warnings;
         const MemoryBudget budget =
             chooseBudget(render.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
@@ -53,20 +58,30 @@ class Drawer {
         side_ = std::make_unique<Side>(std::move(scene), budget, progress);
         side_->show(side_->times().front(), progress);
         for (const std::string& note : side_->newNotes()) fmt::print(stderr, "note: {}\n", note);
-        sizePx_ = parseSize(render.size);
+        sizePx_ = render.sizePx;
         const double aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         pose_ = side_->what().scene.document.camera;
-        if (from.given()) pose_ = poseOf(from, pose_, side_->shown(), aspect);
+        if (render.from.given()) pose_ = poseOf(render.from, pose_, side_->shown(), aspect);
         camera_ = placeCamera(pose_, side_->shown().grid, aspect);
     }
 
     ComparedPicture draw(const ComparedEngine& engine);
 
   private:
+    /// Options must act with one of the engines at least. Of the march the window's samples are
+    /// drawn.
+    void checkEngines(const ParameterSet& values) const {
+        unsigned engines = 0;
+        for (const ComparedEngine& engine : request_.engines) {
+            engines |= bitOf(parametersOf(engine, values).look.engine);
+        }
+        checkActing(request_.render, engines,
+                    enginesWith(&EngineTraits::refinement, Refinement::converges));
+    }
     void keep(const ComparedEngine& engine, const LayeredImage& image, const DrawnSide& drawn,
               const std::string& made) const;
 
-    const ComparisonOptions& options_;
+    const CompareRequest& request_;
     Progress progress_;
     gl::HeadlessContext context_;
     std::unique_ptr<Side> side_;
@@ -78,14 +93,12 @@ class Drawer {
 ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     DrawnSide drawn;
     drawn.renderer = &side_->renderer();
-    drawn.inputs.look = side_->parameters().look;
-    drawn.inputs.sampling = side_->parameters().sampling;
-    for (const std::string& assignment : engine.assignments) {
-        applyAssignment(drawn.inputs, assignment);
-    }
+    const ParameterSet values = parametersOf(engine, side_->parameters());
+    drawn.inputs.look = values.look;
+    drawn.inputs.sampling = values.sampling;
     drawn.inputs.sizePx = sizePx_;
     drawn.inputs.camera = camera_;
-    const SamplePlan plan = planSamples(options_, drawn.inputs);
+    const SamplePlan plan = planSamples(request_, values);
     drawn.samples = plan.samples;
     drawn.targetError = plan.targetError;
     drawn.toPx = sizePx_.x;
@@ -110,7 +123,7 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
         fmt::print(stderr, "warning: {}\n", message);
     }
     fmt::print(stderr, "drew {} ({}, {:.1f} s)\n", engine.name, picture.made, *picture.seconds);
-    if (!options_.out.empty()) keep(engine, image, drawn, picture.made);
+    if (!request_.out.empty()) keep(engine, image, drawn, picture.made);
     picture.picture = std::move(image.colours);
     return picture;
 }
@@ -123,31 +136,30 @@ void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const
     }
     std::vector<std::string> names;
     for (const ImageLayer& layer : image.layers) names.push_back(layer.name);
-    writeExr(fileOf(options_, engine.name, ".exr"), sizePx_, metadata, ExrPixels::full, names,
+    writeExr(fileOf(request_, engine.name, ".exr"), sizePx_, metadata, ExrPixels::full, names,
              [&] { return image; });
-    writePng(fileOf(options_, engine.name, ".png"), displayOf(image.colours, drawn.inputs.look),
+    writePng(fileOf(request_, engine.name, ".png"), displayOf(image.colours, drawn.inputs.look),
              metadata);
 }
 
 }  // namespace
 
-std::vector<ComparedPicture> drawEngines(const ComparisonOptions& options,
-                                         const Progress& progress) {
-    if (!options.out.empty()) std::filesystem::create_directories(options.out);
-    Drawer drawer(options, progress);
+std::vector<ComparedPicture> drawEngines(const CompareRequest& request, const Progress& progress) {
+    if (!request.out.empty()) std::filesystem::create_directories(request.out);
+    Drawer drawer(request, progress);
     std::vector<ComparedPicture> pictures;
-    for (const ComparedEngine& engine : parseEngines(options.engines)) {
+    for (const ComparedEngine& engine : request.engines) {
         pictures.push_back(drawer.draw(engine));
     }
     return pictures;
 }
 
-std::filesystem::path fileOf(const ComparisonOptions& options, const std::string& engine,
+std::filesystem::path fileOf(const CompareRequest& request, const std::string& engine,
                              const std::string& ending) {
     std::string name = engine;
     std::ranges::replace_if(
         name, [](char c) { return c == ':' || c == '='; }, '-');
-    return std::filesystem::path(options.out) / (name + ending);
+    return request.out / (name + ending);
 }
 
 }  // namespace neph

@@ -37,8 +37,8 @@ constexpr std::array<std::string_view, 8> kRoleIds{
     "air_pressure", "air_temperature", "effective_radius", "number_concentration"};
 
 /// The times that are read.
-std::vector<int> timesOf(const DatasetInfo& info, const std::string& asked) {
-    if (!asked.empty()) return parseTimes(asked, info);
+std::vector<int> timesToRead(const DatasetInfo& info, const std::optional<TimeRange>& asked) {
+    if (asked) return timesOf(asked, info);
     const auto count = static_cast<int>(info.times.size());
     const auto ratios =
         std::ranges::count(info.variables, VariableRole::mixingRatio, &VariableInfo::role);
@@ -50,9 +50,11 @@ std::vector<int> timesOf(const DatasetInfo& info, const std::string& asked) {
     return times;
 }
 
-std::vector<TimeSummary> summariseTimes(Dataset& dataset, const std::string& asked) {
+std::vector<TimeSummary> summariseTimes(Dataset& dataset, const std::optional<TimeRange>& asked) {
     std::vector<TimeSummary> summaries;
-    for (int time : timesOf(dataset.info(), asked)) summaries.push_back(summarise(dataset, time));
+    for (int time : timesToRead(dataset.info(), asked)) {
+        summaries.push_back(summarise(dataset, time));
+    }
     return summaries;
 }
 
@@ -317,7 +319,8 @@ Json variablesJson(const DatasetInfo& info) {
 }
 
 /// The summary for people.
-std::string infoText(Dataset& dataset, const std::string& times, const MemoryBudget& budget) {
+std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
+                     const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
@@ -358,7 +361,8 @@ Json condensateJson(const DatasetInfo& info, const std::vector<TimeSummary>& sum
 }
 
 /// The same and more for programs.
-std::string infoJson(Dataset& dataset, const std::string& times, const MemoryBudget& budget) {
+std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
+                     const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
     const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
     Json json{{"type", "nephoscope-info"},
@@ -382,14 +386,14 @@ std::string infoJson(Dataset& dataset, const std::string& times, const MemoryBud
 
 }  // namespace
 
-int runInfo(const InfoOptions& options) {
+int runInfo(const InfoRequest& request) {
     std::vector<std::string> warnings;
-    const MemoryBudget budget = chooseBudget(options.memory, MemoryBudget{}.gpu, warnings);
+    const MemoryBudget budget = chooseBudget(request.memory, MemoryBudget{}.gpu, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
     const auto dataset =
-        Dataset::open(listFiles(options.files), PluginHost::standard(options.readers));
-    fmt::print("{}", options.json ? infoJson(*dataset, options.time, budget)
-                                  : infoText(*dataset, options.time, budget));
+        Dataset::open(listFiles(request.files), PluginHost::standard(request.readers));
+    fmt::print("{}", request.json ? infoJson(*dataset, request.times, budget)
+                                  : infoText(*dataset, request.times, budget));
     return 0;
 }
 

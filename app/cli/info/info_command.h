@@ -1,19 +1,22 @@
 // info_command.h: `nephoscope info`: what a forecaster wants to know of a run before looking at it.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/common/scene.h"
+
 namespace neph {
 
-struct InfoOptions {
+struct InfoRequest {
     std::vector<std::string> files;  ///< files of one series, or a folder; none: the bundled storm
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
-    std::string time;                  ///< INDEX, a:b or all; empty: what can be read in seconds
+    std::optional<TimeRange> times;    ///< none: what can be read in seconds
     std::string memory;                ///< as parseMemory; empty for what is remembered
     bool json = false;
 };
 
 /// Prints the summary; returns the exit code. Throws Error or UsageError.
-int runInfo(const InfoOptions& options);
+int runInfo(const InfoRequest& request);
 
 }  // namespace neph

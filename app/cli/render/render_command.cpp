@@ -37,7 +37,7 @@ void printAll(std::string_view kind, const std::vector<std::string>& lines) {
 /// What all pictures of one command share.
 class Run {
   public:
-    Run(const RenderOptions& options, Progress goesOn);
+    Run(const RenderRequest& request, Progress goesOn);
     void all();
 
   private:
@@ -50,10 +50,9 @@ class Run {
     void write(const Shot& shot, Bands& bands);
     void picture(const Shot& shot, const std::function<void(Bands&)>& take,
                  const std::filesystem::path& file);
-    const RenderOptions& options_;
+    const RenderRequest& request_;
     Progress goesOn_;
     std::optional<CameraPath> path_;
-    RenderView from_;
     std::optional<CameraPose> fromPose_;  // of the first time: it does not jump from time to time
     double splitAt_ = 0.5;
     gl::HeadlessContext context_;
@@ -63,62 +62,68 @@ class Run {
     std::optional<ProgressLines> progress_;
 };
 
+void checkEngines(const RenderRequest& request, const std::vector<SideScene>& scenes) {
+    unsigned engines = 0;
+    for (const SideScene& side : scenes) engines |= bitOf(side.scene.document.look.engine);
+    checkActing(request, engines,
+                kAllEngines & ~enginesWith(&EngineTraits::refinement, Refinement::once));
+}
+
 /// The camera path that is asked for.
-std::optional<CameraPath> pathOf(const RenderOptions& options, const SideScene& first,
+std::optional<CameraPath> pathOf(const RenderRequest& request, const SideScene& first,
                                  std::vector<std::string>& warnings) {
     std::optional<CameraPath> path;
-    if (!options.path.empty()) {
-        path = loadCameraPath(options.path, warnings);
-    } else if (options.alongPath) {
+    if (!request.path.empty()) {
+        path = loadCameraPath(request.path, warnings);
+    } else if (request.alongPath) {
         path = first.scene.document.path;
     }
     if (!path || !path->keys.empty()) return path;
-    throw Error({.where = options.path.empty() ? options.session : options.path,
+    throw Error({.where = (request.path.empty() ? request.session : request.path).string(),
                  .what = "there is no camera path",
                  .found = "no keys",
                  .hint = "set keys in the camera panel, or write them"});
 }
 
-Run::Run(const RenderOptions& options, Progress goesOn)
-    : options_(options),
-      goesOn_(std::move(goesOn)),
-      from_(parseRenderView(options.observer, options.view)) {
+Run::Run(const RenderRequest& request, Progress goesOn)
+    : request_(request), goesOn_(std::move(goesOn)) {
     std::vector<std::string> warnings;
     std::optional<SessionState> session;
-    if (!options.session.empty()) session = loadSession(options.session, warnings);
-    std::vector<SideScene> scenes = sideScenes(options, session);
+    if (!request.session.empty()) session = loadSession(request.session, warnings);
+    std::vector<SideScene> scenes = sideScenes(request, session);
     if (session) splitAt_ = static_cast<double>(session->splitAt);
-    if (!options.compare.splitAt.empty()) splitAt_ = parseSplit(options.compare.splitAt);
-    path_ = pathOf(options, scenes.front(), warnings);
+    splitAt_ = request.beside.splitAt.value_or(splitAt_);
+    checkEngines(request, scenes);
+    path_ = pathOf(request, scenes.front(), warnings);
     MemoryBudget budget =
-        chooseBudget(options.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
+        chooseBudget(request.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
     budget.gpu /= scenes.size();
     budget.machine /= scenes.size();
     for (SideScene& scene : scenes) {
         warnings.insert(warnings.end(), scene.scene.warnings.begin(), scene.scene.warnings.end());
     }
     printAll("warning", warnings);
-    const bool allTimes = path_ && path_->withTime && options.scene.time.empty();
+    const bool allTimes = path_ && path_->withTime && !request.scene.times;
     for (SideScene& scene : scenes) {
-        if (allTimes && scene.options.time.empty()) scene.options.time = "all";
+        if (allTimes && !scene.request.times) scene.request.times = TimeRange{0, -1, "--time all"};
         sides_.push_back(std::make_unique<Side>(std::move(scene), budget, goesOn_));
         printAll("note", sides_.back()->newNotes());
     }
-    shots_ = planShots(options, path_, sides_.front()->times());
-    sizePx_ = parseSize(options.size);
-    if (kindOf(options.out) == FileKind::mp4 && filmSize(sizePx_) != sizePx_) {
+    shots_ = planShots(request, path_, sides_.front()->times());
+    sizePx_ = request.sizePx;
+    if (kindOf(request.out) == OutputKind::mp4 && filmSize(sizePx_) != sizePx_) {
         sizePx_ = filmSize(sizePx_);
         printAll("note", {fmt::format("a film has even sides: {}x{}", sizePx_.x, sizePx_.y)});
     }
-    progress_.emplace(options.progress, shots_.size());
+    progress_.emplace(request.progress, shots_.size());
 }
 
 /// B follows A through the times, unless it has one of its own.
 int Run::timeOf(std::size_t index, const Shot& shot) const {
     if (index == 0) return shot.time;
     const Side& side = *sides_[index];
-    const bool own = !options_.compare.time.empty() ||
-                     (options_.compare.slots && shots_.size() == 1 && options_.scene.time.empty());
+    const bool own = request_.beside.time.has_value() ||
+                     (request_.beside.slots && shots_.size() == 1 && !request_.scene.times);
     return own ? side.times().front()
                : std::min(shot.time, static_cast<int>(side.info().times.size()) - 1);
 }
@@ -133,21 +138,21 @@ CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
 DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     Side& side = *sides_[index];
     side.show(timeOf(index, shot), goesOn_);
-    if (from_.given() && !fromPose_) {
-        fromPose_ = neph::poseOf(from_, poseOf(index, shot), side.shown(), aspect());
+    if (request_.from.given() && !fromPose_) {
+        fromPose_ = neph::poseOf(request_.from, poseOf(index, shot), side.shown(), aspect());
     }
     printAll("note", side.newNotes());
     DrawnSide drawn;
     drawn.renderer = &side.renderer();
     drawn.inputs.look = side.parameters().look;
     drawn.inputs.sampling = side.parameters().sampling;
-    const SamplePlan plan = planSamples(options_, side.parameters());
+    const SamplePlan plan = planSamples(request_.sampling, side.parameters());
     drawn.samples = plan.samples;
     drawn.targetError = plan.targetError;
     drawn.inputs.sizePx = sizePx_;
-    drawn.inputs.supersample = options_.supersample;
-    drawn.inputs.backdrop = !options_.transparent;
-    drawn.inputs.profile = options_.profile;
+    drawn.inputs.supersample = request_.supersample;
+    drawn.inputs.backdrop = !request_.transparent;
+    drawn.inputs.profile = request_.profile;
     drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid, aspect());
     const int split =
         sides_.size() == 1
@@ -180,7 +185,7 @@ Metadata Run::describe(const Shot& shot, const Bands& bands) const {
 }
 
 void Run::write(const Shot& shot, Bands& bands) {
-    if (kindOf(shot.file) == FileKind::png) {
+    if (kindOf(shot.file) == OutputKind::png) {
         Image8 first = bands.nextDisplay();  // the metadata say what it took
         const Metadata metadata = describe(shot, bands);
         writePng(shot.file, sizePx_, metadata,
@@ -191,9 +196,7 @@ void Run::write(const Shot& shot, Bands& bands) {
         const auto next = [&] {
             return first.colours.size.y > 0 ? std::exchange(first, {}) : bands.nextLayered();
         };
-        writeExr(shot.file, sizePx_, metadata,
-                 options_.format == "float" ? ExrPixels::full : ExrPixels::half, bands.layerNames(),
-                 next);
+        writeExr(shot.file, sizePx_, metadata, request_.format, bands.layerNames(), next);
     }
 }
 
@@ -205,11 +208,11 @@ void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
     for (const auto& side : sides_) printAll("warning", side->renderer().takeMessages());
     progress_->done(file);
     const Side& first = *sides_.front();
-    const bool film = kindOf(file) == FileKind::mp4;
+    const bool film = kindOf(file) == OutputKind::mp4;
     fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", film ? "a picture of" : "wrote",
                file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
                workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
-    if (!options_.profile) return;
+    if (!request_.profile) return;
     render::FrameInputs inputs;
     inputs.look = first.parameters().look;
     inputs.sampling = first.parameters().sampling;
@@ -219,15 +222,15 @@ void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
 }
 
 void Run::all() {
-    if (kindOf(options_.out) != FileKind::mp4) {
+    if (kindOf(request_.out) != OutputKind::mp4) {
         for (const Shot& shot : shots_) {
             picture(
                 shot, [&](Bands& bands) { write(shot, bands); }, shot.file);
         }
         return;
     }
-    replaceFile(options_.out, [&](const std::filesystem::path& aside) {
-        Film film(aside, sizePx_, options_.fps);
+    replaceFile(request_.out, [&](const std::filesystem::path& aside) {
+        Film film(aside, sizePx_, request_.fps);
         for (const Shot& shot : shots_) {
             const auto add = [&](Bands& bands) {
                 for (int rows = 0; rows < sizePx_.y;) {
@@ -236,20 +239,19 @@ void Run::all() {
                     rows += band.size.y;
                 }
             };
-            picture(shot, add, options_.out);
+            picture(shot, add, request_.out);
         }
         film.finish(goesOn_);
     });
-    fmt::print(stderr, "wrote {}\n", options_.out);
+    fmt::print(stderr, "wrote {}\n", request_.out.string());
 }
 
 }  // namespace
 
-int runRender(const RenderOptions& options) {
-    checkOptions(options);
+int runRender(const RenderRequest& request) {
     noteInterrupts();
     try {
-        Run(options, untilInterrupted()).all();
+        Run(request, untilInterrupted()).all();
     } catch (const Cancelled&) {
         fmt::print(stderr, "stopped; nothing is left half done\n");
         return 128 + interruptSignal();

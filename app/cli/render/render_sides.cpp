@@ -1,4 +1,4 @@
-// render_sides.cpp: scenes from options and sessions; data to the renderer.
+// render_sides.cpp: scenes from requests and sessions; data to the renderer.
 #include "app/cli/render/render_sides.h"
 
 #include <fmt/format.h>
@@ -14,39 +14,18 @@
 namespace neph {
 namespace {
 
-/// Sets a parameter as the option of its own says, if it does. As part of the document, so that the
-/// metadata name what renders the same image again.
-void apply(ParameterSet& values, std::string_view option, const std::string& text) {
-    if (text.empty()) return;
-    try {
-        const Parameter& row = parameterOfOption(option);
-        setValue(values, row, parseScreenValue(row, text));
-    } catch (const Error& error) {
-        ErrorParts parts = error.parts();
-        parts.where = option;
-        throw UsageError(parts);
-    }
-}
-
-/// The scene of the options, upon what a slot keeps.
-SideScene sceneOf(const RenderOptions& options, SceneOptions typed, const SlotState* slot) {
+/// The scene of the request, upon what a slot keeps.
+SideScene sceneOf(SceneRequest request, const SlotState* slot) {
     SideScene side;
-    side.region = parseRegion(typed.region);
     std::optional<Scene> start;
     if (slot != nullptr) {
         start = Scene{slot->presetName, slot->document, {}};
-        if (typed.files.empty()) typed.files = slot->data;
-        if (typed.region.empty()) side.region = slot->region;
+        if (request.files.empty()) request.files = slot->data;
+        if (!request.region) request.region = slot->region;
         side.time = slot->document.time;
     }
-    side.scene = makeScene(typed, start);
-    side.options = std::move(typed);
-    Document& document = side.scene.document;
-    apply(document, "--engine", options.engine);
-    apply(document, "--quality", options.quality);
-    apply(document, "--planes", options.planes);
-    apply(document, "--seed", options.seed);
-    apply(document, "--error", options.error);
+    side.scene = makeScene(request, start);
+    side.request = std::move(request);
     return side;
 }
 
@@ -61,33 +40,36 @@ const SlotState* slotOf(const SessionState& session, int number) {
                       .expected = fmt::format("1 to {}", session.slots.size())});
 }
 
-/// B is seen as A is but for what the options say.
-SideScene otherScene(const RenderOptions& options, const std::optional<SessionState>& session,
+/// B is seen as A is but for what the request says.
+SideScene otherScene(const RenderRequest& request, const std::optional<SessionState>& session,
                      const SlotState* first) {
-    const CompareOptions& compare = options.compare;
-    SceneOptions typed = options.scene;
-    if (!compare.preset.empty()) typed.preset = compare.preset;
-    if (!compare.time.empty()) typed.time = compare.time;
-    SideScene side = sceneOf(options, typed, compare.slots ? slotOf(*session, 2) : first);
-    side.ownCamera = compare.slots && !session->linkedCameras && options.scene.camera.empty();
+    const BesideRequest& beside = request.beside;
+    SceneRequest other = request.scene;
+    if (!beside.preset.empty()) other.preset = beside.preset;
+    if (beside.time) other.times = beside.time;
+    SideScene side = sceneOf(std::move(other), beside.slots ? slotOf(*session, 2) : first);
+    side.ownCamera = beside.slots && !session->linkedCameras && request.scene.camera.empty();
     return side;
 }
 
 }  // namespace
 
-std::vector<SideScene> sideScenes(const RenderOptions& options,
-                                  const std::optional<SessionState>& session) {
-    if (!session && (options.compare.slots || options.slot > 0 || options.alongPath)) {
-        throw UsageError({.what = "--slot, --compare and --along-path need a session",
-                          .hint = "--session FILE; or --preset-b, --time-b, --path FILE"});
+void checkActing(const RenderRequest& request, unsigned engines, unsigned sampled) {
+    for (const Setting& setting : request.scene.engineSettings) {
+        checkActing(setting.option, setting.row->engines, engines);
     }
-    const int number = options.compare.slots ? 1 : options.slot;
-    const SlotState* first = session ? slotOf(*session, number) : nullptr;
-    std::vector<SideScene> sides{sceneOf(options, options.scene, first)};
-    if (!options.compare.wanted()) return sides;
-    sides.push_back(otherScene(options, session, first));
+    if (request.sampling.samples) checkActing("--samples", sampled, engines);
+}
+
+std::vector<SideScene> sideScenes(const RenderRequest& request,
+                                  const std::optional<SessionState>& session) {
+    const bool slots = request.beside.slots;
+    const SlotState* first = session ? slotOf(*session, slots ? 1 : request.slot) : nullptr;
+    std::vector<SideScene> sides{sceneOf(request.scene, first)};
+    if (!request.beside.wanted()) return sides;
+    sides.push_back(otherScene(request, session, first));
     // Linked cameras are those of the slot that was edited.
-    if (options.compare.slots && session->linkedCameras && options.scene.camera.empty()) {
+    if (slots && session->linkedCameras && request.scene.camera.empty()) {
         sides[0].scene.document.camera = slotOf(*session, 0)->document.camera;
     }
     return sides;
@@ -95,17 +77,18 @@ std::vector<SideScene> sideScenes(const RenderOptions& options,
 
 Side::Side(SideScene what, const MemoryBudget& budget, const Progress& progress)
     : what_(std::move(what)),
-      dataset_(Dataset::open(listFiles(what_.options.files),
-                             PluginHost::standard(what_.options.readers), progress)),
-      request_{what_.region, budget, planRadii(what_.scene.document.look, dataset_->info())},
+      dataset_(Dataset::open(listFiles(what_.request.files),
+                             PluginHost::standard(what_.request.readers), progress)),
+      request_{what_.request.region, budget,
+               planRadii(what_.scene.document.look, dataset_->info())},
       renderer_(std::make_unique<render::Renderer>(resourcePath("shaders"))),
       notes_(dataset_->info().notes) {}
 
 std::vector<int> Side::times() const {
-    if (what_.options.time.empty() && what_.time) {
+    if (!what_.request.times && what_.time) {
         return {std::clamp(*what_.time, 0, static_cast<int>(info().times.size()) - 1)};
     }
-    return parseTimes(what_.options.time, info());
+    return timesOf(what_.request.times, info());
 }
 
 void Side::show(int time, const Progress& progress) {

@@ -1,4 +1,4 @@
-// render_sides.h: the one scene of a picture, or the two that share it: from what was typed and
+// render_sides.h: the one scene of a picture, or the two that share it: from what was asked for and
 // what a session keeps to data that are open and a renderer that holds a time of them.
 #pragma once
 #include <memory>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/render/render_options.h"
+#include "app/cli/render/render_request.h"
 #include "app/cli/render/shots.h"
 #include "app/image_io/metadata.h"
 #include "app/render/renderer.h"
@@ -18,16 +18,19 @@ namespace neph {
 
 /// What is to be seen, before anything is opened.
 struct SideScene {
-    SceneOptions options;  ///< with what the session says where nothing was typed
+    SceneRequest request;  ///< with what the session says where nothing was typed
     Scene scene;
-    std::optional<Region> region;
     std::optional<int> time;  ///< of the session
     bool ownCamera = false;   ///< else B is seen from where A is
 };
 
-/// A, and B where the options want it. Throws Error or UsageError.
-std::vector<SideScene> sideScenes(const RenderOptions& options,
+/// A, and B where the request wants it. Throws Error or UsageError.
+std::vector<SideScene> sideScenes(const RenderRequest& request,
                                   const std::optional<SessionState>& session);
+
+/// Throws UsageError where an option acts with none of `engines`; samples are of those in
+/// `sampled`. All are bits.
+void checkActing(const RenderRequest& request, unsigned engines, unsigned sampled);
 
 /// Data that are open, and the time of them that the renderer holds.
 class Side {

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <vector>
 
-#include "app/cli/common/scene.h"
+#include "app/cli/common/usage.h"
 #include "core/base/names.h"
 
 namespace neph {
@@ -36,6 +36,8 @@ constexpr std::array<Number, 6> kNumbers{
                       "as --observer 20,5,2,45,10: 20 km east and 5 km north of the domain's "
                       "south-west corner, looking north-east"});
 }
+
+}  // namespace
 
 Observer parseObserver(const std::string& text) {
     std::vector<double> values;
@@ -68,20 +70,6 @@ View parseView(const std::string& name) {
     throw UsageError({"--view", "is not known", name,
                       fmt::format("one of {}", fmt::join(kViewNames, ", ")),
                       near.empty() ? "" : fmt::format("did you mean {}?", near)});
-}
-
-}  // namespace
-
-RenderView parseRenderView(const std::string& observer, const std::string& view) {
-    if (!observer.empty() && !view.empty()) {
-        throw UsageError({.where = "--view",
-                          .what = "there is an --observer as well",
-                          .hint = "give one of the two"});
-    }
-    RenderView from;
-    if (!observer.empty()) from.observer = parseObserver(observer);
-    if (!view.empty()) from.view = parseView(view);
-    return from;
 }
 
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,

@@ -15,9 +15,11 @@ struct RenderView {
     bool given() const { return observer || view; }
 };
 
-/// From "east,north,height,azimuth,elevation[,fov]" in km, km, m and degrees, and the name of a
-/// view; either may be empty. Throws UsageError.
-RenderView parseRenderView(const std::string& observer, const std::string& view);
+/// From "east,north,height,azimuth,elevation[,fov]" in km, km, m and degrees. Throws UsageError.
+Observer parseObserver(const std::string& text);
+
+/// By its name. Throws UsageError.
+View parseView(const std::string& name);
 
 /// The camera to look at `shown` with, in a picture of this aspect; `pose` has what is not told.
 /// Throws UsageError where an observer is too far away.

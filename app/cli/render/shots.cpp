@@ -8,17 +8,15 @@
 namespace neph {
 namespace {
 
-constexpr int kMostFrames = 100000;  // more than an hour at 25 a second
-
-int framesOf(const RenderOptions& options, const CameraPath& path) {
-    const double frames = options.frames > 0
-                              ? options.frames
-                              : std::floor(durationS(path) * options.fps + 1e-6) + 1.0;
-    if (frames <= kMostFrames) return static_cast<int>(frames);
+int framesOf(const RenderRequest& request, const CameraPath& path) {
+    const double frames = request.frames > 0
+                              ? request.frames
+                              : std::floor(durationS(path) * request.fps + 1e-6) + 1.0;
+    if (frames <= kMaxFrames) return static_cast<int>(frames);
     throw UsageError({.where = "--path",
                       .what = "these are too many pictures",
                       .found = fmt::format("{:.0f}", frames),
-                      .expected = fmt::format("at most {}", kMostFrames),
+                      .expected = fmt::format("at most {}", kMaxFrames),
                       .hint = "--frames or a smaller --fps"});
 }
 
@@ -29,9 +27,9 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
            fmt::format("{}_{:04}{}", file.stem().string(), number, file.extension().string());
 }
 
-std::vector<Shot> planShots(const RenderOptions& options, const std::optional<CameraPath>& path,
+std::vector<Shot> planShots(const RenderRequest& request, const std::optional<CameraPath>& path,
                             const std::vector<int>& times) {
-    const std::filesystem::path out = options.out;
+    const std::filesystem::path out = request.out;
     std::vector<Shot> shots;
     if (!path) {
         for (const int time : times) {
@@ -39,7 +37,11 @@ std::vector<Shot> planShots(const RenderOptions& options, const std::optional<Ca
         }
         return shots;
     }
-    const int frames = framesOf(options, *path);
+    if (request.scene.times && !path->withTime && times.size() > 1) {
+        throw UsageError({request.scene.times->typed, "this path does not go through the times", "",
+                          "INDEX", "\"with_time\": true in the path's file"});
+    }
+    const int frames = framesOf(request, *path);
     for (int i = 0; i < frames; ++i) {
         const double atS = frames > 1 ? durationS(*path) * i / (frames - 1) : 0.0;
         const int index = timeAt(*path, atS, static_cast<int>(times.size())).value_or(0);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/cli/render/render_options.h"
+#include "app/cli/render/render_request.h"
 #include "core/camera/camera_path.h"
 
 namespace neph {
@@ -15,9 +15,9 @@ struct Shot {
     std::filesystem::path file;   ///< of a picture of its own
 };
 
-/// One for each of `times`; or as many as the options say along `path`, which goes through `times`
+/// One for each of `times`; or as many as the request says along `path`, which goes through `times`
 /// where it is to be played with the data, and else stays at the first of them. Throws UsageError.
-std::vector<Shot> planShots(const RenderOptions& options, const std::optional<CameraPath>& path,
+std::vector<Shot> planShots(const RenderRequest& request, const std::optional<CameraPath>& path,
                             const std::vector<int>& times);
 
 /// P_0003.png from P.png and 3.

@@ -11,7 +11,7 @@
 
 #include "app/cli/common/interrupt.h"
 #include "app/cli/common/progress_lines.h"
-#include "app/cli/render/render_options.h"
+#include "app/cli/common/scene.h"
 #include "app/gl/context.h"
 #include "app/image_io/png.h"
 #include "app/render/renderer.h"
@@ -34,10 +34,10 @@ struct Wanted {
     std::filesystem::path file;
 };
 
-std::vector<PresetEntry> presetsOf(const ThumbnailOptions& options) {
-    if (options.presets.empty()) return listPresets();
+std::vector<PresetEntry> presetsOf(const ThumbnailRequest& request) {
+    if (request.presets.empty()) return listPresets();
     std::vector<PresetEntry> entries;
-    for (const std::string& name : options.presets) {
+    for (const std::string& name : request.presets) {
         const std::filesystem::path file = findPreset(name);
         entries.push_back({file.stem().string(), file, true});
     }
@@ -45,11 +45,11 @@ std::vector<PresetEntry> presetsOf(const ThumbnailOptions& options) {
 }
 
 /// Those that are not there yet.
-std::vector<Wanted> wantedBy(const ThumbnailOptions& options) {
+std::vector<Wanted> wantedBy(const ThumbnailRequest& request) {
     std::vector<Wanted> wanted;
-    for (const PresetEntry& preset : presetsOf(options)) {
-        if (!options.out.empty()) {
-            wanted.push_back({preset, std::filesystem::path(options.out) / (preset.name + ".png")});
+    for (const PresetEntry& preset : presetsOf(request)) {
+        if (!request.out.empty()) {
+            wanted.push_back({preset, std::filesystem::path(request.out) / (preset.name + ".png")});
         } else if (const auto file = thumbnailFile(preset); file && !exists(*file)) {
             wanted.push_back({preset, *file});
         }
@@ -122,20 +122,13 @@ int makeAll(const std::vector<Wanted>& wanted, glm::ivec2 sizePx, ProgressLines&
 
 }  // namespace
 
-int runThumbnails(const ThumbnailOptions& options) {
-    if (!options.size.empty() && options.out.empty()) {
-        throw UsageError({.where = "--size",
-                          .what = "the preset browser has a size of its own",
-                          .found = options.size,
-                          .hint = "--out FOLDER"});
-    }
-    const glm::ivec2 sizePx = options.size.empty() ? kThumbnailPx : parseSize(options.size);
-    const std::vector<Wanted> wanted = wantedBy(options);
-    ProgressLines progress(options.progress, wanted.size());
+int runThumbnails(const ThumbnailRequest& request) {
+    const std::vector<Wanted> wanted = wantedBy(request);
+    ProgressLines progress(request.progress, wanted.size());
     if (wanted.empty()) return 0;
     noteInterrupts();
     try {
-        return makeAll(wanted, sizePx, progress);
+        return makeAll(wanted, request.sizePx, progress);
     } catch (const Cancelled&) {
         return 128 + interruptSignal();
     }

@@ -65,11 +65,14 @@ std::vector<std::string> exportArguments(const ExportSettings& settings, const E
     }
     if (settings.what == ExportWhat::times) add({"--time", "all"});
     if (settings.what == ExportWhat::path) add({"--along-path"});
-    if (settings.what != ExportWhat::picture) add({"--fps", fmt::format("{}", settings.fps)});
+    const bool film = settings.format == ExportFormat::mp4;
+    if (settings.what == ExportWhat::path || (film && settings.what == ExportWhat::times)) {
+        add({"--fps", fmt::format("{}", settings.fps)});
+    }
     add({"--size", fmt::format("{}x{}", sizePx.x, sizePx.y)});
     add({"--supersample", std::to_string(settings.supersample)});
-    add({"--samples", std::to_string(settings.samples)});
-    if (settings.transparent && settings.format != ExportFormat::mp4) add({"--transparent"});
+    if (scene.averages) add({"--samples", std::to_string(settings.samples)});
+    if (settings.transparent && !film) add({"--transparent"});
     for (const std::string& reader : scene.readers) add({"--reader", reader});
     add({"--out", out.string()});
     return arguments;

@@ -17,6 +17,7 @@ struct ExportScene {
     int slot = 1;                    ///< 1 or 2
     bool split = false;              ///< the window shows both
     std::vector<std::string> readers;
+    bool averages = true;  ///< the march draws: the number of samples acts
 };
 
 /// Size of the pictures.

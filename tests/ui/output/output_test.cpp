@@ -48,7 +48,7 @@ TEST_CASE("Settings become the command line that a user would type") {
     settings.supersample = 2;
     scene.readers = {"a.so"};
     CHECK(lineOf(settings, scene) ==
-          "render --progress --session s.json --slot 2 --time all --fps 25 --size 3840x2160 "
+          "render --progress --session s.json --slot 2 --time all --size 3840x2160 "
           "--supersample 2 --samples 16 --transparent --reader a.so --out o.png ");
     settings.what = ExportWhat::path;
     settings.format = ExportFormat::mp4;
@@ -57,6 +57,10 @@ TEST_CASE("Settings become the command line that a user would type") {
     CHECK(contains(film, "--compare --along-path --fps 25"));
     CHECK_FALSE(contains(film, "--transparent"));
     CHECK_FALSE(contains(film, "--slot"));
+    settings.what = ExportWhat::times;
+    CHECK(contains(lineOf(settings, scene), "--time all --fps 25"));
+    scene.averages = false;
+    CHECK_FALSE(contains(lineOf(settings, scene), "--samples"));
 }
 
 TEST_CASE("A file's ending is that of its format, and other dots are part of its name") {
