@@ -36,8 +36,10 @@ struct Workshop {
     Workshop() {
         require("\"" NEPH_TEST_CMAKE "\" --install \"" NEPH_TEST_BUILD_DIR "\" --prefix usr");
         fs::copy(kExample, folder.path());
-        // Default compiler and flags, because plugins are not built like the program.
-        require("\"" NEPH_TEST_CMAKE "\" -S . -B build -DCMAKE_PREFIX_PATH=\"$PWD/usr\"");
+        // Default compiler and flags, because plugins are not built like the program, but the build
+        // tool of this build: CMake's own choice is make, which may be missing.
+        require("\"" NEPH_TEST_CMAKE "\" -G \"" NEPH_TEST_GENERATOR
+                "\" -S . -B build -DCMAKE_PREFIX_PATH=\"$PWD/usr\"");
         require("\"" NEPH_TEST_CMAKE "\" --build build");
         REQUIRE(fs::exists(folder / "build/fog.so"));
         // A small version of what make_fog.py writes.
