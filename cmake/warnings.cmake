@@ -1,7 +1,7 @@
 # One interface target with the warnings of the house and, where asked for, a sanitizer.
 add_library(neph_flags INTERFACE)
 target_compile_options(neph_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
-  $<$<COMPILE_LANGUAGE:CXX>:-Wconversion -Wdouble-promotion>)
+  $<$<COMPILE_LANGUAGE:CXX>:-Wconversion -Wdouble-promotion -Wnon-virtual-dtor -Woverloaded-virtual>)
 if(NEPHOSCOPE_WERROR)
   target_compile_options(neph_flags INTERFACE -Werror)
 endif()
