@@ -44,7 +44,7 @@ inline constexpr auto kSpecies = std::to_array<SpeciesInfo>({
     {"graupel", "Graupel", false, 2.5e-3f, 400.0f, 30e-6f, {0.05f, 0.8f, 0.1f}, {0, 158, 115}},
     {"hail", "Hail", false, 2.5e-3f, 900.0f, 30e-6f, {0.05f, 0.85f, 0.9f}, {86, 180, 233}},
 });
-inline constexpr int kSpeciesCount = static_cast<int>(kSpecies.size());
+static_assert(kSpecies.size() == kSpeciesCount);
 
 constexpr const SpeciesInfo& info(Species s) {
     return kSpecies[static_cast<std::size_t>(s)];

@@ -29,7 +29,8 @@ PanelContext contextOf(Ui& ui) {
 
 ExportScene exportSceneOf(const Ui& ui) {
     return {pictureBox(ui.layout()).size(), ui.compare.active + 1,
-            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers};
+            ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers,
+            traitsOf(ui.session().document.look.engine).refinement == Refinement::averages};
 }
 
 int imageTimeOf(const Ui& ui) {
