@@ -44,7 +44,7 @@ Draft QualityControl::draft(double restS, glm::ivec2 windowPx, double leastDetai
     const Draft full{windowPx, 1.0, kFullStep};
     double work = motionShare_;
     int step = 0;
-    for (const Refinement& refinement : kRefinements) {
+    for (const RefinementStep& refinement : kRefinements) {
         if (restS < refinement.restS) break;
         if (fullMs_ <= refinement.fullMs) return full;
         work = std::max(work, refinement.draftMs / fullMs_);

@@ -10,7 +10,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph::ui {
 
