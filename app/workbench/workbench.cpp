@@ -82,7 +82,7 @@ class Workbench {
     /// In motion paths are traced for what is edited alone, and never while other data come.
     bool putOff(const Slot& slot) {
         const bool waits = slot.session.loading() || (moving() && &slot != &slots_.active());
-        return waits && slot.traces();
+        return waits && slot.converges();
     }
     Session& session() { return slots_.active().session; }
     bool moving() const { return interacting_ || ui_.animates; }
@@ -236,12 +236,12 @@ bool Workbench::drawPictures() {
     const std::vector<ShownPicture> shown = slots_.shown(place_);
     bool drew = false;
     for (const ShownPicture& picture : shown) {
-        if (!picture.slot->traces()) drew |= drawPicture(picture, shown.size());
+        if (!picture.slot->converges()) drew |= drawPicture(picture, shown.size());
     }
     // Paths take long: whatever else there is to draw comes first.
     const bool others = drew;
     for (const ShownPicture& picture : shown) {
-        if (!picture.slot->traces() || others || putOff(*picture.slot)) continue;
+        if (!picture.slot->converges() || others || putOff(*picture.slot)) continue;
         drew |= drawPicture(picture, shown.size());
     }
     const bool alone = ui_.compare.mode == CompareMode::single;
