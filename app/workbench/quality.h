@@ -14,14 +14,14 @@
 
 namespace neph::ui {
 
-struct Refinement {
+struct RefinementStep {
     double restS;    ///< at rest for so long
     double draftMs;  ///< a picture that is expected to take so long,
     double fullMs;   ///< or the full one, when that takes no longer than this
 };
 /// A picture that takes up to 0.85 s is there in full a second after the hand rests.
-inline constexpr std::array kRefinements{Refinement{0.1, 250.0, 850.0},
-                                         Refinement{0.4, 1500.0, 1500.0}};
+inline constexpr std::array kRefinements{RefinementStep{0.1, 250.0, 850.0},
+                                         RefinementStep{0.4, 1500.0, 1500.0}};
 inline constexpr int kFullStep = static_cast<int>(kRefinements.size()) + 1;
 inline constexpr double kFullS = 2.0;  // at rest for so long: in full, whatever it takes
 // Of the full work: a sixth of each direction with steps to thin; coarser shows nothing useful.

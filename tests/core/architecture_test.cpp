@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/look/engines.h"
+
+using neph::EngineTraits, neph::kEngines;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,18 +22,25 @@ struct Include {
     std::string from, target;
 };
 
+std::vector<std::string> sourcesUnder(const std::string& room) {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+        const std::string kind = entry.path().extension();
+        if (kind == ".h" || kind == ".cpp") {
+            files.push_back(fs::relative(entry.path(), kRoot).string());
+        }
+    }
+    return files;
+}
+
 std::vector<Include> includesUnder(const std::string& room) {
     static const std::regex pattern(R"re(^\s*#include\s+[<"]([^>"]+)[>"])re");
     std::vector<Include> found;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
-        const std::string kind = entry.path().extension();
-        if (kind != ".h" && kind != ".cpp") continue;
-        std::ifstream stream(entry.path());
+    for (const std::string& file : sourcesUnder(room)) {
+        std::ifstream stream(kRoot / file);
         for (std::string line; std::getline(stream, line);) {
             std::smatch match;
-            if (std::regex_search(line, match, pattern)) {
-                found.push_back({fs::relative(entry.path(), kRoot).string(), match[1]});
-            }
+            if (std::regex_search(line, match, pattern)) found.push_back({file, match[1]});
         }
     }
     REQUIRE(!found.empty());
@@ -60,12 +71,20 @@ const Floors kCore{{"core/base", "core/grid"},
                    {"core/preset"},
                    {"core/session"}};
 
-const Floors kRender{
-    {"app/render/light"},
-    {"app/render/medium"},
-    {"app/render/frame"},
-    {"app/render/engines/march", "app/render/engines/slicing", "app/render/engines/reference"},
-    {"app/render"}};
+const std::string kEngineRooms = "app/render/engines/";
+
+std::vector<std::string> engineRooms() {
+    std::vector<std::string> rooms;
+    for (const EngineTraits& engine : kEngines)
+        rooms.push_back(kEngineRooms + std::string(engine.id));
+    return rooms;
+}
+
+const Floors kRender{{"app/render/light"},
+                     {"app/render/medium"},
+                     {"app/render/frame"},
+                     engineRooms(),
+                     {"app/render"}};
 
 const Floors kCommands{
     {"app/cli/common"},
@@ -113,6 +132,38 @@ TEST_CASE("Rooms of core include only rooms on floors below them") {
 
 TEST_CASE("Rooms of the renderer include only rooms on floors below them") {
     checkFloors("app/render", kRender);
+}
+
+TEST_CASE("The renderer knows no engine: one is a row of the table and a room of its own") {
+    for (const std::string& room : engineRooms()) CHECK(fs::is_directory(kRoot / room));
+    for (const Include& include : includesUnder("app/render")) {
+        CAPTURE(include.from);
+        CAPTURE(include.target);
+        const bool engine = include.from.starts_with(kEngineRooms);
+        CHECK((engine || !include.target.starts_with(kEngineRooms)));
+    }
+}
+
+TEST_CASE("No file but those of its room names an engine") {
+    std::string names;
+    for (const EngineTraits& engine : kEngines) {
+        names += (names.empty() ? "" : "|") + std::string(engine.id);
+    }
+    const std::regex named("Engine::(" + names + R"()\b)");
+    int files = 0;
+    for (const std::string building : {"core", "app"}) {
+        for (const std::string& file : sourcesUnder(building)) {
+            ++files;
+            if (file.starts_with(kEngineRooms)) continue;
+            std::ifstream stream(kRoot / file);
+            for (std::string line; std::getline(stream, line);) {
+                CAPTURE(file);
+                CAPTURE(line);
+                CHECK_FALSE(std::regex_search(line, named));
+            }
+        }
+    }
+    CHECK(files > 200);
 }
 
 TEST_CASE("Rooms of the command line include only rooms on floors below them") {

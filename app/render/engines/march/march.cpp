@@ -322,7 +322,7 @@ void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
     context.stats.lightSize = {plan_.lightSizePx, plan_.count};
     if (!inputs.profile) return;
     const MediumPlan& plan = context.medium.as<PackedMedium>().look;
-    const double mixtures = plan.classes.size() > 3 ? 2.0 : 1.0;
+    const double mixtures = plan.classes.size() > kClassesBesideSkylight ? 2.0 : 1.0;
     context.stats.bytesPerSample =
         kTrilinearBytes * (1.0 + mixtures / 4.0) + (isNoisy(plan) ? kNoiseBytes : 0.0);
     if (context.stats.marchedEye) context.stats.samples = counts();

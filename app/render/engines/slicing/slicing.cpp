@@ -40,7 +40,7 @@ double bytesPerSample(const MediumPlan& plan) {
     for (const MediumClass& c : plan.classes) {
         if (c.noiseAmount > 0.0f) noises.insert({c.noiseScaleM, c.noiseCharacter});
     }
-    const double textures = plan.classes.size() > 3 ? 2.0 : 1.0;
+    const double textures = plan.classes.size() > kClassesBesideSkylight ? 2.0 : 1.0;
     return 8.0 * (16.0 * textures + 4.0 * static_cast<double>(noises.size())) + 4.0 * 4.0;
 }
 
