@@ -54,7 +54,7 @@ TEST_CASE("Further frames of an image bring what the sampling of its engine says
         const render::FrameInputs inputs = frameOf(volume, engine);
         const ImageF one = renderOn(volume, inputs);
         const float change = worstDifference(averageOn(volume, inputs, 3), one);
-        CHECK((change > 0.0f) == (engine.sampling != Sampling::once));
+        CHECK((change > 0.0f) == (engine.refinement != Refinement::once));
         CHECK(worstDifference(renderOn(volume, inputs), one) == 0.0f);
     }
 }
