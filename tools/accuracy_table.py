@@ -33,7 +33,7 @@ def main():
     for file in files:
         data = json.loads(file.read_text())
         case, view, azimuth, elevation = file.stem.split("-")
-        images = {p["name"]: p for p in data["pictures"]}
+        images = {p["name"]: p for p in data["images"]}
         cells = [cell(images[name]) for name in NAMES]
         noise = 100 * next(iter(images.values()))["noise_taken_off"]
         print(f"| {case} {view}, {azimuth}°, {elevation}° | " + " | ".join(cells) + f" | {noise:.0f} |")

@@ -11,7 +11,7 @@ struct ValidateRequest {
     std::vector<std::string> files;  ///< none: all that is bundled and built in
     std::string only;                ///< part of the names of what is to be run
     bool quick = false, json = false;
-    std::uint64_t samples = 0;  ///< paths a detector, at least; 0: as many as are needed
+    std::uint64_t samples = 0;  ///< paths per detector, at least; 0: as many as are needed
 };
 
 /// Prints a table, or JSON; 0 when all is as expected, else 1. Throws Error.

@@ -71,12 +71,12 @@ bool samePixels(const FrameInputs& a, const FrameInputs& b) {
            sameView(a.camera, b.camera) && samePixels(a, b) && a.planes == b.planes;
 }
 
-/// Has `texture` hold a picture of this size.
+/// Has `texture` hold an image of this size.
 void fit(gl::Texture& texture, GLenum format, glm::ivec2 sizePx) {
     if (texture.size() != glm::ivec3(sizePx, 1)) texture = gl::Texture::make2D(format, sizePx);
 }
 
-/// A picture whose pixels are the rays of `inputs`.
+/// An image whose pixels are the rays of `inputs`.
 FrameInputs raysOf(FrameInputs inputs) {
     const int n = std::exchange(inputs.supersample, 1);
     inputs.sizePx *= n;
@@ -100,7 +100,7 @@ int largestSide() {
 void checkSize(glm::ivec2 sizePx) {
     const int most = largestSide();
     if (sizePx.x >= 1 && sizePx.y >= 1 && sizePx.x <= most && sizePx.y <= most) return;
-    throw Error({.what = "a picture of this size cannot be rendered",
+    throw Error({.what = "an image of this size cannot be rendered",
                  .found = fmt::format("{} x {} px", sizePx.x, sizePx.y),
                  .expected = fmt::format("1 to {} px a side on this GPU", most)});
 }
@@ -231,7 +231,7 @@ FrameStats Renderer::render(const FrameInputs& inputs, Accumulation& image,
     const Stage stage =
         impl_->medium.stale() ? Stage::medium : impl_->integrator->stageFor(inputs, changed);
     if (sample == 0) {
-        // Until this frame is whole; a further sample that gives way leaves the ones before.
+        // Until this frame is whole; a further sample that yields leaves the ones before.
         impl_->shown.reset();
         image.image_ = ++impl_->images;
     } else {
@@ -324,8 +324,8 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"medium", impl_->medium.bytes()},
             {"light", engine ? engine->lightBytes() : 0},
             {"noise", impl_->noise.bytes()},
-            {"pictures", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
-                             (engine ? engine->otherBytes() : 0)}};
+            {"images", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
+                           (engine ? engine->otherBytes() : 0)}};
 }
 
 std::size_t Renderer::gpuBytes() const {

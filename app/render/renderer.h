@@ -1,4 +1,4 @@
-// renderer.h: the one object that turns a volume and FrameInputs into a picture.
+// renderer.h: the one object that turns a volume and FrameInputs into an image.
 //
 // Owns the GPU cache, which may be thrown away at any moment and is rebuilt from the volume and the
 // inputs. Needs a current GL context for its whole life. A shader that fails to compile leaves the
@@ -36,7 +36,7 @@ class Renderer {
     /// is redone.
     ///
     /// `progress` is asked every few milliseconds of drawing; where it returns false, Cancelled is
-    /// thrown and the display texture keeps the last whole picture.
+    /// thrown and the display texture keeps the last whole image.
     FrameStats render(const FrameInputs& inputs, const Progress& progress = {});
 
     /// The same, as one more sample of `image`: the first starts it, those after it have the same
@@ -54,7 +54,7 @@ class Renderer {
     /// Wall time, ms; none where the engine cannot. What is shown is to be rendered again.
     std::optional<double> floorMilliseconds();
 
-    /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the picture);
+    /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the image);
     /// 0 before the first.
     unsigned displayTexture() const;
 
@@ -70,7 +70,7 @@ class Renderer {
     /// Its halves alone, which are read at once; empty where there are none.
     std::array<ImageF, 2> readHalves() const;
 
-    /// The largest picture that can be rendered at once, rays a side.
+    /// The largest image that can be rendered at once, rays per side.
     int largestSidePx() const;
 
     /// GL renderer string, for provenance and bench.

@@ -49,8 +49,8 @@ std::vector<ProfileRow> sampleRows(const render::SampleCounts& counts) {
     const auto aRay = [&](std::uint64_t count) { return static_cast<double>(count) / rays; };
     return {
         {"rays", countText(counts.rays), ""},
-        {"samples", countText(counts.taken), fmt::format("{:.1f} a ray", aRay(counts.taken))},
-        {"skipped", countText(counts.skipped), fmt::format("{:.1f} a ray", aRay(counts.skipped))},
+        {"samples", countText(counts.taken), fmt::format("{:.1f} per ray", aRay(counts.taken))},
+        {"skipped", countText(counts.skipped), fmt::format("{:.1f} per ray", aRay(counts.skipped))},
         {"terminated", countText(counts.terminated),
          fmt::format("{:.0f} % of rays", 100.0 * aRay(counts.terminated))}};
 }
@@ -84,11 +84,11 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
     ui::Profile profile;
     profile.engine = traits.label;
     profile.device = renderer.deviceName();
-    profile.picture = {{"picture", fmt::format("{} x {} px", inputs.sizePx.x, inputs.sizePx.y),
-                        converges ? fmt::format("{} a pixel", stats.reference.samples)
-                                  : countText(stats.planes, traits.unit)},
-                       {"frame", fmt::format("{:.2f} ms", stats.milliseconds),
-                        fmt::format("{:.1f} fps", 1000.0 / std::max(stats.milliseconds, 1e-3))}};
+    profile.image = {{"image", fmt::format("{} x {} px", inputs.sizePx.x, inputs.sizePx.y),
+                      converges ? fmt::format("{} per pixel", stats.reference.samples)
+                                : countText(stats.planes, traits.unit)},
+                     {"frame", fmt::format("{:.2f} ms", stats.milliseconds),
+                      fmt::format("{:.1f} fps", 1000.0 / std::max(stats.milliseconds, 1e-3))}};
     profile.passes = passRows(stats);
     if (stats.samples) profile.samples = sampleRows(*stats.samples);
     if (converges) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);
@@ -100,8 +100,7 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
 std::string profileText(const ui::Profile& profile) {
     std::string text = fmt::format("  {:<16}{}\n", "engine", profile.engine);
     text += fmt::format("  {:<16}{}\n", "device", profile.device);
-    for (const auto* rows :
-         {&profile.picture, &profile.passes, &profile.samples, &profile.memory}) {
+    for (const auto* rows : {&profile.image, &profile.passes, &profile.samples, &profile.memory}) {
         for (const ProfileRow& row : *rows) {
             const std::string line =
                 fmt::format("  {:<16}{:>14}{:>18}", row.label, row.value, row.note);

@@ -7,16 +7,16 @@
 namespace neph::ui {
 namespace {
 
-constexpr double kLargeShare = 0.1;  // a picture that tells what a full one costs
-constexpr double kFullShare = 0.9;   // from here on the full picture is drawn
+constexpr double kLargeShare = 0.1;  // an image that tells what a full one costs
+constexpr double kFullShare = 0.9;   // from here on the full image is drawn
 constexpr double kRung = 1.15;       // from one size to the next
 constexpr double kStayAbove = 0.95;  // a size is kept while the aim is so many times its work
 constexpr double kStayBelow = 1.45;  // or more: a tenth above what the next size needs
 constexpr int kMinPlanes = 24;
 constexpr int kMinSidePx = 15;
 constexpr double kMargin = 0.9;     // of the time there is: frames of one size differ a little
-constexpr double kMinAimMs = 10.0;  // for the picture, where the panels alone take all there is
-constexpr int kLarger = 2;          // times width and height, from one picture of paths to the next
+constexpr double kMinAimMs = 10.0;  // for the image, where the panels alone take all there is
+constexpr int kLarger = 2;          // times width and height, from one image of paths to the next
 constexpr double kSmoothing = 0.2;  // weight of the last frame's panels
 
 int scaled(int whole, double share, int least) {
@@ -57,13 +57,13 @@ void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec
     if (milliseconds <= 0.0) return;
     const double work = workOf(draft, windowPx);
     double costMs = milliseconds / work;
-    // At rest a picture tells how to move only where it is quick enough to move with.
+    // At rest an image tells how to move only where it is quick enough to move with.
     if (draft.step == 0 || motionShare_ >= kFullShare || milliseconds <= aimMs()) {
         costsMs_[measured_++ % kRemembered] = costMs;
         costMs = medianCostMs();
         aim(work, costMs);
     }
-    // Part of a picture's cost does not shrink with it. How much is learned where a large one
+    // Part of an image's cost does not shrink with it. How much is learned where a large one
     // follows small ones.
     fullMs_ = work < kLargeShare ? costMs * ratio_ : costMs;
     if (work < kLargeShare) {
@@ -73,7 +73,7 @@ void QualityControl::measured(const Draft& draft, double milliseconds, glm::ivec
     }
 }
 
-/// Time for the picture in motion.
+/// Time for the image in motion.
 double QualityControl::aimMs() const {
     return std::max(kMinAimMs, kMargin * (frameMs_ - panelsMs_));
 }
@@ -118,7 +118,7 @@ std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& 
     }
     if (restS < kRefinements.front().restS) return {};
     next = {kLarger * shown->sizePx, 1.0, 1};
-    // A picture that is nearly full is not worth its time.
+    // An image that is nearly full is not worth its time.
     const bool large = kLarger * next.sizePx.x > windowPx.x || kLarger * next.sizePx.y > windowPx.y;
     if (large || fullMs <= kRefinements.front().fullMs) next = {windowPx, 1.0, kFullStep};
     return next;

@@ -1,9 +1,9 @@
 // script.h: recorded input: a text file of commands that is played into the window, for tests,
-// demonstrations and the pictures of the documentation.
+// demonstrations and the images of the documentation.
 //
 // One command a line; '#' opens a comment. PLACE is a name of app/ui/widgets/places.h or "x,y" in
-// shares of the window; "picture" is where the picture is.
-//   wait                     until data are read, the picture is whole and exports are done
+// shares of the window; "image" is where the image is.
+//   wait                     until data are read, the image is whole and exports are done
 //   frames N                 so many frames
 //   size WxH                 of the window
 //   action ID                carries out an action
@@ -12,7 +12,7 @@
 //   move PLACE               the mouse
 //   click|right|double PLACE
 //   drag PLACE X0 X1         along its width, in shares of it
-//   orbit DX DY              left drag on the picture, in shares of the window
+//   orbit DX DY              left drag on the image, in shares of the window
 //   wheel PLACE NOTCHES
 //   open FILE...             as dropped on the window
 //   set ID=VALUE             a parameter of the look

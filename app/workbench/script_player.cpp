@@ -31,8 +31,8 @@ std::optional<glm::vec2> pairOf(const std::string& text, char between) {
     return pair;
 }
 
-glm::vec2 pictureCentre(const ScriptWorld& world) {
-    const ui::PixelBox box = ui::pictureBox(world.ui.layout());
+glm::vec2 imageCentre(const ScriptWorld& world) {
+    const ui::PixelBox box = ui::imageBox(world.ui.layout());
     const glm::vec2 centre = glm::vec2(box.lower + box.upper) / 2.0f;
     return {centre.x, world.windowPx.y - centre.y};
 }
@@ -54,7 +54,7 @@ float ScriptPlayer::number(std::size_t i) const {
 /// Where the step's place is; none while panels have yet to draw it. Throws when they do not.
 std::optional<glm::vec2> ScriptPlayer::find(const ScriptWorld& world, glm::vec2 share) {
     const std::string& name = word(0);
-    if (name == "picture") return pictureCentre(world);
+    if (name == "image") return imageCentre(world);
     if (const auto pair = pairOf(name, ',')) return *pair * world.windowPx;
     if (const auto place = ui::placeOf(name)) {
         return place->lower + share * (place->upper - place->lower);
@@ -85,7 +85,7 @@ bool ScriptPlayer::glide(glm::vec2 from, glm::vec2 to) {
 bool ScriptPlayer::playMouse(const ScriptWorld& world) {
     const std::string& command = step().command;
     if (command == "orbit") {
-        if (beat_ == 0) from_ = pictureCentre(world);
+        if (beat_ == 0) from_ = imageCentre(world);
         return glide(from_, from_ + glm::vec2(number(0), number(1)) * world.windowPx);
     }
     if (command == "drag") {

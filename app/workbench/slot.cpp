@@ -1,4 +1,4 @@
-// slot.cpp: from a document to the picture on the screen, by way of drafts.
+// slot.cpp: from a document to the image on the screen, by way of drafts.
 #include "app/workbench/slot.h"
 
 #include <utility>
@@ -10,7 +10,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A frame in motion of an engine that converges is left for what the hand did meanwhile where it
+// A frame in motion of an engine that converges is left for what the user did meanwhile where it
 // takes longer.
 constexpr std::chrono::seconds kLongestInMotion{1};
 
@@ -58,7 +58,7 @@ bool Slot::averages(bool moving) const {
     return !moving && traitsOf(session.document.look.engine).refinement == Refinement::averages;
 }
 
-/// With a target that was changed since the picture was drawn, too.
+/// With a target that was changed since the image was drawn, too.
 bool Slot::addsPaths(bool moving) const {
     ui::ReferenceReport reached = report.reference;
     reached.targetError = static_cast<double>(session.document.sampling.targetError);
@@ -94,13 +94,13 @@ std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
     double panelsMs = 0.0;
     if (draft.sample == 0) image_ = {};
     try {
-        // A frame in motion is short and always comes through; a refinement gives way to the hand.
+        // A frame in motion is short and always comes through; a refinement yields to the user.
         render::FrameStats stats = renderer_.render(inputs, image_, [&](double) {
             panelsMs += request.panels();
             const bool slow =
                 neph::converges(inputs.look) && Clock::now() - start > kLongestInMotion;
             if (draft.step == 0 && !slow) return true;
-            return !(changedSinceLastLook() || request.giveWay());
+            return !(changedSinceLastLook() || request.yields());
         });
         stats.milliseconds -= panelsMs;
         return stats;
@@ -109,7 +109,7 @@ std::optional<render::FrameStats> Slot::render(const ui::Draft& draft,
     }
 }
 
-/// The picture to draw now, if any.
+/// The image to draw now, if any.
 std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
     if (std::exchange(retone_, false)) return drawn_;
     const Engine engine = session.document.look.engine;
@@ -126,7 +126,7 @@ std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
                          averages(request.moving));
 }
 
-/// Learns from a picture of data of `time` what pictures cost, and reports it.
+/// Learns from an image of data of `time` what images cost, and reports it.
 void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
                 const render::FrameStats& stats) {
     const Look& look = of.look;
@@ -159,7 +159,7 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
 
 bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     if (!session.shown()) return false;
-    noteChanges();  // a further sample of another picture would be no average
+    noteChanges();  // a further sample of another image would be no average
     if (placePx_ != request.placePx) {
         placePx_ = request.placePx;
         changed_ = Clock::now();
@@ -170,7 +170,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     const std::optional<ui::Draft> wanted = next(request);
     if (!wanted) return false;
     const render::FrameInputs inputs = inputsOf(*wanted, request);
-    // Until the data of another time are there the picture is of the time before.
+    // Until the data of another time are there the image is of the time before.
     const int time = session.shows(session.document.time) ? session.document.time : report.time;
     const std::optional<render::FrameStats> stats =
         retones ? renderer_.retone(inputs.look) : render(*wanted, inputs, request);
@@ -179,7 +179,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     if (inputs.profile && !retones)
         ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = wanted;
-    if (!retones) ++pictures_;
+    if (!retones) ++images_;
     for (std::string& message : renderer_.takeMessages()) {
         session.say(Message::Kind::warning, std::move(message));
     }

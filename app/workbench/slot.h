@@ -1,8 +1,8 @@
-// slot.h: one of the two sides that can be compared: data, look and camera, and the pictures drawn
+// slot.h: one of the two sides that can be compared: data, look and camera, and the images drawn
 // of them.
 //
-// Everything is on the main thread. While a picture is drawn the panels are given a turn now and
-// then, so that they follow the hand however slow the picture is.
+// Everything is on the main thread. While an image is drawn the panels are given a turn now and
+// then, so that they follow the mouse however slow the image is.
 #pragma once
 #include <array>
 #include <chrono>
@@ -21,16 +21,16 @@
 
 namespace neph {
 
-/// What decides how a picture is drawn besides the document.
+/// What decides how an image is drawn besides the document.
 struct DrawRequest {
-    glm::ivec2 placePx{1};    ///< of the picture on the screen
-    bool moving = false;      ///< a hand is on it, or something moves by itself
+    glm::ivec2 placePx{1};    ///< of the image on the screen
+    bool moving = false;      ///< the user holds it, or something moves by itself
     bool profile = false;     ///< with the time of each pass
     double frameMs = 1000.0;  ///< for a frame in motion, panels included
     /// Lets the panels have their turn where it is time, and returns the milliseconds that took.
     std::function<double()> panels;
-    /// A refinement is to be left for what the hand did meanwhile.
-    std::function<bool()> giveWay;
+    /// A refinement is to be left for what the user did meanwhile.
+    std::function<bool()> yields;
 };
 
 class Slot {
@@ -38,13 +38,13 @@ class Slot {
     Slot(PluginHost host, std::function<void()> wake) : session(std::move(host), std::move(wake)) {}
 
     Session session;
-    ui::FrameReport report;  ///< of the picture that `texture` shows
+    ui::FrameReport report;  ///< of the image that `texture` shows
 
     /// Takes in what was read since the last call, and hands it to the renderer.
     void takeData();
     /// Notices what was changed since the last call.
     void noteChanges();
-    /// Draws the next picture, if there is a better one than that shown. Returns whether it did;
+    /// Draws the next image, if there is a better one than that shown. Returns whether it did;
     /// `profile` is brought up to date where it was asked for.
     bool draw(const DrawRequest& request, ui::Profile& profile);
 
@@ -55,19 +55,19 @@ class Slot {
     }
 
     unsigned texture() const { return renderer_.displayTexture(); }
-    /// Counts the pictures; one that has but other tones is none.
-    std::uint64_t pictures() const { return pictures_; }
+    /// Counts the images; one that has but other tones is none.
+    std::uint64_t images() const { return images_; }
     /// Whether frames are added until the error is small enough.
     bool converges() const {
         return traitsOf(session.document.look.engine).refinement == Refinement::converges;
     }
-    /// Whether the picture is of the document, and in full.
+    /// Whether the image is of the document, and in full.
     bool whole() const { return drawn_ && drawn_->step == ui::kFullStep; }
-    /// The picture in linear light, and its halves where the engine has them.
+    /// The image in linear light, and its halves where the engine has them.
     ImageF linear() const { return renderer_.readLinear(); }
     ui::LinearHalves halves() const { return renderer_.readHalves(); }
     bool changedSinceLastLook() const { return session.document != seen_; }
-    /// Whether there is a picture still to be drawn: at once, or after some rest.
+    /// Whether there is an image still to be drawn: at once, or after some rest.
     enum class Waiting { no, rest, now };
     Waiting waiting(bool moving) const;
     double restS() const;
@@ -93,7 +93,7 @@ class Slot {
     render::Accumulation image_;
     std::optional<ui::Draft> drawn_;  // none: to be drawn again
     bool retone_ = false;             // what is drawn is good but for its tones
-    std::uint64_t pictures_ = 0;
+    std::uint64_t images_ = 0;
     std::chrono::steady_clock::time_point changed_ = std::chrono::steady_clock::now();
 };
 

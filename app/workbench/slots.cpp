@@ -33,7 +33,7 @@ std::vector<Slot*> Slots::all() {
     return slots;
 }
 
-std::vector<ShownPicture> Slots::shown(const ui::PixelBox& place) {
+std::vector<ShownImage> Slots::shown(const ui::PixelBox& place) {
     if (!slots_[1]) return {{slots_[0].get(), place}};
     if (compare_.mode == CompareMode::flicker) {
         return {{slots_[compare_.flickered == 0 ? 0 : 1].get(), place}};
@@ -53,8 +53,8 @@ ui::PairState Slots::pair() const {
     const Slot &a = *slots_[0], &b = *slots_[1];
     const auto rests = [](const Slot& slot) { return slot.waiting(false) == Slot::Waiting::no; };
     ui::PairState state;
-    state.a = a.pictures();
-    state.b = b.pictures();
+    state.a = a.images();
+    state.b = b.images();
     state.whole = a.whole() && b.whole() && a.report.sizePx == b.report.sizePx;
     state.settled = state.whole && rests(a) && rests(b);
     if (b.converges()) state.traced = b.report.reference;
@@ -68,7 +68,7 @@ void Slots::needSecond() {
     compare_.second = true;
 }
 
-/// Anew, so that nothing of what B was comes in later.
+/// Again, so that nothing of what B was comes in later.
 void Slots::traceInB() {
     slots_[1].reset();
     needSecond();

@@ -12,11 +12,11 @@
 
 namespace neph {
 
-/// A slot's picture, or the part of it that is left of the split or right of it.
-struct ShownPicture {
+/// A slot's image, or the part of it that is left of the split or right of it.
+struct ShownImage {
     Slot* slot = nullptr;
     ui::PixelBox place;          ///< on the screen
-    glm::vec2 widthShare{0, 1};  ///< from where to where of the whole picture
+    glm::vec2 widthShare{0, 1};  ///< from where to where of the whole image
 };
 
 class Slots {
@@ -29,8 +29,8 @@ class Slots {
     /// Nullptr while there is but one.
     Slot* other() { return slots_[compare_.active == 0 ? 1 : 0].get(); }
     std::vector<Slot*> all();
-    /// What is on the screen when the pictures' place is `place`.
-    std::vector<ShownPicture> shown(const ui::PixelBox& place);
+    /// What is on the screen when the images' place is `place`.
+    std::vector<ShownImage> shown(const ui::PixelBox& place);
 
     /// Of A and B, where there are both.
     ui::PairState pair() const;

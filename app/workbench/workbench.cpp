@@ -1,4 +1,4 @@
-// workbench.cpp: the loop: input, data, pictures, panels, in that order and only when something
+// workbench.cpp: the loop: input, data, images, panels, in that order and only when something
 // happens.
 #include "app/workbench/workbench.h"
 
@@ -18,7 +18,7 @@
 #include "app/ui/shell/frame.h"
 #include "app/ui/shell/wishes.h"
 #include "app/ui/widgets/places.h"
-#include "app/workbench/picture_textures.h"
+#include "app/workbench/image_textures.h"
 #include "app/workbench/script_player.h"
 #include "app/workbench/slots.h"
 #include "app/workbench/workbench_host.h"
@@ -35,9 +35,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kWidthPx = 1280, kHeightPx = 720;
 constexpr double kIdleWaitS = 1.0;   // between looks while nothing happens
-constexpr double kBusyWaitS = 0.05;  // while data load or the picture waits to be refined
+constexpr double kBusyWaitS = 0.05;  // while data load or the image waits to be refined
 constexpr double kLingerS = 1.0;     // panels are drawn on after the last input: tooltips
-constexpr double kPanelsS = 0.022;   // between two turns of the panels while a picture is drawn
+constexpr double kPanelsS = 0.022;   // between two turns of the panels while an image is drawn
 
 /// Of the files that readers take, as they say, without dots.
 std::vector<std::string> extensionsOf(const PluginHost& host) {
@@ -67,18 +67,18 @@ class Workbench {
     void frameFirst();
     void takeInput();
     void open(const std::vector<std::filesystem::path>& files);
-    bool drawPictures();
-    bool drawPicture(const ShownPicture& shown, std::size_t count);
+    bool drawImages();
+    bool drawImage(const ShownImage& shown, std::size_t count);
     void drawPanels();
     double panelsTurn();
-    bool giveWay() const;
+    bool yields() const;
     void carryOut();
     void keepSession();
     void noteChanges();
     void playScript();
     void setMemory(const std::string& memory);
     void rememberSettings();
-    void handOverPictures();
+    void handOverImages();
     double waitS();
     /// In motion paths are traced for what is edited alone, and never while other data come.
     bool putOff(const Slot& slot) {
@@ -91,7 +91,7 @@ class Workbench {
     std::vector<std::string> readers_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
-    PictureTextures textures_;  // that panels asked for
+    ImageTextures textures_;  // that panels asked for
     MemoryBudget budget_;
     ui::Ui ui_;
     Slots slots_;
@@ -100,7 +100,7 @@ class Workbench {
     std::optional<ScriptPlayer> script_;
     std::filesystem::path shot_;  // to be written of the next frame
     Settings remembered_;
-    ui::PixelBox place_;  // of the pictures, as of the last turn of the panels
+    ui::PixelBox place_;  // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
     bool framesFirst_ = false;  // no camera was asked for: the first data choose it
@@ -160,9 +160,9 @@ std::unique_ptr<Slot> Workbench::makeSlot() {
 }
 
 void Workbench::offerServices() {
-    ui_.services.loadPicture = [this](const auto& png) { return textures_.load(png); };
-    ui_.services.showPicture = [this](const Image8& image) { return textures_.show(image); };
-    ui_.services.dropPicture = [this](unsigned texture) { textures_.drop(texture); };
+    ui_.services.loadImage = [this](const auto& png) { return textures_.load(png); };
+    ui_.services.showImage = [this](const Image8& image) { return textures_.show(image); };
+    ui_.services.dropImage = [this](unsigned texture) { textures_.drop(texture); };
     ui_.services.state = [this] { return slots_.state(); };
     ui_.services.restore = [this](const SessionState& state) {
         slots_.restore(state);
@@ -186,10 +186,10 @@ void Workbench::open(const std::vector<std::filesystem::path>& files) {
     ui::openFiles(ui_, names);
 }
 
-/// What a picture in the making is left for: commands, and another place for it. What changes the
+/// What an image in the making is left for: commands, and another place for it. What changes the
 /// document is noticed by the slot.
-bool Workbench::giveWay() const {
-    const ui::PixelBox now = ui::pictureBox(ui_.layout());
+bool Workbench::yields() const {
+    const ui::PixelBox now = ui::imageBox(ui_.layout());
     const bool placed = now.lower == place_.lower && now.upper == place_.upper;
     return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close ||
            ui_.compare.trace || !placed;
@@ -201,9 +201,9 @@ void Workbench::keepSession() {
 }
 
 /// Draws the panels where they have waited long enough and there is something for them to see. A
-/// picture that takes long lags behind; panels do not.
+/// image that takes long lags behind; panels do not.
 double Workbench::panelsTurn() {
-    keepSession();  // a picture may take longer than an interval
+    keepSession();  // an image may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
     const auto start = Clock::now();
     if (host_.inputWaits() || ui_.next.animates) {
@@ -216,7 +216,7 @@ double Workbench::panelsTurn() {
     return 1e3 * secondsSince(start);
 }
 
-bool Workbench::drawPicture(const ShownPicture& shown, std::size_t count) {
+bool Workbench::drawImage(const ShownImage& shown, std::size_t count) {
     DrawRequest request;
     request.placePx = place_.size();
     request.moving = moving();
@@ -225,40 +225,40 @@ bool Workbench::drawPicture(const ShownPicture& shown, std::size_t count) {
     request.panels = [this] { return panelsTurn(); };
     // What is edited does not wait for the other one.
     const Slot* edited = shown.slot == &slots_.active() ? nullptr : &slots_.active();
-    request.giveWay = [this, edited] {
-        return giveWay() || (edited != nullptr && edited->changedSinceLastLook());
+    request.yields = [this, edited] {
+        return yields() || (edited != nullptr && edited->changedSinceLastLook());
     };
     return shown.slot->draw(request, ui_.profile);
 }
 
-/// One picture of each slot that is shown; then, when those are whole, of the one that is not, so
+/// One image of each slot that is shown; then, when those are whole, of the one that is not, so
 /// that it is there at once when it is wanted.
-bool Workbench::drawPictures() {
-    place_ = ui::pictureBox(ui_.layout());
-    const std::vector<ShownPicture> shown = slots_.shown(place_);
+bool Workbench::drawImages() {
+    place_ = ui::imageBox(ui_.layout());
+    const std::vector<ShownImage> shown = slots_.shown(place_);
     bool drew = false;
-    for (const ShownPicture& picture : shown) {
-        if (!picture.slot->converges()) drew |= drawPicture(picture, shown.size());
+    for (const ShownImage& image : shown) {
+        if (!image.slot->converges()) drew |= drawImage(image, shown.size());
     }
     // Paths take long: whatever else there is to draw comes first.
     const bool others = drew;
-    for (const ShownPicture& picture : shown) {
-        if (!picture.slot->converges() || others || putOff(*picture.slot)) continue;
-        drew |= drawPicture(picture, shown.size());
+    for (const ShownImage& image : shown) {
+        if (!image.slot->converges() || others || putOff(*image.slot)) continue;
+        drew |= drawImage(image, shown.size());
     }
     const bool alone = ui_.compare.mode == CompareMode::single;
     ui_.report = (alone ? *shown.front().slot : slots_.active()).report;
-    const bool whole = std::ranges::all_of(shown, [this](const ShownPicture& picture) {
-        return picture.slot->waiting(moving()) == Slot::Waiting::no;
+    const bool whole = std::ranges::all_of(shown, [this](const ShownImage& image) {
+        return image.slot->waiting(moving()) == Slot::Waiting::no;
     });
     if (drew || !whole || moving() || shown.size() > 1 || slots_.other() == nullptr) return drew;
     Slot* hidden = shown.front().slot == slots_.other() ? &slots_.active() : slots_.other();
-    return drawPicture({hidden, place_}, 1);
+    return drawImage({hidden, place_}, 1);
 }
 
-/// Gives the pictures of both slots to those who tell how far they are apart.
-void Workbench::handOverPictures() {
-    if (!ui::comparesPictures(ui_.compare)) return;
+/// Gives the images of both slots to those who tell how far they are apart.
+void Workbench::handOverImages() {
+    if (!ui::comparesImages(ui_.compare)) return;
     const std::vector<Slot*> slots = slots_.all();
     if (slots.size() < 2 || !ui_.errors.wants(slots_.pair(), Clock::now())) return;
     const Slot &a = *slots[0], &b = *slots[1];
@@ -274,19 +274,19 @@ void Workbench::drawPanels() {
     ui::draw(ui_);
     interacting_ = host_.interacting();
     Image8 image;
-    std::vector<HostPicture> pictures;
-    for (const ShownPicture& shown : slots_.shown(ui::pictureBox(ui_.layout()))) {
-        pictures.push_back(
+    std::vector<HostImage> images;
+    for (const ShownImage& shown : slots_.shown(ui::imageBox(ui_.layout()))) {
+        images.push_back(
             {shown.place, shown.slot->texture(), shown.slot->report.sizePx, shown.widthShare});
     }
     const std::filesystem::path shot = std::exchange(shot_, {});
-    host_.endFrame(pictures, shot.empty() ? nullptr : &image);
+    host_.endFrame(images, shot.empty() ? nullptr : &image);
     if (!shot.empty()) writePng(shot, image, {});
-    const double each = 1e3 * secondsSince(panelsDrawn_) / static_cast<double>(pictures.size());
+    const double each = 1e3 * secondsSince(panelsDrawn_) / static_cast<double>(images.size());
     for (Slot* slot : slots_.all()) slot->measuredPanels(each);
 }
 
-/// Notices what the panels changed, and makes a step of the history when the hand rests.
+/// Notices what the panels changed, and makes a step of the history when the user rests.
 void Workbench::noteChanges() {
     slots_.link();
     for (Slot* slot : slots_.all()) slot->noteChanges();
@@ -369,15 +369,15 @@ double Workbench::waitS() {
 }
 
 void Workbench::run() {
-    drawPanels();  // makes the picture's place known
+    drawPanels();  // makes the image's place known
     while (!window_.shouldClose()) {
         if (host_.wait(waitS())) eventful_ = Clock::now();
         if (script_) playScript();
         takeInput();
         for (Slot* slot : slots_.all()) slot->takeData();
         frameFirst();
-        const bool drew = drawPictures();
-        handOverPictures();
+        const bool drew = drawImages();
+        handOverImages();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.
         if (script_ || drew || session().loading() || ui_.next.animates ||
             secondsSince(panelsDrawn_) >= ui_.next.againS || secondsSince(eventful_) < kLingerS) {

@@ -47,7 +47,7 @@ ui::Key after(ui::Key first, int steps) {
     return static_cast<ui::Key>(static_cast<int>(first) + steps);
 }
 
-constexpr int kMinWidthPx = 960, kMinHeightPx = 600;  // both columns and a picture between them
+constexpr int kMinWidthPx = 960, kMinHeightPx = 600;  // both columns and an image between them
 
 ui::Key toKey(int key, int scancode) {
     for (const auto& [code, named] : kOthers) {
@@ -136,8 +136,8 @@ void WorkbenchHost::beginFrame() {
     ImGui::NewFrame();
 }
 
-/// ImGui looks at keys once a frame; one pressed and released between two frames counts as down for
-/// the next.
+/// ImGui looks at keys once per frame; one pressed and released between two frames counts as down
+/// for the next.
 void WorkbenchHost::holdTappedKeys() {
     ImGuiIO& io = ImGui::GetIO();
     for (const int key : held_) {
@@ -153,16 +153,16 @@ void WorkbenchHost::restyle(const Settings& settings) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-/// Panels have the window's own colour: to blend them over a picture that they hide took a CPU that
+/// Panels have the window's own colour: to blend them over an image that they hide took a CPU that
 /// stands in for a GPU longer than all that is on them.
-void WorkbenchHost::endFrame(std::span<const HostPicture> pictures, Image8* shot) {
+void WorkbenchHost::endFrame(std::span<const HostImage> images, Image8* shot) {
     ImGui::Render();
     const ImVec4& colour = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
     window_.clear({colour.x, colour.y, colour.z});
-    for (const HostPicture& picture : pictures) {
-        if (picture.texture == 0 || picture.place.size().x < 1) continue;
-        window_.fill(picture.place.lower, picture.place.upper, picture.texture, picture.sizePx,
-                     picture.widthShare);
+    for (const HostImage& image : images) {
+        if (image.texture == 0 || image.place.size().x < 1) continue;
+        window_.fill(image.place.lower, image.place.upper, image.texture, image.sizePx,
+                     image.widthShare);
     }
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (shot != nullptr) {
@@ -181,7 +181,7 @@ void WorkbenchHost::resize(glm::ivec2 size) {
     glfwSetWindowSize(window_.handle(), size.x, size.y);
 }
 
-/// ImGui looks at the mouse once a frame, too. After a slow frame it is shown where a button went
+/// ImGui looks at the mouse once per frame, too. After a slow frame it is shown where a button went
 /// down, and in the next frame where it came up, so that no click goes astray.
 void WorkbenchHost::replayPresses() {
     if (presses_.empty()) return;

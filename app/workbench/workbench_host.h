@@ -14,8 +14,8 @@
 
 namespace neph {
 
-/// A picture on the screen, or the part of it between two shares of its width.
-struct HostPicture {
+/// An image on the screen, or the part of it between two shares of its width.
+struct HostImage {
     ui::PixelBox place;
     unsigned texture = 0;  ///< 0: none yet
     glm::ivec2 sizePx{1};
@@ -30,13 +30,13 @@ class WorkbenchHost {
     WorkbenchHost(const WorkbenchHost&) = delete;
     WorkbenchHost& operator=(const WorkbenchHost&) = delete;
 
-    /// Theme, spacing and font, anew.
+    /// Theme, spacing and font, again.
     void restyle(const Settings& settings);
 
     void beginFrame();
-    /// Shows the frame: pictures in their places below the panels. `shot`, if any, gets what is
+    /// Shows the frame: images in their places below the panels. `shot`, if any, gets what is
     /// shown.
-    void endFrame(std::span<const HostPicture> pictures, Image8* shot = nullptr);
+    void endFrame(std::span<const HostImage> images, Image8* shot = nullptr);
 
     /// Of the window, in the units of the mouse.
     glm::vec2 sizePx() const;

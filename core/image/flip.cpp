@@ -15,7 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/image/picture_error.h"
+#include "core/image/image_error.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
@@ -284,17 +284,17 @@ float flipError(const Seen& a, const Seen& b, std::size_t i) {
 }
 
 /// The largest error of each pixel over all displays of the images.
-FlipMap flip(const ImageF& picture, const ImageF& reference, const std::vector<Showing>& showings,
+FlipMap flip(const ImageF& image, const ImageF& reference, const std::vector<Showing>& showings,
              double pixelsPerDegree, const Progress& progress) {
-    checkComparable(picture, reference);
+    checkComparable(image, reference);
     const Filters filters(pixelsPerDegree);
-    FlipMap map{picture.size, std::vector<float>(picture.pixels.size(), 0.0f)};
+    FlipMap map{image.size, std::vector<float>(image.pixels.size(), 0.0f)};
     const auto band = [&](std::size_t piece, std::size_t, const Progress& within) {
         const int first = static_cast<int>(piece) * kBandRows;
-        const int rows = std::min(kBandRows, picture.size.y - first);
-        float* errors = map.errors.data() + static_cast<std::ptrdiff_t>(first) * picture.size.x;
+        const int rows = std::min(kBandRows, image.size.y - first);
+        float* errors = map.errors.data() + static_cast<std::ptrdiff_t>(first) * image.size.x;
         for (const Showing& showing : showings) {
-            const Seen a = see(picture, showing, first, rows, filters);
+            const Seen a = see(image, showing, first, rows, filters);
             const Seen b = see(reference, showing, first, rows, filters);
             for (std::size_t i = 0; i < a.colour.size(); ++i) {
                 errors[i] = std::max(errors[i], flipError(a, b, i));
@@ -302,7 +302,7 @@ FlipMap flip(const ImageF& picture, const ImageF& reference, const std::vector<S
             if (!goOn(within, 0.0)) throw Cancelled{};
         }
     };
-    const auto bands = static_cast<std::size_t>((picture.size.y + kBandRows - 1) / kBandRows);
+    const auto bands = static_cast<std::size_t>((image.size.y + kBandRows - 1) / kBandRows);
     shareOut(bands, workerCount(bands), band, progress);
     return map;
 }
@@ -317,9 +317,9 @@ double FlipMap::p95() const {
     return quantile(errors, 0.95);
 }
 
-FlipMap ldrFlip(const ImageF& picture, const ImageF& reference, double pixelsPerDegree,
+FlipMap ldrFlip(const ImageF& image, const ImageF& reference, double pixelsPerDegree,
                 const Progress& progress) {
-    return flip(picture, reference, {Showing{}}, pixelsPerDegree, progress);
+    return flip(image, reference, {Showing{}}, pixelsPerDegree, progress);
 }
 
 FlipExposures flipExposures(const ImageF& reference) {
@@ -349,7 +349,7 @@ FlipExposures flipExposures(const ImageF& reference) {
     return exposures;
 }
 
-FlipMap hdrFlip(const ImageF& picture, const ImageF& reference, const FlipExposures& exposures,
+FlipMap hdrFlip(const ImageF& image, const ImageF& reference, const FlipExposures& exposures,
                 double pixelsPerDegree, const Progress& progress) {
     std::vector<Showing> showings;
     for (int i = 0; i < exposures.count; ++i) {
@@ -358,7 +358,7 @@ FlipMap hdrFlip(const ImageF& picture, const ImageF& reference, const FlipExposu
         const double ev = exposures.start + share * (exposures.stop - exposures.start);
         showings.push_back({true, static_cast<float>(std::exp2(ev))});
     }
-    return flip(picture, reference, showings, pixelsPerDegree, progress);
+    return flip(image, reference, showings, pixelsPerDegree, progress);
 }
 
 }  // namespace neph

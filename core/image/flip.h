@@ -32,7 +32,7 @@ struct FlipExposures {
 
 /// Of linear RGB images; values outside [0, 1] are clipped. Throws Error if sizes differ, there are
 /// no pixels, or a value is not finite.
-FlipMap ldrFlip(const ImageF& picture, const ImageF& reference,
+FlipMap ldrFlip(const ImageF& image, const ImageF& reference,
                 double pixelsPerDegree = kFlipPixelsPerDegree, const Progress& progress = {});
 
 /// From the exposure that maps the reference's largest luminance to 0.85 of white to the one that
@@ -42,7 +42,7 @@ FlipExposures flipExposures(const ImageF& reference);
 
 /// The largest LDR-FLIP of each pixel over the exposures, each tone mapped with the ACES fit.
 /// Negative radiance counts as zero. Throws as ldrFlip does.
-FlipMap hdrFlip(const ImageF& picture, const ImageF& reference, const FlipExposures& exposures,
+FlipMap hdrFlip(const ImageF& image, const ImageF& reference, const FlipExposures& exposures,
                 double pixelsPerDegree = kFlipPixelsPerDegree, const Progress& progress = {});
 
 }  // namespace neph

@@ -77,7 +77,7 @@ void addModes(std::vector<Parameter>& table) {
         {{"low_albedo", "Low albedo",
           "Beer-Lambert alone: what is scattered is lost. Dark, for thin or absorbing media."},
          {"translucent", "Translucent",
-          "Light scattered nearly straight on goes on to light what lies behind, Eq. 12, 14-17."}},
+          "Light scattered nearly forward goes on to light what lies behind, Eq. 12, 14-17."}},
         "How sunlight reaches a sample: Beer-Lambert alone, or with forward scattering "
         "(Eq. 12, 14-17).");
     transport.engines = kSingleScattering;
@@ -185,10 +185,10 @@ void addView(std::vector<Parameter>& table) {
     planes.engines = enginesWith(&EngineTraits::fineness, Fineness::planes);
     planes.alias = {"--planes", "N", "Slices, slicing; instead of view.planes"};
     rows.number("exposure", "Exposure", "EV", &Look::exposureEv, {-10.0, 10.0}, Stage::resolve,
-                "Scene-referred gain, 2^EV, before the film curve.");
-    rows.choice("tone_map", "Film curve", &Look::toneMap, Stage::resolve,
+                "Scene-referred gain, 2^EV, before tone mapping.");
+    rows.choice("tone_map", "Tone mapping", &Look::toneMap, Stage::resolve,
                 {{"linear", "Linear", "Clipped where it is too bright."},
-                 {"filmic", "Filmic", "Toe and shoulder as film has them. [Narkowicz15]"}},
+                 {"filmic", "Filmic", "A toe and a shoulder, as on photographs. [Narkowicz15]"}},
                 "Filmic shoulder and toe, or linear with clipping.");
 }
 
@@ -204,7 +204,7 @@ void addSampling(std::vector<Parameter>& table) {
     Parameter& error =
         rows.number("target_error", "Target error", "1", &Sampling::targetError,
                     {0.0005, 0.5, true}, Stage::resolve,
-                    "The reference adds paths until its relative standard error over the picture "
+                    "The reference adds paths until its relative standard error over the image "
                     "is this small. docs/accuracy.md");
     error.engines = enginesWith(&EngineTraits::refinement, Refinement::converges);
     error.displayUnit = "%";
@@ -212,7 +212,7 @@ void addSampling(std::vector<Parameter>& table) {
     error.alias = {"--error", "PERCENT", "Reference; instead of view.target_error"};
     Parameter& seed =
         rows.integer("seed", "Seed", "1", &Sampling::seed, {0, 1000000}, Stage::eye,
-                     "Of the reference's random numbers: the same seed gives the same picture.");
+                     "Of the reference's random numbers: the same seed gives the same image.");
     seed.engines = enginesWith(&EngineTraits::refinement, Refinement::converges);
     seed.alias = {"--seed", "N", "Reference; instead of view.seed"};
 }

@@ -62,7 +62,7 @@ void addRadius(FieldRows& rows) {
                   "From mass by the size distribution that the microphysics scheme assumes."}},
                 "A constant, or cell by cell from the model: effective radii in the file, numbers "
                 "of particles, or the microphysics scheme's own size distribution; what is missing "
-                "is replaced by the next of these. The largest change a picture can have: a "
+                "is replaced by the next of these. The largest change an image can have: a "
                 "model's ice of 20-50 µm has 82-33 m²/kg, the paper's of 1 mm 1.64, so anvils "
                 "become 20 to 50 times more opaque. Reads the data again. docs/physics.md §7")
         .overruled = {[](const Look& look) { return look.extinction == ExtinctionMode::equal; },

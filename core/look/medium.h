@@ -37,7 +37,7 @@ struct MediumPlan {
 
 MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings);
 
-/// The phase functions of the classes as the picture shows them (`light.phase_display`): tables of
+/// The phase functions of the classes as the image shows them (`light.phase_display`): tables of
 /// kPhaseTableSize entries, dimensionless, 1 for full isotropic scatter in the physical display and
 /// for the cut peak in the others.
 std::vector<PhaseTable> displayPhases(const Look& look, const MediumPlan& plan);

@@ -34,11 +34,11 @@ DropletOptics computeDroplets(float effectiveRadiusM);
 /// costs time but is not an error.
 std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM);
 
-/// Share of light scattered within `theta` radians of straight on, at 550 nm; between entries in
+/// Share of light scattered within `theta` radians of forward, at 550 nm; between entries in
 /// proportion to the solid angle, as for a constant value.
 float dropletCumulative(const DropletOptics& droplets, float theta);
 
-/// Its inverse, as a cosine; u = 1 is straight on.
+/// Its inverse, as a cosine; u = 1 is forward.
 float dropletSample(const DropletOptics& droplets, float u);
 
 }  // namespace neph

@@ -26,8 +26,8 @@ struct PhaseFunction {
     std::array<PhaseParameter, 3> parameters;  ///< those that it reads come first
     /// P at 650, 550 and 450 nm, 1/sr.
     glm::vec3 (*value)(const PhaseSpec& spec, float cosTheta);
-    /// At 550 nm: share of light within `theta` radians of straight on; the cosine of a direction
-    /// drawn from it, 1 being straight on for u = 1; the mean cosine.
+    /// At 550 nm: share of light within `theta` radians of forward; the cosine of a direction
+    /// drawn from it, 1 being forward for u = 1; the mean cosine.
     float (*cumulative)(const PhaseSpec& spec, float theta);
     float (*sample)(const PhaseSpec& spec, float u);
     float (*asymmetry)(const PhaseSpec& spec);

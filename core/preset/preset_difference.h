@@ -37,7 +37,7 @@ inline constexpr std::array<PresetPart, 4> kPresetParts{{
     {kPresetFields, "fields", "Fields", "what each field does to light, and the modes of that"},
     {kPresetLight, "light", "Light", "how light goes through the cloud; sun, sky and ground"},
     {kPresetView, "view", "View", "engine, planes and exposure"},
-    {kPresetCamera, "camera", "Camera", "where the picture is taken from"},
+    {kPresetCamera, "camera", "Camera", "where the image is taken from"},
 }};
 
 /// The part that a row of the look table belongs to: one bit.

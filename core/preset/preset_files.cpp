@@ -113,7 +113,7 @@ void renamePreset(std::string_view name, std::string_view newName) {
 }
 
 void describePreset(std::string_view name, const PresetText& text) {
-    const PresetEntry entry = ownEntry(name, "described anew");
+    const PresetEntry entry = ownEntry(name, "described again");
     LoadedPreset loaded = loadPreset(entry.file);
     if (!loaded.warnings.empty()) {
         throw Error({entry.file.string(), "holds keys that would be lost", loaded.warnings.front(),

@@ -67,7 +67,7 @@ std::string ExportJob::text() const {
     if (cancelling_ && state_ == State::running) return "Stopping";
     if (of_ == 0) return "Preparing";
     const std::string done = of_ == 1 ? fmt::format("{:.0f} %", 100.0 * fraction())
-                                      : fmt::format("{} of {} pictures", done_, of_);
+                                      : fmt::format("{} of {} images", done_, of_);
     if (done_ == of_) return done + ", finishing";
     if (seconds_ < kLeastS || fraction() < kLeastShare) return done;
     return fmt::format("{}, {} left", done,

@@ -28,7 +28,7 @@ class ExportJob {
     State state() const { return state_; }
     /// Completed fraction, 0 to 1.
     double fraction() const;
-    /// "12 of 40 pictures, 1 min 20 s left".
+    /// "12 of 40 images, 1 min 20 s left".
     std::string text() const;
     /// The image or video that was written last; empty before the first.
     const std::filesystem::path& file() const { return file_; }

@@ -39,7 +39,7 @@ std::optional<Json> readObject(const std::filesystem::path& file) {
         return json;
     } catch (const Error& fault) {
         ErrorParts parts = fault.parts();
-        parts.hint = "remove it to start anew";
+        parts.hint = "remove it to start again";
         throw Error(parts);
     }
 }

@@ -1,4 +1,4 @@
-// resolve.comp: exposure, film curve and sRGB encoding.
+// resolve.comp: exposure, tone mapping and sRGB encoding.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/tonemap.glsl"
@@ -8,7 +8,7 @@ layout(rgba32f, binding = kResolveLinearImage) readonly uniform image2D i_linear
 layout(rgba8, binding = kResolveDisplayImage) writeonly uniform image2D o_display;
 layout(location = kResolveGainLocation) uniform float gain;
 layout(location = kResolveCurveLocation) uniform int curve;
-layout(location = kResolveLeftLocation) uniform int left;  // of this part in the whole picture
+layout(location = kResolveLeftLocation) uniform int left;  // of this part in the whole image
 layout(location = kResolveLowerLocation) uniform int lower;
 layout(location = kResolveTransparentLocation) uniform int transparent;
 

@@ -71,8 +71,8 @@ float lightBeyond(vec2 at, float centre, vec3 positionM) {
 void main() {
     ivec2 texel =
         kLightTile * tiles[firstGroup + int(gl_WorkGroupID.x)] + ivec2(gl_LocalInvocationID.xy);
-    if (any(greaterThanEqual(texel, u_.picture.zw))) return;
-    vec2 at = (vec2(texel) + 0.5) / vec2(u_.picture.zw);
+    if (any(greaterThanEqual(texel, u_.image.zw))) return;
+    vec2 at = (vec2(texel) + 0.5) / vec2(u_.image.zw);
     vec2 across = at / u_.lightScale.xy + vec2(u_.lightU.w, u_.lightV.w);
     float planeM = u_.normal.w + (float(u_.slices.y + layer) + 0.5) * u_.lightScale.z;
     vec3 positionM = positionOnSlice(across, planeM);

@@ -1,9 +1,9 @@
 // eye.comp: Eq. 5 along each pixel's ray, in runs of four steps.
 //
-// A run leaps over what is empty, reads once what varies slowly (the mixture) and four times what
+// A run skips what is empty, reads once what varies slowly (the mixture) and four times what
 // varies fast (extinction and light). Each step is sampled at one place within it, the same share
 // of the step in all steps of a pixel, which differs from pixel to pixel by a blue-noise pattern.
-// PROFILE counts; FLOOR repeats the rays and samples of a picture with one fetch each and nothing
+// PROFILE counts; FLOOR repeats the rays and samples of an image with one fetch each and nothing
 // else, to measure against. docs/performance.md
 #version 450 core
 #include "../shared/march_layout.glsl"
@@ -17,7 +17,7 @@ layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
 
 // Of the band of rows that is drawn.
 layout(location = kMarchFirstRowLocation) uniform int firstRow;
-// Of this picture in the mean: 1 for the first.
+// Of this image in the mean: 1 for the first.
 layout(location = kMarchBlendLocation) uniform float blend;
 layout(rgba32f, binding = kMarchLinearImage) uniform image2D io_linear;
 layout(binding = kMarchBlueNoiseUnit) uniform sampler2D t_blueNoise;
@@ -59,8 +59,8 @@ struct Eye {
     uint taken, skipped;
 };
 
-/// In [0, 1): a different place for each pixel and each picture. The golden ratio's fraction
-/// spreads the pictures evenly.
+/// In [0, 1): a different place for each pixel and each image. The golden ratio's fraction
+/// spreads the images evenly.
 float placeInStep(ivec2 pixel) {
     float pattern = texelFetch(t_blueNoise, (pixel + u_.whole.zw) & (kBlueNoiseSize - 1), 0).r;
     return fract(pattern + 0.61803399 * float(u_.sampling.x));
@@ -209,7 +209,7 @@ ivec2 pixelOf(uint index) {
 void main() {
     ivec2 pixel = kMarchEyeGroup * ivec2(gl_WorkGroupID.xy) + pixelOf(gl_LocalInvocationIndex);
     pixel.y += firstRow;
-    if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
+    if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     Ray ray = rayThrough(pixel);
     vec2 insideM = insideBoxM(ray);
     uint most = 0xffffffffu;

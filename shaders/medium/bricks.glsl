@@ -1,4 +1,4 @@
-// bricks.glsl: what is known of the medium brick by brick: emptiness, to leap over it, and density.
+// bricks.glsl: what is known of the medium brick by brick: emptiness, to skip it, and density.
 #pragma once
 #include "../lib/ray_box.glsl"
 #include "../shared/frame.glsl"

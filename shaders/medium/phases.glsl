@@ -1,10 +1,10 @@
-// phases.glsl: the phase functions of the classes as the picture shows them, looked up.
+// phases.glsl: the phase functions of the classes as the image shows them, looked up.
 #pragma once
 #include "../lib/phase_table.glsl"
 #include "../shared/frame.glsl"
 #include "../shared/medium_layout.glsl"
 
-layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // one row a class
+layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // one row per class
 
 vec3 displayPhase(int index, float cosTheta) {
     float at = phaseTableIndex(cosTheta, kPhaseTableSize);

@@ -1,4 +1,4 @@
-// error.comp: sums over each row of the picture: radiance, and the variance of its mean.
+// error.comp: sums over each row of the image: radiance, and the variance of its mean.
 #version 450 core
 layout(local_size_x = 8) in;
 #include "../shared/reference_layout.glsl"

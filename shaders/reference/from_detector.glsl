@@ -12,7 +12,7 @@ uint keyOf(uint index) {
 }
 
 void start(inout Path p, uint index) {
-    DetectorBlock detector = detectors_[index % uint(u_.picture.x)];
+    DetectorBlock detector = detectors_[index % uint(u_.image.x)];
     p.positionM = mix(detector.lowerM.xyz, detector.upperM.xyz, draw(p).xyz);
     int kind = int(detector.lowerM.w);
     p.dir = detector.direction.xyz;

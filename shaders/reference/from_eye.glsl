@@ -2,10 +2,10 @@
 #pragma once
 
 ivec2 pixelOf(uint index) {
-    return ivec2(int(index) % u_.picture.x, int(index) / u_.picture.x);
+    return ivec2(int(index) % u_.image.x, int(index) / u_.image.x);
 }
 
-/// The same in every part of a picture: its number in the whole.
+/// The same in every part of an image: its number in the whole.
 uint keyOf(uint index) {
     ivec2 pixel = pixelOf(index) + u_.whole.zw;
     return uint(pixel.y) * uint(u_.whole.x) + uint(pixel.x);

@@ -1,4 +1,4 @@
-// gather.comp: adds the results of one pass to the sums, and writes the mean picture.
+// gather.comp: adds the results of one pass to the sums, and writes the mean image.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../shared/reference_layout.glsl"

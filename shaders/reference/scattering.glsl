@@ -9,8 +9,8 @@
 #include "../shared/reference_layout.glsl"
 #include "medium.glsl"
 
-layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // rgb: P, 1/sr, one row a class
-// Versines, one row a class and wavelength.
+layout(binding = kPhasesUnit) uniform sampler2D t_phases;  // rgb: P, 1/sr, one row per class
+// Versines, one row per class and wavelength.
 layout(binding = kScatteringUnit) uniform sampler2D t_scattering;
 
 /// P at 650, 550 and 450 nm, 1/sr.

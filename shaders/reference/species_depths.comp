@@ -31,7 +31,7 @@ float detailOf(int index, vec3 positionM) {
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
+    if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     Ray ray = rayThrough(pixel);
     vec2 inside = rayBox(ray.originM, ray.dir, vec3(0.0), u_.gridExtentM.xyz);
     float lengthM = max(0.0, inside.y - max(inside.x, 0.0));
@@ -48,8 +48,8 @@ void main() {
             depth[s] += extinctionPerHeld[s] * held * stepM * detailOf(classOf[s], positionM);
         }
     }
-    int count = u_.picture.x * u_.picture.y;
+    int count = u_.image.x * u_.image.y;
     for (int s = 0; s < kSpeciesCount; ++s) {
-        depths_[s * count + pixel.y * u_.picture.x + pixel.x] = depth[s];
+        depths_[s * count + pixel.y * u_.image.x + pixel.x] = depth[s];
     }
 }

@@ -96,7 +96,7 @@ uint waitingWord(int place, uint lane) {
 }
 
 /// Lets the path wait, which would go on.
-void putAside(inout Path p, uint lane) {
+void storePath(inout Path p, uint lane) {
     uint n = uint(laneCount);
     uint at = waitingWord(p.waiting, lane);
     lanes_[at] = bitsOf(p.positionM, floatBitsToUint(p.density));

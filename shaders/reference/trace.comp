@@ -134,7 +134,7 @@ float sunReach(vec3 positionM) {
 
 /// The path is at a vertex: a particle, a surface or a detector inside the medium. Asks for the
 /// light of a point of the sun's disc.
-void askForSun(inout Path p) {
+void sampleSun(inout Path p) {
     vec3 towards = u_.towardsSun.xyz;
     MediumSample medium = sampleMedium(p.positionM);
     Mixture mixture = mixtureOf(medium);
@@ -203,7 +203,7 @@ void turn(inout Path p, uint lane) {
     p.dir = next;
     p.stage = ends ? kDone : kAiming;
     if (v.z >= branching) return;
-    if (!ends) putAside(p, lane);
+    if (!ends) storePath(p, lane);
     p.weight = weight * toNear.share / (branching * lobes) *
                (lobeOfNear / (lobeOfNear + toNear.density) * lobes[p.hero] / drawnNear.y);
     p.wavelengths = wavelengths * lobes;
@@ -314,7 +314,7 @@ void main() {
         if (p.stage == kDone && p.waiting == 0) finish(p);
         if (p.stage <= kWaiting) begin(p);
         if (p.stage == kWaiting) break;
-        if (p.stage == kMet) askForSun(p);
+        if (p.stage == kMet) sampleSun(p);
         if (p.stage == kTurning) turn(p, lane);
         if (p.stage == kAiming) aim(p);
         for (int k = 0; k < 2 && p.stage == kFlying; ++k) {

@@ -42,9 +42,9 @@ struct FrameBlock {
     vec4 ground;          ///< rgb; w: 1 when visible
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
-    ivec4 sampling;  ///< x: number of this picture among those averaged at rest; y: 1 for sky and
+    ivec4 sampling;  ///< x: number of this image among those averaged at rest; y: 1 for sky and
                      ///< ground behind the medium
-    ivec4 picture;   ///< xy: size in pixels, zw: size of the light buffer
-    ivec4 whole;     ///< xy: size of the picture that this is a part of; zw: lower left pixel in it
+    ivec4 image;     ///< xy: size in pixels, zw: size of the light buffer
+    ivec4 whole;     ///< xy: size of the image that this is a part of; zw: lower left pixel in it
     ClassBlock classes[kMaxClasses];
 };

@@ -19,6 +19,6 @@ struct CounterBlock {
     uint tickets;                  ///< given out
     uint collisions;               ///< places where a particle may have been
     uint scatterings;              ///< particles that scattered
-    uint faults;                   ///< paths whose radiance is no number
+    uint faults;                   ///< paths whose radiance is not a number
     uint finished[kPassesAtOnce];  ///< paths, of each pass that is under way
 };

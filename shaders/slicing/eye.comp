@@ -77,7 +77,7 @@ vec4 marchBatch(Ray ray) {
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
-    if (any(greaterThanEqual(pixel, u_.picture.xy))) return;
+    if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     bool frontToBack = u_.forward.w > 0.0;
     vec4 before = imageLoad(io_eye, pixel);
     vec4 batch = vec4(0.0, 0.0, 0.0, 1.0);

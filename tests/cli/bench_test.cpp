@@ -58,7 +58,7 @@ void checkTimes(const Json& times) {
 
 TEST_CASE("Bench draws the paper's four modes with both engines, the march beside its floor") {
     const Json modes = bench("--steps 16 --frames 2 --section modes --grid 16")["modes"];
-    CHECK(contains(modes["bandwidth"].get<std::string>(), "samples x bytes a sample"));
+    CHECK(contains(modes["bandwidth"].get<std::string>(), "samples x bytes per sample"));
     // [Riley03] table 4
     const std::vector<double> paperFps{5.1, 4.28, 1.68, 1.18};
     REQUIRE(modes["rows"].size() == 8);
@@ -98,7 +98,7 @@ TEST_CASE("Bench takes every size on every grid, of one engine where told") {
                                         "[9,9,9][12,8]"});
 }
 
-TEST_CASE("Bench tells the first and the full picture after each kind of change") {
+TEST_CASE("Bench tells the first and the full image after each kind of change") {
     const Json changes = bench("--frames 2 --section changes --grid 16")["changes"];
     CHECK(changes["engine"] == "march");
     CHECK(changes["full_size"] == Json{20, 16});
@@ -136,7 +136,7 @@ TEST_CASE("Bench doubles cells and steps as far as told, and tells the memory of
 }
 
 TEST_CASE(
-    "Bench follows the hand as the workbench does, without its panels, until the full picture") {
+    "Bench follows the mouse as the workbench does, without its panels, until the full image") {
     const Json rows = bench("--section window --engine march")["window"]["without_panels"];
     REQUIRE(rows.size() == 1);
     checkTimes(rows[0]);

@@ -15,7 +15,7 @@ namespace {
 
 const std::string kSource = NEPH_TEST_SOURCE_DIR;
 const std::string kStormFile = kSource + "/samples/supercell/wrfout_d01_0001-01-01_00:30:00";
-// Small and coarse: these tests are about files and words, not about pictures.
+// Small and coarse: these tests are about files and words, not about images.
 const std::string kQuick = " --size 48x32 --quality 0.25 --samples 1 ";
 
 std::string textOf(const Metadata& metadata, const std::string& key) {
@@ -148,8 +148,7 @@ TEST_CASE("Look and sampling in an image's metadata render the same image again"
     CHECK(readPng(first).rgba == readPng(second).rgba);
 }
 
-TEST_CASE(
-    "An engine is chosen for one picture, and the picture says which, how fine and how often") {
+TEST_CASE("An engine is chosen for one image, and the image says which, how fine and how often") {
     const TemporaryFolder folder;
     const auto file = folder / "a.png";
     const auto rendered = [&](const std::string& options) {
@@ -173,7 +172,7 @@ TEST_CASE(
     CHECK(slicing.second["view.engine"] == "slicing");
 }
 
-TEST_CASE("A setting changes the picture") {
+TEST_CASE("A setting changes the image") {
     const TemporaryFolder folder;
     const auto a = folder / "a.png", b = folder / "b.png";
     REQUIRE(runProgram("render " + kStormFile + kQuick + "--out " + a.string()).status == 0);
@@ -224,7 +223,7 @@ TEST_CASE("The camera of another preset is taken alone") {
     CHECK(contains(textOf(readPngMetadata(file), "nephoscope.camera"), "distance 2 azimuth 12"));
 }
 
-TEST_CASE("An existing picture stays as it is when rendering fails") {
+TEST_CASE("An existing image stays as it is when rendering fails") {
     const TemporaryFolder folder;
     const auto file = folder / "a.png";
     std::ofstream(file) << "old";

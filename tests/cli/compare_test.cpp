@@ -1,4 +1,4 @@
-// compare_test.cpp: `nephoscope compare` on pictures whose errors are known.
+// compare_test.cpp: `nephoscope compare` on images whose errors are known.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -69,7 +69,7 @@ std::string quoted(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("The error of a picture is found below the reference's noise, from the halves it keeps") {
+TEST_CASE("The error of an image is found below the reference's noise, from the halves it keeps") {
     const TemporaryFolder folder;
     writeExr(folder / "a.exr", truth(1.05f), {}, ExrPixels::full);
     writeNoisy(folder / "b.exr", 0.2);
@@ -79,7 +79,7 @@ TEST_CASE("The error of a picture is found below the reference's noise, from the
     const auto json = nlohmann::json::parse(outcome.out);
     CHECK(json["type"] == "nephoscope-comparison");
     CHECK(json["reference"]["halves"] == true);
-    const auto& errors = json["pictures"][0];
+    const auto& errors = json["images"][0];
     const double rmse = 0.05 * std::sqrt(1.0 + 1.0 / 12.0);  // √mean truth² of mean 1
     const double sigma = errors["rel_rmse_sigma"].get<double>();
     CHECK(std::abs(errors["rel_rmse"].get<double>() - rmse) < 3.0 * sigma);
@@ -90,7 +90,7 @@ TEST_CASE("The error of a picture is found below the reference's noise, from the
     CHECK(errors["flip"]["kind"] == "HDR-FLIP");
 }
 
-TEST_CASE("The table tells all figures with what they mean, and pictures of errors are written") {
+TEST_CASE("The table tells all figures with what they mean, and images of errors are written") {
     const TemporaryFolder folder;
     writeExr(folder / "a.exr", truth(1.1f), {{"nephoscope.camera", "azimuth 10"}}, ExrPixels::full);
     writeExr(folder / "b.exr", truth(),
@@ -98,8 +98,8 @@ TEST_CASE("The table tells all figures with what they mean, and pictures of erro
              ExrPixels::full);
     const std::string both = quoted(folder / "a.exr") + quoted(folder / "b.exr");
     const Outcome outcome =
-        runProgram("compare" + both + " --signed --error-to 20 --error-picture" +
-                   quoted(folder / "error.png") + " --flip-picture" + quoted(folder / "flip.png"));
+        runProgram("compare" + both + " --signed --error-to 20 --error-image" +
+                   quoted(folder / "error.png") + " --flip-image" + quoted(folder / "flip.png"));
     REQUIRE(outcome.status == 0);
     for (const char* words : {"bias", "relRMSE", "relMSE", "p95", "HDR-FLIP", "10 %",
                               "reference, of a test", "nothing has halves"}) {
@@ -114,7 +114,7 @@ TEST_CASE("The table tells all figures with what they mean, and pictures of erro
     CHECK(contains(runProgram("compare --exposure 1" + both).out, "as ACES: 1 EV\n"));
 }
 
-TEST_CASE("Pictures of a screen are compared as decoded light, and said to be so") {
+TEST_CASE("Images of a screen are compared as decoded light, and said to be so") {
     const TemporaryFolder folder;
     writePng(folder / "a.png", grey(188), {});
     writePng(folder / "b.png", grey(128), {});
@@ -126,7 +126,7 @@ TEST_CASE("Pictures of a screen are compared as decoded light, and said to be so
     const auto json = nlohmann::json::parse(
         runProgram("compare --json" + quoted(folder / "a.png") + quoted(folder / "b.png")).out);
     // sRGB 188 and 128 are 0.5029 and 0.2159 of linear white. IEC 61966-2-1
-    CHECK(json["pictures"][0]["bias"].get<double>() ==
+    CHECK(json["images"][0]["bias"].get<double>() ==
           doctest::Approx(0.5029 / 0.2159 - 1.0).epsilon(1e-3));
 }
 
@@ -145,11 +145,11 @@ TEST_CASE("What cannot be compared is refused, with the exit status of its kind"
     };
     const std::string exr = quoted(folder / "a.exr");
     check(exr + quoted(folder / "small.exr"), 1, "96x64 and 48x128");
-    check(exr + quoted(folder / "a.png"), 1, "two pictures of one kind");
+    check(exr + quoted(folder / "a.png"), 1, "two images of one kind");
     check(exr + quoted(folder / "none.exr"), 1, "none.exr");
-    check(exr, 2, "two pictures");
-    check(exr + exr + " --out x", 2, "--error-picture");
-    check(exr + exr + " --error-picture x.jpg", 2, "NAME.png");
+    check(exr, 2, "two images");
+    check(exr + exr + " --out x", 2, "--error-image");
+    check(exr + exr + " --error-image x.jpg", 2, "NAME.png");
     check(exr + exr + " --error-to 0", 2, "above 0");
     check(exr + exr + " --exposure bright", 2, "a number");
     check("a.tiff b.tiff", 2, ".exr or .png");
@@ -170,7 +170,7 @@ TEST_CASE("Lists of engines are checked before anything is drawn") {
         CHECK(outcome.status == 2);
         CHECK(contains(outcome.err, c.says));
     }
-    CHECK(contains(runProgram("compare --engine march,slicing --error-picture x.png").err,
+    CHECK(contains(runProgram("compare --engine march,slicing --error-image x.png").err,
                    "--out FOLDER"));
 }
 
@@ -182,9 +182,9 @@ TEST_CASE("Engines draw one view, the last is the reference, and all of it is ke
         quoted(folder / "kept"));
     REQUIRE(outcome.status == 0);
     const auto json = nlohmann::json::parse(outcome.out);
-    REQUIRE(json["pictures"].size() == 2);
-    CHECK(json["pictures"][0]["name"] == "march");
-    CHECK(json["pictures"][1]["name"] == "slicing:light.form=consistent");
+    REQUIRE(json["images"].size() == 2);
+    CHECK(json["images"][0]["name"] == "march");
+    CHECK(json["images"][1]["name"] == "slicing:light.form=consistent");
     CHECK(json["reference"]["halves"] == true);
     CHECK(json["reference"]["samples"] == 4);
     CHECK(json["reference"]["seconds"].get<double>() > 0.0);
@@ -202,29 +202,28 @@ TEST_CASE("Engines draw one view, the last is the reference, and all of it is ke
                                   .out);
     for (const char* figure : {"bias", "rel_rmse", "noise_taken_off", "rel_mse", "p95"}) {
         CAPTURE(figure);
-        CHECK(again["pictures"][0][figure].get<double>() ==
-              doctest::Approx(json["pictures"][0][figure].get<double>()));
+        CHECK(again["images"][0][figure].get<double>() ==
+              doctest::Approx(json["images"][0][figure].get<double>()));
     }
 }
 
-TEST_CASE(
-    "The reference's EXR has halves that make the picture, and depths that make its opacity") {
+TEST_CASE("The reference's EXR has halves that make the image, and depths that make its opacity") {
     const TemporaryFolder folder;
     const auto file = folder / "a.exr";
     REQUIRE(runProgram("render --engine reference --size 16x9 --samples 4 --format float --out" +
                        quoted(file))
                 .status == 0);
-    const ImageF picture = readExr(file);
+    const ImageF image = readExr(file);
     const auto layers =
         readExrLayers(file, {"A.G", "B.G", "variance.G", "transmittance", "depth.first_scatter",
                              "optical_depth.cloud", "optical_depth.ice", "optical_depth.rain",
                              "optical_depth.snow", "optical_depth.graupel", "optical_depth.hail"});
-    for (const auto& layer : layers) REQUIRE(layer.size() == picture.pixels.size());
+    for (const auto& layer : layers) REQUIRE(layer.size() == image.pixels.size());
     int cloudy = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         CAPTURE(i);
         const float mean = 0.5f * (layers[0][i] + layers[1][i]);
-        CHECK(mean == doctest::Approx(picture.pixels[i].g).epsilon(1e-4));
+        CHECK(mean == doctest::Approx(image.pixels[i].g).epsilon(1e-4));
         CHECK(layers[2][i] >= 0.0f);
         float depth = 0.0f;
         for (std::size_t s = 5; s < layers.size(); ++s) depth += layers[s][i];

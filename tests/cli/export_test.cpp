@@ -1,4 +1,4 @@
-// export_test.cpp: `nephoscope render` beyond single pictures: sizes, films, sessions, paths,
+// export_test.cpp: `nephoscope render` beyond single images: sizes, videos, sessions, paths,
 // comparisons, progress and being told to stop. The bundled cumulus, small and coarse.
 #include <doctest/doctest.h>
 #include <signal.h>
@@ -55,7 +55,7 @@ SessionState cumulusSession() {
 
 }  // namespace
 
-TEST_CASE("A picture wider than any texture is written, and its pixels go on over the seam") {
+TEST_CASE("An image wider than any texture is written, and its pixels go on over the seam") {
     const TemporaryFolder folder;
     const Outcome outcome =
         runProgram(kQuick + "--size 20000x2 --out " + quoted(folder / "wide.png"));
@@ -69,7 +69,7 @@ TEST_CASE("A picture wider than any texture is written, and its pixels go on ove
     }
 }
 
-TEST_CASE("A transparent picture is clear where there is no cloud and opaque in its middle") {
+TEST_CASE("A transparent image is clear where there is no cloud and opaque in its middle") {
     const TemporaryFolder folder;
     for (const char* name : {"t.png", "t.exr"}) {
         const Outcome outcome = runProgram(
@@ -90,7 +90,7 @@ TEST_CASE("A transparent picture is clear where there is no cloud and opaque in 
     }
 }
 
-TEST_CASE("Progress is a line of JSON a picture, and pictures of all times are numbered") {
+TEST_CASE("Progress is a line of JSON an image, and images of all times are numbered") {
     const TemporaryFolder folder;
     const Outcome outcome =
         runProgram(kQuick + "--size 16x16 --time 1:2 --progress --out " + quoted(folder / "c.png"));
@@ -109,7 +109,7 @@ TEST_CASE("Progress is a line of JSON a picture, and pictures of all times are n
     CHECK(std::filesystem::exists(folder / "c_0002.png"));
 }
 
-TEST_CASE("A film's frames go to ffmpeg, whole and in order, with even sides") {
+TEST_CASE("A video's frames go to ffmpeg, whole and in order, with even sides") {
     const TemporaryFolder folder;
     makeFfmpeg(folder.path());
     const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));
@@ -125,7 +125,7 @@ TEST_CASE("A film's frames go to ffmpeg, whole and in order, with even sides") {
     CHECK(countFiles(folder.path()) == 2);
 }
 
-TEST_CASE("A film that ffmpeg does not make is an error in its words, and leaves no file") {
+TEST_CASE("A video that ffmpeg does not make is an error in its words, and leaves no file") {
     const TemporaryFolder folder;
     makeFfmpeg(folder.path(), "echo 'Unknown encoder' >&2\nexit 8\n");
     const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));
@@ -135,7 +135,7 @@ TEST_CASE("A film that ffmpeg does not make is an error in its words, and leaves
     CHECK(countFiles(folder.path()) == 1);
 }
 
-TEST_CASE("Without ffmpeg a film says so before any work, and what to do") {
+TEST_CASE("Without ffmpeg a video says so before any work, and what to do") {
     const TemporaryFolder folder;
     std::filesystem::create_symlink("/usr/bin/env", folder / "env");
     const Environment path("PATH", folder.path().string());
@@ -145,7 +145,7 @@ TEST_CASE("Without ffmpeg a film says so before any work, and what to do") {
     CHECK(contains(outcome.err, "--out frames.png"));
 }
 
-TEST_CASE("A session's slots, camera and path are where a picture starts from") {
+TEST_CASE("A session's slots, camera and path are where an image starts from") {
     const TemporaryFolder folder;
     saveSession(folder / "s.json", cumulusSession());
     const std::string start =
@@ -201,7 +201,7 @@ TEST_CASE("A comparison is A on the left, B on the right, and a line between") {
     CHECK(contains(nothing.err, "--preset-b"));
 }
 
-TEST_CASE("An export that is told to stop stops, keeps whole pictures and leaves no half one") {
+TEST_CASE("An export that is told to stop stops, keeps whole images and leaves no half one") {
     const TemporaryFolder folder;
     ChildProcess child(
         NEPH_TEST_PROGRAM,
@@ -218,7 +218,7 @@ TEST_CASE("An export that is told to stop stops, keeps whole pictures and leaves
     }
 }
 
-TEST_CASE("A film that is told to stop, and not only once, leaves no part of it") {
+TEST_CASE("A video that is told to stop, and not only once, leaves no part of it") {
     const TemporaryFolder folder;
     makeFfmpeg(folder.path());
     const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));

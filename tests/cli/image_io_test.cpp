@@ -1,4 +1,4 @@
-// image_io_test.cpp: pictures written, read back and refused.
+// image_io_test.cpp: images written, read back and refused.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -109,8 +109,7 @@ TEST_CASE("A PNG reads back pixel for pixel, with its metadata, ASCII or not") {
     CHECK(countFiles(folder.path()) == 1);
 }
 
-TEST_CASE(
-    "A picture written band by band is the picture, and one whose bands fail leaves no file") {
+TEST_CASE("An image written band by band is the image, and one whose bands fail leaves no file") {
     const TemporaryFolder folder;
     int row = 0;
     const auto next8 = [&] {
@@ -164,7 +163,7 @@ TEST_CASE("A place that cannot be written is an error that names it, and leaves 
     CHECK(countFiles(folder.path()) == 0);
 }
 
-TEST_CASE("Pictures that are cut short or none at all are refused, wherever they are cut") {
+TEST_CASE("Images that are cut short or none at all are refused, wherever they are cut") {
     const TemporaryFolder folder;
     writePng(folder / "a.png", displayImage(), kMetadata);
     writeExr(folder / "a.exr", linearImage(), kMetadata);

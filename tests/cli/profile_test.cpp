@@ -1,4 +1,4 @@
-// profile_test.cpp: what `render --profile` says of a picture, as numbers that must agree.
+// profile_test.cpp: what `render --profile` says of an image, as numbers that must agree.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -45,7 +45,7 @@ double number(const std::string& text) {
 TEST_CASE("A profile of the march: passes within the frame, samples, memory by part") {
     auto lines = profileOf("--engine march --samples 1");
     CHECK(lines["engine"] == "March");
-    CHECK(lines["picture"].starts_with("64 x 48 px"));
+    CHECK(lines["image"].starts_with("64 x 48 px"));
     CHECK(lines["redone"] == "medium > light > eye > resolve");
     double passesMs = 0.0;
     for (const char* pass : {"bake medium", "light", "light to medium", "eye", "resolve"}) {
@@ -63,14 +63,14 @@ TEST_CASE("A profile of the march: passes within the frame, samples, memory by p
     CHECK(number(lines["terminated"]) <= rays);
     const double memory = number(lines["GPU memory"]);
     double parts = 0.0;
-    for (const char* part : {"species", "medium", "light", "noise", "pictures"}) {
+    for (const char* part : {"species", "medium", "light", "noise", "images"}) {
         parts += number(lines[part]);
     }
     CHECK(memory > 0.0);
     CHECK(parts == doctest::Approx(memory).epsilon(0.3 / memory));  // each rounded to 0.1 MiB
 }
 
-TEST_CASE("Samples of a picture are profiled as one") {
+TEST_CASE("Samples of an image are profiled as one") {
     auto one = profileOf("--engine march --samples 1"),
          four = profileOf("--engine march --samples 4");
     CHECK(number(four["rays"]) == doctest::Approx(4.0 * number(one["rays"])).epsilon(0.01));
@@ -80,7 +80,7 @@ TEST_CASE("Samples of a picture are profiled as one") {
 TEST_CASE("A profile of slicing has its passes and no counts, which it does not keep") {
     auto lines = profileOf("--engine slicing --planes 32");
     CHECK(lines["engine"] == "Half-angle slicing");
-    CHECK(lines["picture"].find("32 planes") != std::string::npos);
+    CHECK(lines["image"].find("32 planes") != std::string::npos);
     for (const char* pass : {"bake medium", "light", "eye", "background", "resolve"}) {
         CHECK(lines.count(pass) == 1);
     }

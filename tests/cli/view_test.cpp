@@ -1,4 +1,4 @@
-// view_test.cpp: pictures from a side and from a place, told on the command line.
+// view_test.cpp: images from a side and from a place, told on the command line.
 #include <doctest/doctest.h>
 
 #include "app/image_io/png.h"
@@ -24,7 +24,7 @@ std::string cameraOf(const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("A picture is taken from a side, or from a place, as the command line says") {
+TEST_CASE("An image is taken from a side, or from a place, as the command line says") {
     CHECK(contains(cameraOf("--view plan"), "azimuth 180 elevation 89.9 fov"));
     CHECK(contains(cameraOf("--observer 2,1,2,45,10,50"), "azimuth 225 elevation -10 fov 50"));
 }

@@ -84,6 +84,6 @@ TEST_CASE("Display values get gain, tone mapping and encoding, and negative ligh
     CHECK(linear.r == Approx(0.735357).epsilon(1e-5));
     CHECK(linear.g == 0.0f);
     CHECK(linear.b == Approx(1.0).epsilon(1e-6));
-    const glm::vec3 film = glsl::displayValue(glm::vec3(0.5f), 2.0f, 1);
-    CHECK(film.r == Approx(glsl::srgbEncode(2.54f / 3.16f)).epsilon(1e-5));
+    const glm::vec3 video = glsl::displayValue(glm::vec3(0.5f), 2.0f, 1);
+    CHECK(video.r == Approx(glsl::srgbEncode(2.54f / 3.16f)).epsilon(1e-5));
 }

@@ -1,7 +1,7 @@
-// golden_test.cpp: every bundled preset on the bundled storm, held to a picture that was looked at.
+// golden_test.cpp: every bundled preset on the bundled storm, held to an image that was looked at.
 //
-// With NEPHOSCOPE_UPDATE_GOLDEN set the pictures are written anew: look at them before they are
-// committed. A picture that differs is kept beside the test program as <preset>-candidate.png.
+// With NEPHOSCOPE_UPDATE_GOLDEN set the images are written again: look at them before they are
+// committed. An image that differs is kept beside the test program as <preset>-candidate.png.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         CAPTURE(name);
         const LoadedPreset loaded = loadPreset(entry.path());
         CHECK(loaded.warnings.empty());
-        // Its paths are drawn by chance: few of them are no picture, and rounding that differs from
+        // Its paths are drawn by chance: few of them are no image, and rounding that differs from
         // machine to machine makes others of them. tests/gpu/reference/reference_test.cpp is about
         // it.
         if (loaded.preset.look.engine == Engine::reference) continue;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/look/engines.h"
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 
 using namespace neph;

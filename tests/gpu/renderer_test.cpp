@@ -1,4 +1,4 @@
-// renderer_test.cpp: what a change redoes, that it leaves the picture that a fresh renderer gives,
+// renderer_test.cpp: what a change redoes, that it leaves the image that a fresh renderer gives,
 // and what is held for it.
 #include "app/render/renderer.h"
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/gl/objects.h"
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 
 using namespace neph;
@@ -17,7 +17,7 @@ using namespace neph::test;
 
 namespace {
 
-constexpr glm::ivec2 kSizePx{30, 40};  // two bands of rows, between which a picture may give way
+constexpr glm::ivec2 kSizePx{30, 40};  // two bands of rows, between which an image may yield
 
 /// Everything on, at steps that show detail finer than a voxel.
 render::FrameInputs marchFrame(const SpeciesVolume& volume) {
@@ -31,7 +31,7 @@ struct Redone {
     bool medium, light, eye;
 };
 
-/// Renders, checks what that redid and that the picture is that of a renderer without a past.
+/// Renders, checks what that redid and that the image is that of a renderer without a past.
 void checkRedone(const SpeciesVolume& volume, const render::FrameInputs& inputs,
                  const Redone& expected) {
     const render::FrameStats stats = renderer().render(inputs);
@@ -44,7 +44,7 @@ void checkRedone(const SpeciesVolume& volume, const render::FrameInputs& inputs,
 
 constexpr Redone kResolve{Stage::resolve, false, false, false};
 constexpr Redone kEye{Stage::eye, false, false, true};
-// Steps say what detail the medium holds: where that changes, it is baked anew.
+// Steps say what detail the medium holds: where that changes, it is baked again.
 constexpr Redone kLight{Stage::light, false, true, true};
 constexpr Redone kEyeAndDetail{Stage::eye, true, false, true};
 constexpr Redone kLightAndDetail{Stage::light, true, true, true};
@@ -60,8 +60,7 @@ std::vector<std::uint8_t> shown(glm::ivec2 sizePx) {
 
 }  // namespace
 
-TEST_CASE(
-    "A change redoes in the march what its stage says, and the picture is as if it were new") {
+TEST_CASE("A change redoes in the march what its stage says, and the image is as if it were new") {
     const SpeciesVolume volume = blobs();
     renderer().setVolume(volume);
     auto inputs = marchFrame(volume);
@@ -104,7 +103,7 @@ TEST_CASE("A setting of the other engine redoes nothing but the copy") {
     CHECK(worstDifference(renderer().readLinear(), before) == 0.0f);
 }
 
-TEST_CASE("Switching engines back and forth gives the pictures of fresh renderers") {
+TEST_CASE("Switching engines back and forth gives the images of fresh renderers") {
     const SpeciesVolume volume = blobs();
     auto marched = marchFrame(volume), sliced = marched;
     sliced.look.engine = Engine::slicing;
@@ -132,7 +131,7 @@ TEST_CASE("Another volume leaves nothing of the one before, larger or smaller") 
     }
 }
 
-TEST_CASE("Draft light is redone in full for the next picture without, wherever the camera is") {
+TEST_CASE("Draft light is redone in full for the next image without, wherever the camera is") {
     const SpeciesVolume volume = blobs();
     renderer().setVolume(volume);
     auto inputs = marchFrame(volume);
@@ -147,7 +146,7 @@ TEST_CASE("Draft light is redone in full for the next picture without, wherever 
     CHECK(worstDifference(renderer().readLinear(), renderAfresh(volume, inputs)) == 0.0f);
 }
 
-TEST_CASE("A picture of the march that is cancelled leaves the last one, and the next is right") {
+TEST_CASE("An image of the march that is cancelled leaves the last one, and the next is right") {
     const SpeciesVolume volume = blobs();
     auto inputs = marchFrame(volume);
     const ImageF whole = renderOn(volume, inputs);
@@ -171,7 +170,7 @@ TEST_CASE("A picture of the march that is cancelled leaves the last one, and the
     }
 }
 
-TEST_CASE("Five species with detail take at most sixteen bytes a voxel on the GPU") {
+TEST_CASE("Five species with detail take at most sixteen bytes per voxel on the GPU") {
     SpeciesVolume volume = uniformVolume({128, 128, 64}, 500.0, 1e-6f);
     for (std::size_t s = 1; s < 5; ++s) volume.contentKgPerM3[s] = volume.contentKgPerM3[0];
     auto inputs = frame(volume, lookOf(kModes[3]), views()[0].pose, {8, 6}, 0);

@@ -9,20 +9,20 @@ namespace {
 
 constexpr glm::ivec2 kWindowPx{1280, 720};
 
-/// A machine whose pictures cost a part that shrinks with the work and one that does not, and whose
+/// A machine whose images cost a part that shrinks with the work and one that does not, and whose
 /// panels cost something too.
 struct Machine {
     double fullMs, fixedMs, panelsMs = 8.0;
-    double pictureMs(const ui::Draft& draft) const {
+    double imageMs(const ui::Draft& draft) const {
         return fixedMs + fullMs * draft.detail * draft.sizePx.x * draft.sizePx.y / (1280.0 * 720.0);
     }
 };
 
-/// The picture that a long drag ends up with.
+/// The image that a long drag ends up with.
 ui::Draft drag(ui::QualityControl& quality, const Machine& machine) {
     for (int i = 0; i < 30; ++i) {
         const ui::Draft draft = quality.draft(0.0, kWindowPx);
-        quality.measured(draft, machine.pictureMs(draft), kWindowPx);
+        quality.measured(draft, machine.imageMs(draft), kWindowPx);
         quality.measuredPanels(machine.panelsMs);
     }
     return quality.draft(0.0, kWindowPx);
@@ -30,16 +30,16 @@ ui::Draft drag(ui::QualityControl& quality, const Machine& machine) {
 
 }  // namespace
 
-TEST_CASE("In motion there come to be 30 frames a second, panels and window included") {
+TEST_CASE("In motion there come to be 30 frames per second, panels and window included") {
     for (const Machine machine : {Machine{20.0, 1.0, 2.0}, Machine{500.0, 2.0, 5.0},
                                   Machine{700.0, 5.0, 15.0}, Machine{2000.0, 8.0, 8.0}}) {
         CAPTURE(machine.fullMs);
         ui::QualityControl quality;
-        CHECK(machine.pictureMs(drag(quality, machine)) + machine.panelsMs <= 1000.0 / 30.0);
+        CHECK(machine.imageMs(drag(quality, machine)) + machine.panelsMs <= 1000.0 / 30.0);
     }
 }
 
-TEST_CASE("The time that panels leave is used: cheaper panels, a finer picture") {
+TEST_CASE("The time that panels leave is used: cheaper panels, a finer image") {
     ui::QualityControl slow, quick;
     const ui::Draft beside = drag(slow, {700.0, 2.0, 22.0});
     const ui::Draft alone = drag(quick, {700.0, 2.0, 1.0});
@@ -55,27 +55,27 @@ TEST_CASE(
     for (int i = 0; i < 200; ++i) {
         const ui::Draft draft = quality.draft(0.0, kWindowPx);
         CHECK(draft == settled);
-        // Every seventh picture takes four times as long, the others vary by a twentieth.
+        // Every seventh image takes four times as long, the others vary by a twentieth.
         const double late = i % 7 == 0 ? 4.0 : i % 2 == 0 ? 0.95 : 1.05;
-        quality.measured(draft, late * machine.pictureMs(draft), kWindowPx);
+        quality.measured(draft, late * machine.imageMs(draft), kWindowPx);
         quality.measuredPanels(machine.panelsMs);
     }
 }
 
-TEST_CASE("A machine that becomes slower while the hand moves is followed within half a second") {
+TEST_CASE("A machine that becomes slower while the mouse moves is followed within half a second") {
     ui::QualityControl quality;
     drag(quality, {200.0, 2.0});
     const Machine slower{1200.0, 2.0};
     double spentMs = 0.0;
-    while (slower.pictureMs(quality.draft(0.0, kWindowPx)) + slower.panelsMs > 1000.0 / 30.0) {
+    while (slower.imageMs(quality.draft(0.0, kWindowPx)) + slower.panelsMs > 1000.0 / 30.0) {
         const ui::Draft draft = quality.draft(0.0, kWindowPx);
-        quality.measured(draft, slower.pictureMs(draft), kWindowPx);
-        spentMs += slower.pictureMs(draft) + slower.panelsMs;
+        quality.measured(draft, slower.imageMs(draft), kWindowPx);
+        spentMs += slower.imageMs(draft) + slower.panelsMs;
         REQUIRE(spentMs < 500.0);
     }
 }
 
-TEST_CASE("Pictures in motion have no side that is a power of two") {
+TEST_CASE("Images in motion have no side that is a power of two") {
     for (const double fullMs : {100.0, 300.0, 900.0, 2700.0, 8100.0}) {
         CAPTURE(fullMs);
         ui::QualityControl quality;
@@ -90,25 +90,25 @@ TEST_CASE("A fast machine draws in full all the time") {
     CHECK(drag(quality, {15.0, 1.0}) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
 }
 
-TEST_CASE("A machine that draws the full picture within 0.8 s shows it within one second") {
+TEST_CASE("A machine that draws the full image within 0.8 s shows it within one second") {
     ui::QualityControl quality;
     drag(quality, {700.0, 1.0});
     CHECK(quality.draft(0.0, kWindowPx).step == 0);
     CHECK(quality.draft(0.1, kWindowPx) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
 }
 
-TEST_CASE("What small pictures cost beside their work is learned from the first full one") {
+TEST_CASE("What small images cost beside their work is learned from the first full one") {
     ui::QualityControl quality;
     const Machine machine{600.0, 8.0};
     drag(quality, machine);
     CHECK(quality.draft(0.1, kWindowPx).step == 1);
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
-    quality.measured(full, machine.pictureMs(full), kWindowPx);
+    quality.measured(full, machine.imageMs(full), kWindowPx);
     drag(quality, machine);
     CHECK(quality.draft(0.1, kWindowPx) == full);
 }
 
-TEST_CASE("On a slow machine the picture gets finer at rest and ends in full") {
+TEST_CASE("On a slow machine the image gets finer at rest and ends in full") {
     ui::QualityControl quality;
     drag(quality, {6000.0, 2.0});
     int step = -1, pixels = 0;
@@ -123,12 +123,12 @@ TEST_CASE("On a slow machine the picture gets finer at rest and ends in full") {
     CHECK(pixels == kWindowPx.x);
 }
 
-TEST_CASE("A picture that takes long is not begun after a short rest") {
+TEST_CASE("An image that takes long is not begun after a short rest") {
     ui::QualityControl quality;
     const Machine machine{6000.0, 10.0};
     drag(quality, machine);
-    CHECK(machine.pictureMs(quality.draft(0.3, kWindowPx)) < 500.0);
-    CHECK(machine.pictureMs(quality.draft(1.1, kWindowPx)) < 2000.0);
+    CHECK(machine.imageMs(quality.draft(0.3, kWindowPx)) < 500.0);
+    CHECK(machine.imageMs(quality.draft(1.1, kWindowPx)) < 2000.0);
 }
 
 TEST_CASE("Drafts stay within the window and the planes, whatever their size") {
@@ -155,23 +155,23 @@ TEST_CASE("Where steps are not to be thinned any further, pixels are") {
     const ui::Draft finer = quality.draft(0.0, kWindowPx, 0.5);
     CHECK(finer.detail == 0.5);
     CHECK(finer.sizePx.x < even.sizePx.x);
-    CHECK(machine.pictureMs(finer) + machine.panelsMs <= 1000.0 / 30.0);
+    CHECK(machine.imageMs(finer) + machine.panelsMs <= 1000.0 / 30.0);
 }
 
-TEST_CASE("A full picture at rest is averaged with others until there are sixteen") {
+TEST_CASE("A full image at rest is averaged with others until there are sixteen") {
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
     std::optional<ui::Draft> shown;
-    int pictures = 0;
+    int images = 0;
     while (const auto next = ui::nextDraft(shown, full, true)) {
-        CHECK(next->sample == pictures);
+        CHECK(next->sample == images);
         CHECK(next->sizePx == kWindowPx);
         shown = next;
-        REQUIRE(++pictures <= 16);
+        REQUIRE(++images <= 16);
     }
-    CHECK(pictures == 16);
+    CHECK(images == 16);
 }
 
-TEST_CASE("Nothing replaces a picture at rest but a finer one") {
+TEST_CASE("Nothing replaces an image at rest but a finer one") {
     const ui::Draft moving{{320, 180}, 0.25, 0}, finer{{640, 360}, 0.5, 1};
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
     CHECK(ui::nextDraft({}, moving, true) == moving);
@@ -190,12 +190,12 @@ TEST_CASE("Paths at rest: four times the pixels each, then one a pixel after the
     };
     std::optional<ui::Draft> shown = at({}, 0.0);
     CHECK(shown == moving);
-    CHECK_FALSE(at(shown, 0.0));  // a hand is on it
+    CHECK_FALSE(at(shown, 0.0));  // the user holds it
     for (const glm::ivec2 size : {glm::ivec2(162, 90), {324, 180}}) {
         shown = at(shown, 0.1);
         CHECK(shown == ui::Draft{size, 1.0, 1});
     }
-    // Of 648 x 360 the full picture is hardly four times as much.
+    // Of 648 x 360 the full image is hardly four times as much.
     for (int sample = 0; sample < 3; ++sample) {
         shown = at(shown, 0.1);
         CHECK(shown == ui::Draft{kWindowPx, 1.0, ui::kFullStep, sample});
@@ -203,14 +203,14 @@ TEST_CASE("Paths at rest: four times the pixels each, then one a pixel after the
     CHECK_FALSE(at(shown, 60.0, false));  // its error is small enough
 }
 
-TEST_CASE("Where a picture of paths is quick there is no smaller one before it") {
+TEST_CASE("Where an image of paths is quick there is no smaller one before it") {
     const ui::Draft moving{{324, 180}, 1.0, 0};
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};
     CHECK(ui::nextTraced(moving, moving, kWindowPx, 0.1, 500.0, true) == full);
     CHECK(ui::nextTraced({}, full, kWindowPx, 0.0, 20.0, true) == full);
 }
 
-TEST_CASE("In motion the first picture of paths is as small as any, however slow they are") {
+TEST_CASE("In motion the first image of paths is as small as any, however slow they are") {
     for (const double fullMs : {1e2, 1e4, 1e6}) {
         CAPTURE(fullMs);
         ui::QualityControl quality(ui::kLeastShare);
@@ -221,7 +221,7 @@ TEST_CASE("In motion the first picture of paths is as small as any, however slow
         const Machine machine{fullMs, 1.0};
         for (int i = 0; i < 40; ++i) {
             const ui::Draft draft = quality.draft(0.0, kWindowPx, leastDetail);
-            quality.measured(draft, machine.pictureMs(draft), kWindowPx);
+            quality.measured(draft, machine.imageMs(draft), kWindowPx);
         }
         const ui::Draft settled = quality.draft(0.0, kWindowPx, leastDetail);
         if (fullMs > 1e3) {

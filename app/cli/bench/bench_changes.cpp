@@ -1,6 +1,6 @@
-// bench_changes.cpp: from a change to a first picture, drawn as in motion, and to the full one.
+// bench_changes.cpp: from a change to a first image, drawn as in motion, and to the full one.
 //
-// Before each change the full picture is there and nothing is left to be done. A time is one that
+// Before each change the full image is there and nothing is left to be done. A time is one that
 // has been read already. Kinds of change take turns.
 #include <fmt/format.h>
 
@@ -102,7 +102,7 @@ Json measureChanges(const Run& run) {
         for (Kind& kind : kinds) screen.take(kind, round >= 0);
     }
     const render::FrameInputs draft = screen.draft();
-    fmt::print(stderr, "\nchanges: first picture {} of {} steps, full {}, {} cells, {}\n",
+    fmt::print(stderr, "\nchanges: first image {} of {} steps, full {}, {} cells, {}\n",
                textOf(draft.sizePx), draft.planes, textOf(screen.full().sizePx),
                textOf(screen.grid().size), traitsOf(screen.full().look.engine).id);
     fmt::print(stderr, "{:<14} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8}\n", "change", "first ms",

@@ -1,4 +1,4 @@
-// bench_command.cpp: opening data up to the first picture, then the sections asked for.
+// bench_command.cpp: opening data up to the first image, then the sections asked for.
 #include "app/cli/bench/bench_command.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ using bench::Json;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kBenchTime = 1;  // of the bundled storm: 01:00, the storm begins to split
-constexpr glm::ivec2 kFirstPicturePx{300};
+constexpr glm::ivec2 kFirstImagePx{300};
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -90,13 +90,13 @@ std::optional<SpeciesVolume> readOtherTime(const Opened& opened) {
     return resample(*opened.dataset, other, {opened.plan});
 }
 
-Json summaryOf(const Opened& opened, double firstPictureMs, std::uint64_t gpuBytes) {
+Json summaryOf(const Opened& opened, double firstImageMs, std::uint64_t gpuBytes) {
     const ReadPlan& plan = opened.plan;
     const glm::ivec3 size = opened.volume.grid.size;
     return {{"open_ms", opened.openMs},
             {"plan_ms", opened.planMs},
             {"resample_ms", opened.resampleMs},
-            {"first_picture_ms", firstPictureMs},
+            {"first_image_ms", firstImageMs},
             {"times", opened.dataset->info().times.size()},
             {"time", opened.volume.timeLabel},
             {"grid", bench::toJson(size)},
@@ -116,13 +116,13 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, const
     renderer.setVolume(opened.volume);
     render::FrameInputs inputs;
     inputs.look = scene.document.look;
-    inputs.sizePx = kFirstPicturePx;
+    inputs.sizePx = kFirstImagePx;
     inputs.camera = placeCamera(scene.document.camera, opened.volume.grid, 1.0);
     renderer.render(inputs);
     Json summary = summaryOf(opened, millisecondsSince(start), renderer.gpuBytes());
-    fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first picture after {:.0f} ms\n",
+    fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first image after {:.0f} ms\n",
                renderer.deviceName(), opened.openMs, opened.resampleMs,
-               summary["first_picture_ms"].get<double>());
+               summary["first_image_ms"].get<double>());
     fmt::print(stderr, "fields {:.1f} MiB, on the GPU {:.1f} MiB, peak resident {:.1f} MiB\n",
                mebibytes(opened.plan.machineBytes), mebibytes(renderer.gpuBytes()),
                mebibytes(processBytes("VmHWM")));

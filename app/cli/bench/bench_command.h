@@ -1,5 +1,5 @@
 // bench_command.h: `nephoscope bench`: what it takes to open data, to draw the modes of [Riley03]
-// table 4, to follow a change, to grow, and to follow the hand.
+// table 4, to follow a change, to grow, and to follow the mouse.
 #pragma once
 #include "app/cli/bench/bench_request.h"
 

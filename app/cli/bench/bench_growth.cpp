@@ -20,7 +20,7 @@ int longestOf(glm::ivec3 size) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// Of a picture with noise, which holds all that any mode needs. Pictures and the noise itself do
+/// Of an image with noise, which holds all that any mode needs. Images and the noise itself do
 /// not grow with the grid.
 Json memoryOf(const Run& run, const OrbitPlan& plan, render::Renderer& renderer, Engine engine) {
     render::FrameInputs inputs = run.inputs(plan.grid, plan.sizePx, 0.0);
@@ -31,7 +31,7 @@ Json memoryOf(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
     std::size_t growing = 0;
     for (const render::MemoryUse& part : renderer.memory()) {
         parts[std::string(part.name)] = part.bytes;
-        if (part.name != "pictures" && part.name != "noise") growing += part.bytes;
+        if (part.name != "images" && part.name != "noise") growing += part.bytes;
     }
     const auto voxels = static_cast<double>(plan.grid.cellCount());
     return {{"gpu_bytes", parts}, {"gpu_bytes_per_voxel", static_cast<double>(growing) / voxels}};
@@ -80,7 +80,7 @@ RegularGrid measureGrid(const Run& run, const GridRequest& request, int steps, J
 }  // namespace
 
 Json measureGrowth(const Run& run) {
-    fmt::print(stderr, "\ngrowth: as many steps a voxel on every grid\n");
+    fmt::print(stderr, "\ngrowth: as many steps per voxel on every grid\n");
     fmt::print(stderr, "{:<16} {:<28} {:>6} {:>8} {:>8} {:>6} {:>8} {:>8}\n", "cells", "mode",
                "steps", "median", "eye ms", "ratio", "floor", "B/voxel");
     Json rows = Json::array();
@@ -92,7 +92,7 @@ Json measureGrowth(const Run& run) {
         measureGrid(run, {0, size}, steps, rows);
     }
     return {{"floor", kFloorText},
-            {"bytes_per_voxel", "species, medium and light; pictures and noise do not grow"},
+            {"bytes_per_voxel", "species, medium and light; images and noise do not grow"},
             {"rows", rows}};
 }
 

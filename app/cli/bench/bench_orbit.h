@@ -11,10 +11,11 @@
 namespace neph::bench {
 
 inline constexpr std::string_view kFloorText =
-    "wall time of the rays and samples of the profiled picture with one trilinear RGBA16 fetch "
+    "wall time of the rays and samples of the profiled image with one trilinear RGBA16 fetch "
     "each";
 inline constexpr std::string_view kBandwidthText =
-    "samples x bytes a sample / time of the eye pass, caches not considered; bytes a sample: march "
+    "samples x bytes per sample / time of the eye pass, caches not considered; bytes per sample: "
+    "march "
     "8 texels x 4 B (RG16F) + a quarter of 8 texels x 4 B for each texture of the mixture + 4 B of "
     "noise; slicing 8 texels x (16 B for each texture of the medium + 4 B for each kind of noise) "
     "+ 4 texels x 4 B of light; floor 8 texels x 8 B";

@@ -1,4 +1,4 @@
-// bench_reference.cpp: paths, places and scatterings a second of the reference, and how long an
+// bench_reference.cpp: paths, places and scatterings per second of the reference, and how long an
 // error would take.
 //
 // The first pass, which compiles shaders and prepares the medium, is left out of the rates.
@@ -54,8 +54,8 @@ Json measureReference(const Run& run) {
                "paths/s", "Mcollisions/s", "scatt./path", "error %", "s to 2 %");
     Json rows = Json::array();
     for (const glm::ivec2 size : run.sizesOr(kSizePx)) rows.push_back(measureSize(run, size));
-    return {{"collisions", "places where there may have been a particle, by the bound"},
-            {"relative_error", "root mean variance of the pixels' means over the picture's mean"},
+    return {{"collisions", "collisions, real and null, by the bound"},
+            {"relative_error", "root mean variance of the pixels' means over the image's mean"},
             {"rows", rows}};
 }
 

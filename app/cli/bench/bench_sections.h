@@ -10,7 +10,7 @@ namespace neph::bench {
 /// size, beside the floor and the paper's figures.
 Json measureModes(const Run& run);
 
-/// From a changed mixing scale, sun or time to a first and to the full picture.
+/// From a changed mixing scale, sun or time to a first and to the full image.
 Json measureChanges(const Run& run);
 
 /// The eye pass and the memory on grids that double in each direction.
@@ -19,7 +19,7 @@ Json measureGrowth(const Run& run);
 /// An orbit as the workbench draws it, its quality adapting, without its panels.
 Json measureWindow(const Run& run);
 
-/// Paths, collisions and scatterings a second of the reference, and the time to an error.
+/// Paths, collisions and scatterings per second of the reference, and the time to an error.
 Json measureReference(const Run& run);
 
 }  // namespace neph::bench

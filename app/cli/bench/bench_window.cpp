@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr glm::ivec2 kWindowPx{1280, 720};  // of the workbench
 constexpr int kWarmUpFrames = 20, kOrbitFrames = 60;
-constexpr double kTurnDeg = 2.0;                       // a frame, as a hand does
+constexpr double kTurnDeg = 2.0;                       // a frame, as a user does
 constexpr auto kWait = std::chrono::milliseconds(50);  // between looks at rest, as the workbench
 constexpr double kLongestRestS = 60.0;                 // a machine this slow is given up
 
@@ -73,7 +73,7 @@ class Window {
     int steps_ = 0;
 };
 
-/// From the last frame in motion to the full picture; null where it does not come.
+/// From the last frame in motion to the full image; null where it does not come.
 Json restMilliseconds(Window& window, double turnDeg) {
     const auto start = Clock::now();
     while (secondsSince(start) < kLongestRestS) {

@@ -1,9 +1,9 @@
-// progress_lines.h: how far an export is, told to another program: one JSON object a line on
+// progress_lines.h: how far an export is, told to another program: one JSON object per line on
 // stdout.
 //
-// {"done": 3, "of": 40, "seconds": 12.5, "file": "storm_0002.png"} after each picture, and within
+// {"done": 3, "of": 40, "seconds": 12.5, "file": "storm_0002.png"} after each image, and within
 // long ones, at most twice a second, the same without the file and with "part", the share of the
-// next picture that is there.
+// next image that is there.
 #pragma once
 #include <chrono>
 #include <cstddef>

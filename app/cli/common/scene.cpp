@@ -20,7 +20,7 @@ namespace neph {
 namespace {
 
 constexpr double kMPerKm = 1000.0;
-// Of the GPU memory that is free; pictures, tables and other programs need some too. Tuned by eye.
+// Of the GPU memory that is free; images, tables and other programs need some too. Tuned by eye.
 constexpr double kDeviceShare = 0.75;
 
 std::optional<int> parseInteger(std::string_view text) {

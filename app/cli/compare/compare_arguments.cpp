@@ -40,7 +40,7 @@ std::vector<CLI::Option*> addDrawing(CLI::App& command, CompareRequest& request)
     addViewOptions(command, render.from);
     addSizeOption(command, render.sizePx, "In pixels");
     addSampleOptions(command, render, "Samples per pixel, reference: else as --error");
-    command.add_option("--out,-o", request.out, "Keep what engines draw, and pictures of errors")
+    command.add_option("--out,-o", request.out, "Keep what engines draw, and images of errors")
         ->type_name("FOLDER");
     std::vector<CLI::Option*> drawing;
     for (CLI::Option* option : command.get_options()) {
@@ -64,7 +64,7 @@ void addFigures(CLI::App& command, CompareRequest& request) {
     const auto png = [](const char* option) {
         return [option](const std::string& text) { return parsePng(option, text); };
     };
-    addParsed(command, "--error-picture", request.errorPicture, png("--error-picture"),
+    addParsed(command, "--error-image", request.errorImage, png("--error-image"),
               "Relative errors of two images as colours")
         ->type_name("FILE.png");
     command.add_flag("--signed", request.bothSigns, "What is too bright or too dark, in those");
@@ -73,7 +73,7 @@ void addFigures(CLI::App& command, CompareRequest& request) {
     };
     addParsed(command, "--error-to", request.errorTo, share, "End of their scale; else what fits")
         ->type_name("PERCENT");
-    addParsed(command, "--flip-picture", request.flipPicture, png("--flip-picture"),
+    addParsed(command, "--flip-image", request.flipImage, png("--flip-image"),
               "FLIP of two images as colours")
         ->type_name("FILE.png");
     const auto exposure = [](const std::string& text) {
@@ -87,7 +87,7 @@ void addFigures(CLI::App& command, CompareRequest& request) {
 void checkFiles(const CLI::App& command, const CompareRequest& request,
                 const std::vector<CLI::Option*>& drawing) {
     refuseTyped(command, {"--out"}, "is for the images that engines draw",
-                "--error-picture FILE.png, --flip-picture FILE.png");
+                "--error-image FILE.png, --flip-image FILE.png");
     for (const CLI::Option* option : drawing) {
         if (option->count() == 0) continue;
         throw UsageError({.where = option->get_name(),
@@ -95,25 +95,25 @@ void checkFiles(const CLI::App& command, const CompareRequest& request,
                           .hint = "leave it out, or --engine march,reference FILE..."});
     }
     if (request.render.scene.files.size() != 2) {
-        throw UsageError({.what = "compare needs two pictures, the second is the reference",
+        throw UsageError({.what = "compare needs two images, the second is the reference",
                           .found = fmt::format("{}", request.render.scene.files.size()),
                           .expected = "nephoscope compare A.exr B.exr",
                           .hint = "or engines: --engine march,reference"});
     }
-    if (request.errorPicture.empty()) {
-        refuseTyped(command, {"--signed", "--error-to"}, "there is no picture of errors",
-                    "--error-picture FILE.png");
+    if (request.errorImage.empty()) {
+        refuseTyped(command, {"--signed", "--error-to"}, "there is no image of errors",
+                    "--error-image FILE.png");
     }
-    for (const auto& file : {request.errorPicture, request.flipPicture}) {
+    for (const auto& file : {request.errorImage, request.flipImage}) {
         if (!file.empty()) checkReplaceable(file);
     }
 }
 
 void checkEngines(const CLI::App& command, const CompareRequest& request) {
-    refuseTyped(command, {"--error-picture", "--flip-picture"}, "is for two images",
+    refuseTyped(command, {"--error-image", "--flip-image"}, "is for two images",
                 "--out FOLDER keeps those of all engines");
     if (request.out.empty()) {
-        refuseTyped(command, {"--signed", "--error-to"}, "there is no picture of errors",
+        refuseTyped(command, {"--signed", "--error-to"}, "there is no image of errors",
                     "--out FOLDER");
     }
     const SceneRequest& scene = request.render.scene;

@@ -23,108 +23,107 @@ std::string textOf(const Metadata& metadata, std::string_view key) {
     return {};
 }
 
-ComparedPicture readExrPicture(const std::string& file, Metadata& metadata) {
-    ComparedPicture read;
-    read.picture = readExr(file, &metadata);
-    read.halves = halvesFrom(readExrLayers(file, halfChannels()), read.picture.size);
+ComparedImage readExrImage(const std::string& file, Metadata& metadata) {
+    ComparedImage read;
+    read.image = readExr(file, &metadata);
+    read.halves = halvesFrom(readExrLayers(file, halfChannels()), read.image.size);
     return read;
 }
 
-ComparedPicture readPngPicture(const std::string& file, Metadata& metadata) {
-    ComparedPicture read;
+ComparedImage readPngImage(const std::string& file, Metadata& metadata) {
+    ComparedImage read;
     read.display = true;
     metadata = readPngMetadata(file);
     const Image8 image = readPng(file);
-    read.picture.size = image.size;
+    read.image.size = image.size;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         const glm::vec3 srgb =
             glm::vec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]) / 255.0f;
         const float alpha = static_cast<float>(image.rgba[i + 3]) / 255.0f;
-        read.picture.pixels.emplace_back(alpha * linearFromSrgb(srgb), alpha);
+        read.image.pixels.emplace_back(alpha * linearFromSrgb(srgb), alpha);
     }
     return read;
 }
 
-ComparedPicture readPicture(const std::string& file, Metadata& metadata) {
+ComparedImage readImage(const std::string& file, Metadata& metadata) {
     const std::string extension = std::filesystem::path(file).extension().string();
     if (extension != ".exr" && extension != ".png") {
-        throw UsageError({file, "is no picture that can be compared",
+        throw UsageError({file, "is no image that can be compared",
                           extension.empty() ? "no extension" : extension, ".exr or .png",
                           "nephoscope compare --engine march,reference FILE... compares engines"});
     }
-    ComparedPicture read =
-        extension == ".exr" ? readExrPicture(file, metadata) : readPngPicture(file, metadata);
+    ComparedImage read =
+        extension == ".exr" ? readExrImage(file, metadata) : readPngImage(file, metadata);
     read.name = file;
     read.made = textOf(metadata, "nephoscope.renderer");
     return read;
 }
 
-/// Pictures of different views differ for another reason than their engines.
+/// Images of different views differ for another reason than their engines.
 void warnOfDifferences(const Metadata& a, const Metadata& b) {
     for (const char* key : {"camera", "data"}) {
         const std::string one = textOf(a, fmt::format("nephoscope.{}", key));
         const std::string other = textOf(b, fmt::format("nephoscope.{}", key));
         if (one.empty() || other.empty() || one == other) continue;
-        fmt::print(stderr, "warning: the pictures differ in their {}: {}; {}\n", key, one, other);
+        fmt::print(stderr, "warning: the images differ in their {}: {}; {}\n", key, one, other);
     }
 }
 
-void keepPicture(const std::filesystem::path& file, const Image8& picture) {
+void keepImage(const std::filesystem::path& file, const Image8& image) {
     if (file.empty()) return;
-    writePng(file, picture, {});
+    writePng(file, image, {});
     fmt::print(stderr, "wrote {}\n", file.string());
 }
 
 /// Figures of all but the last, which is the reference.
 std::vector<Comparison> compareAll(const CompareRequest& request,
-                                   const std::vector<ComparedPicture>& pictures) {
+                                   const std::vector<ComparedImage>& images) {
     std::vector<Comparison> comparisons;
-    for (std::size_t i = 0; i + 1 < pictures.size(); ++i) {
-        comparisons.push_back(compare(pictures[i], pictures.back(), request.exposureEv));
+    for (std::size_t i = 0; i + 1 < images.size(); ++i) {
+        comparisons.push_back(compare(images[i], images.back(), request.exposureEv));
     }
     return comparisons;
 }
 
-void tell(const CompareRequest& request, std::vector<ComparedPicture> pictures,
+void tell(const CompareRequest& request, std::vector<ComparedImage> images,
           const std::vector<Comparison>& comparisons) {
-    const ComparedPicture reference = std::move(pictures.back());
-    pictures.pop_back();
+    const ComparedImage reference = std::move(images.back());
+    images.pop_back();
     const auto told = request.json ? comparisonJson : comparisonText;
-    fmt::print("{}", told(pictures, comparisons, reference));
+    fmt::print("{}", told(images, comparisons, reference));
 }
 
 void compareFiles(const CompareRequest& request) {
     std::vector<Metadata> texts(2);
-    std::vector<ComparedPicture> pictures;
+    std::vector<ComparedImage> images;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        pictures.push_back(readPicture(request.render.scene.files[i], texts[i]));
+        images.push_back(readImage(request.render.scene.files[i], texts[i]));
     }
-    if (request.exposureEv && pictures[0].display) {
+    if (request.exposureEv && images[0].display) {
         throw UsageError({.where = "--exposure",
                           .what = "is of HDR-FLIP, and these are images of a screen",
                           .hint = "leave it out, or compare EXR files"});
     }
     warnOfDifferences(texts[0], texts[1]);
-    const std::vector<Comparison> comparisons = compareAll(request, pictures);
-    if (!request.errorPicture.empty()) {
-        keepPicture(request.errorPicture, relativeErrorPicture(pictures[0], pictures[1],
-                                                               request.bothSigns, request.errorTo));
+    const std::vector<Comparison> comparisons = compareAll(request, images);
+    if (!request.errorImage.empty()) {
+        keepImage(request.errorImage,
+                  relativeErrorImage(images[0], images[1], request.bothSigns, request.errorTo));
     }
-    if (!request.flipPicture.empty()) keepPicture(request.flipPicture, flipPicture(comparisons[0]));
-    tell(request, std::move(pictures), comparisons);
+    if (!request.flipImage.empty()) keepImage(request.flipImage, flipImage(comparisons[0]));
+    tell(request, std::move(images), comparisons);
 }
 
 void compareEngines(const CompareRequest& request) {
-    std::vector<ComparedPicture> pictures = drawEngines(request, untilInterrupted());
-    const std::vector<Comparison> comparisons = compareAll(request, pictures);
+    std::vector<ComparedImage> images = drawEngines(request, untilInterrupted());
+    const std::vector<Comparison> comparisons = compareAll(request, images);
     for (std::size_t i = 0; i < comparisons.size() && !request.out.empty(); ++i) {
-        const std::string& name = pictures[i].name;
-        keepPicture(
-            fileOf(request, name, "-error.png"),
-            relativeErrorPicture(pictures[i], pictures.back(), request.bothSigns, request.errorTo));
-        keepPicture(fileOf(request, name, "-flip.png"), flipPicture(comparisons[i]));
+        const std::string& name = images[i].name;
+        keepImage(fileOf(request, name, "-error.png"),
+                  relativeErrorImage(images[i], images.back(), request.bothSigns, request.errorTo));
+        keepImage(fileOf(request, name, "-flip.png"), flipImage(comparisons[i]));
     }
-    tell(request, std::move(pictures), comparisons);
+    tell(request, std::move(images), comparisons);
 }
 
 }  // namespace

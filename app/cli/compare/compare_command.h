@@ -1,4 +1,4 @@
-// compare_command.h: `nephoscope compare`: how far pictures, or what engines draw of one view, are
+// compare_command.h: `nephoscope compare`: how far images, or what engines draw of one view, are
 // from a reference.
 #pragma once
 #include "app/cli/compare/compare_request.h"

@@ -65,7 +65,7 @@ class Drawer {
         camera_ = placeCamera(pose_, side_->shown().grid, aspect);
     }
 
-    ComparedPicture draw(const ComparedEngine& engine);
+    ComparedImage draw(const ComparedEngine& engine);
 
   private:
     /// Options must act with one of the engines at least. Of the march the window's samples are
@@ -90,7 +90,7 @@ class Drawer {
     Camera camera_;
 };
 
-ComparedPicture Drawer::draw(const ComparedEngine& engine) {
+ComparedImage Drawer::draw(const ComparedEngine& engine) {
     DrawnSide drawn;
     drawn.renderer = &side_->renderer();
     const ParameterSet values = parametersOf(engine, side_->parameters());
@@ -105,27 +105,27 @@ ComparedPicture Drawer::draw(const ComparedEngine& engine) {
     Bands bands({drawn}, progress_);
     LayeredImage image = bands.nextLayered();
     while (image.colours.size.y < sizePx_.y) append(image, bands.nextLayered());
-    ComparedPicture picture;
-    picture.name = engine.name;
-    picture.device = side_->renderer().deviceName();
-    picture.made = fmt::format("{}, {}", workText(drawn, bands.stats()), picture.device);
+    ComparedImage image;
+    image.name = engine.name;
+    image.device = side_->renderer().deviceName();
+    image.made = fmt::format("{}, {}", workText(drawn, bands.stats()), image.device);
     const bool converges = traitsOf(drawn.inputs.look.engine).refinement == Refinement::converges;
-    picture.samples = converges ? bands.stats().reference.samples : drawn.samples;
-    picture.seconds = bands.stats().milliseconds / kMsPerS;
+    image.samples = converges ? bands.stats().reference.samples : drawn.samples;
+    image.seconds = bands.stats().milliseconds / kMsPerS;
     if (!image.layers.empty()) {
         std::vector<std::vector<float>> channels;
         for (std::size_t i = 0; i < halfChannels().size(); ++i) {
             channels.push_back(image.layers[i].values);
         }
-        picture.halves = halvesFrom(channels, sizePx_);
+        image.halves = halvesFrom(channels, sizePx_);
     }
     for (const std::string& message : side_->renderer().takeMessages()) {
         fmt::print(stderr, "warning: {}\n", message);
     }
-    fmt::print(stderr, "drew {} ({}, {:.1f} s)\n", engine.name, picture.made, *picture.seconds);
-    if (!request_.out.empty()) keep(engine, image, drawn, picture.made);
-    picture.picture = std::move(image.colours);
-    return picture;
+    fmt::print(stderr, "drew {} ({}, {:.1f} s)\n", engine.name, image.made, *image.seconds);
+    if (!request_.out.empty()) keep(engine, image, drawn, image.made);
+    image.image = std::move(image.colours);
+    return image;
 }
 
 void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const DrawnSide& drawn,
@@ -144,14 +144,14 @@ void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const
 
 }  // namespace
 
-std::vector<ComparedPicture> drawEngines(const CompareRequest& request, const Progress& progress) {
+std::vector<ComparedImage> drawEngines(const CompareRequest& request, const Progress& progress) {
     if (!request.out.empty()) std::filesystem::create_directories(request.out);
     Drawer drawer(request, progress);
-    std::vector<ComparedPicture> pictures;
+    std::vector<ComparedImage> images;
     for (const ComparedEngine& engine : request.engines) {
-        pictures.push_back(drawer.draw(engine));
+        images.push_back(drawer.draw(engine));
     }
-    return pictures;
+    return images;
 }
 
 std::filesystem::path fileOf(const CompareRequest& request, const std::string& engine,

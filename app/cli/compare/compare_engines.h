@@ -8,7 +8,7 @@ namespace neph {
 
 /// Draws all, and keeps them where the request names a folder. The last is the reference. Throws
 /// Error, UsageError or Cancelled.
-std::vector<ComparedPicture> drawEngines(const CompareRequest& request, const Progress& progress);
+std::vector<ComparedImage> drawEngines(const CompareRequest& request, const Progress& progress);
 
 /// Name of a file in the folder of the request, of an engine as typed: "slicing:light.form=printed"
 /// becomes slicing-light.form-printed.

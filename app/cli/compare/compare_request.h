@@ -18,10 +18,10 @@ struct CompareRequest {
     /// Of what engines draw; the scene's files are the two images where none do.
     RenderRequest render;
     bool json = false;
-    std::filesystem::path errorPicture;  ///< a PNG file; empty: none, here and below
-    bool bothSigns = false;              ///< in pictures of errors
-    std::optional<double> errorTo;       ///< share at the end of their scale; none: one that fits
-    std::filesystem::path flipPicture;
+    std::filesystem::path errorImage;  ///< a PNG file; empty: none, here and below
+    bool bothSigns = false;            ///< in images of errors
+    std::optional<double> errorTo;     ///< share at the end of their scale; none: one that fits
+    std::filesystem::path flipImage;
     std::optional<double> exposureEv;  ///< of HDR-FLIP; none: the reference's own
     std::filesystem::path out;         ///< folder for all that engines draw
 };

@@ -41,8 +41,8 @@ std::string tableText(const std::vector<Row>& rows) {
     return text;
 }
 
-std::string madeText(const ComparedPicture& of) {
-    std::string text = fmt::format("{}x{}", of.picture.size.x, of.picture.size.y);
+std::string madeText(const ComparedImage& of) {
+    std::string text = fmt::format("{}x{}", of.image.size.x, of.image.size.y);
     if (of.display) text += ", as a screen shows it";
     if (!of.made.empty()) text += ", " + of.made;
     if (of.halves) text += ", in two halves";
@@ -63,13 +63,13 @@ Row exposuresRow(const FlipExposures& at) {
     return {"exposures", text};
 }
 
-/// What was taken off, of all pictures.
+/// What was subtracted, of all images.
 std::string noiseText(const std::vector<Comparison>& comparisons) {
     double most = 0.0;
     for (const Comparison& each : comparisons) most = std::max(most, each.errors.noise);
     if (!(most > 0.0)) return "with all noise: nothing has halves";
     return fmt::format(
-        "without noise, of which {} % was taken off; the figures below have it in them",
+        "without noise, of which {} % was subtracted; the figures below have it in them",
         numberText(100.0 * most, 3));
 }
 
@@ -87,10 +87,10 @@ std::string meanings(const std::vector<Comparison>& comparisons) {
     return tableText(rows);
 }
 
-Json describeJson(const ComparedPicture& of) {
+Json describeJson(const ComparedImage& of) {
     Json json{{"name", of.name},
-              {"width", of.picture.size.x},
-              {"height", of.picture.size.y},
+              {"width", of.image.size.x},
+              {"height", of.image.size.y},
               {"kind", of.display ? "display" : "radiance"},
               {"halves", of.halves.has_value()}};
     if (!of.made.empty()) json["made"] = of.made;
@@ -101,7 +101,7 @@ Json describeJson(const ComparedPicture& of) {
 }
 
 Json figuresJson(const Comparison& comparison) {
-    const PictureErrors& errors = comparison.errors;
+    const ImageErrors& errors = comparison.errors;
     Json flip{{"kind", flipName(comparison)},
               {"mean", comparison.flip.mean()},
               {"p95", comparison.flip.p95()},
@@ -124,47 +124,46 @@ Json figuresJson(const Comparison& comparison) {
 
 }  // namespace
 
-Comparison compare(const ComparedPicture& picture, const ComparedPicture& reference,
+Comparison compare(const ComparedImage& image, const ComparedImage& reference,
                    const std::optional<double>& exposureEv) {
-    if (picture.display != reference.display) {
-        throw Error({.where = picture.name,
+    if (image.display != reference.display) {
+        throw Error({.where = image.name,
                      .what = "is compared with " + reference.name,
-                     .found = picture.display ? "a PNG and an EXR" : "an EXR and a PNG",
-                     .expected =
-                         "two pictures of one kind: radiance cannot be told from a screen's "
-                         "colours"});
+                     .found = image.display ? "a PNG and an EXR" : "an EXR and a PNG",
+                     .expected = "two images of one kind: radiance cannot be told from a screen's "
+                                 "colours"});
     }
     try {
         Comparison comparison;
-        comparison.errors = pictureErrors(picture.sampled(), reference.sampled());
-        if (picture.display) {
-            comparison.flip = ldrFlip(picture.picture, reference.picture);
+        comparison.errors = imageErrors(image.sampled(), reference.sampled());
+        if (image.display) {
+            comparison.flip = ldrFlip(image.image, reference.image);
         } else {
             comparison.exposures = exposureEv ? FlipExposures{*exposureEv, *exposureEv, 1}
-                                              : flipExposures(reference.picture);
-            comparison.flip = hdrFlip(picture.picture, reference.picture, *comparison.exposures);
+                                              : flipExposures(reference.image);
+            comparison.flip = hdrFlip(image.image, reference.image, *comparison.exposures);
         }
         return comparison;
     } catch (const Error& error) {
         ErrorParts parts = error.parts();
-        parts.where = fmt::format("{} and its reference {}", picture.name, reference.name);
+        parts.where = fmt::format("{} and its reference {}", image.name, reference.name);
         throw Error(parts);
     }
 }
 
-std::string comparisonText(const std::vector<ComparedPicture>& pictures,
+std::string comparisonText(const std::vector<ComparedImage>& images,
                            const std::vector<Comparison>& comparisons,
-                           const ComparedPicture& reference) {
+                           const ComparedImage& reference) {
     std::vector<Row> whats;
-    for (const ComparedPicture& picture : pictures) {
-        whats.push_back({"picture", picture.name, madeText(picture)});
+    for (const ComparedImage& image : images) {
+        whats.push_back({"image", image.name, madeText(image)});
     }
     whats.push_back({"reference", reference.name, madeText(reference)});
     std::vector<Row> figures{
         {"", "bias", "relRMSE", "relMSE", "p95", flipName(comparisons.front()), "its p95"}};
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const PictureErrors& errors = comparisons[i].errors;
-        figures.push_back({pictures[i].name, percentText(errors.bias, errors.biasSigma),
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const ImageErrors& errors = comparisons[i].errors;
+        figures.push_back({images[i].name, percentText(errors.bias, errors.biasSigma),
                            percentText(errors.relRmse, errors.relRmseSigma),
                            numberText(errors.relMse, 3), percentText(errors.p95),
                            numberText(comparisons[i].flip.mean(), 3),
@@ -173,8 +172,8 @@ std::string comparisonText(const std::vector<ComparedPicture>& pictures,
     if (reference.seconds) {
         figures.push_back({reference.name, "reference", "", "", "", "", ""});
         figures.front().insert(figures.front().end(), {"samples", "seconds"});
-        for (std::size_t i = 0; i <= pictures.size(); ++i) {
-            const ComparedPicture& drawn = i < pictures.size() ? pictures[i] : reference;
+        for (std::size_t i = 0; i <= images.size(); ++i) {
+            const ComparedImage& drawn = i < images.size() ? images[i] : reference;
             figures[i + 1].push_back(fmt::format("{}", drawn.samples.value_or(0)));
             figures[i + 1].push_back(numberText(drawn.seconds.value_or(0.0), 3));
         }
@@ -188,37 +187,37 @@ std::string comparisonText(const std::vector<ComparedPicture>& pictures,
     return text;
 }
 
-std::string comparisonJson(const std::vector<ComparedPicture>& pictures,
+std::string comparisonJson(const std::vector<ComparedImage>& images,
                            const std::vector<Comparison>& comparisons,
-                           const ComparedPicture& reference) {
+                           const ComparedImage& reference) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        Json json = describeJson(pictures[i]);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        Json json = describeJson(images[i]);
         json.update(figuresJson(comparisons[i]));
         list.push_back(std::move(json));
     }
     const Json json{{"type", "nephoscope-comparison"},
                     {"version", 1},
                     {"reference", describeJson(reference)},
-                    {"pictures", std::move(list)}};
+                    {"images", std::move(list)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Image8 relativeErrorPicture(const ComparedPicture& picture, const ComparedPicture& reference,
-                            bool bothSigns, const std::optional<double>& most) {
-    const std::vector<float> errors = relativeErrors(picture.picture, reference.picture);
+Image8 relativeErrorImage(const ComparedImage& image, const ComparedImage& reference,
+                          bool bothSigns, const std::optional<double>& most) {
+    const std::vector<float> errors = relativeErrors(image.image, reference.image);
     ErrorScale scale;
     scale.most = most.value_or(roundEnd(errors));
     scale.bothSigns = bothSigns;
     scale.title = bothSigns ? "(A-B)/B" : "|A-B|/B";
-    return errorPicture(picture.picture.size, errors, scale);
+    return errorImage(image.image.size, errors, scale);
 }
 
-Image8 flipPicture(const Comparison& comparison) {
+Image8 flipImage(const Comparison& comparison) {
     ErrorScale scale;
     scale.percent = false;
     scale.title = "FLIP";
-    return errorPicture(comparison.flip.size, comparison.flip.errors, scale);
+    return errorImage(comparison.flip.size, comparison.flip.errors, scale);
 }
 
 }  // namespace neph

@@ -13,7 +13,7 @@ void boundByRenderer(MemoryBudget& budget) {
     try {
         const gl::HeadlessContext context;
         budget.gpu = rendererBytes(gl::deviceMemory());
-    } catch (const Error&) {  // pictures are then made elsewhere
+    } catch (const Error&) {  // images are then made elsewhere
     }
 }
 

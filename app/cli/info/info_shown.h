@@ -1,4 +1,4 @@
-// info_shown.h: how much of a domain a picture on this machine shows.
+// info_shown.h: how much of a domain an image on this machine shows.
 #pragma once
 #include <string>
 

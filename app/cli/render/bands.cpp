@@ -76,11 +76,12 @@ void pasteLayers(const render::FrameLayers& known, int x, int widthPx,
 
 std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
     const EngineTraits& engine = traitsOf(side.inputs.look.engine);
-    const std::string rays = side.inputs.supersample == 1
-                                 ? std::string()
-                                 : fmt::format(", {0} x {0} rays a pixel", side.inputs.supersample);
+    const std::string rays =
+        side.inputs.supersample == 1
+            ? std::string()
+            : fmt::format(", {0} x {0} rays per pixel", side.inputs.supersample);
     if (engine.refinement == Refinement::converges) {
-        return fmt::format("{}, {} a ray, error {:.2f} %{}", engine.id,
+        return fmt::format("{}, {} per ray, error {:.2f} %{}", engine.id,
                            countText(stats.reference.samples, engine.unit),
                            100.0 * stats.reference.relativeError, rays);
     }
@@ -100,7 +101,7 @@ Bands::Bands(std::vector<DrawnSide> sides, Progress progress)
 /// their number.
 void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     render::FrameInputs inputs = side.inputs;
-    inputs.part = render::PicturePart{sizePx_, lowerPx};
+    inputs.part = render::ImagePart{sizePx_, lowerPx};
     inputs.sizePx = tilePx;
     const double tileShare =
         static_cast<double>(count(tilePx)) / static_cast<double>(count(sizePx_));

@@ -1,8 +1,8 @@
-// bands.h: a picture drawn from the top in bands of rows, each in tiles that the GPU takes, so that
+// bands.h: an image drawn from the top in bands of rows, each in tiles that the GPU takes, so that
 // its size is bounded by neither GPU nor memory.
 //
-// The tiles' rays are those of the whole picture, and so are the slices of the slicing engine: the
-// seams cannot be seen. Two sides may share a picture; a thin line is between them.
+// The tiles' rays are those of the whole image, and so are the slices of the slicing engine: the
+// seams cannot be seen. Two sides may share an image; a thin line is between them.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
@@ -15,10 +15,10 @@
 
 namespace neph {
 
-/// What a part of the picture shows.
+/// What a part of the image shows.
 struct DrawnSide {
     render::Renderer* renderer = nullptr;  ///< holds the volume
-    render::FrameInputs inputs;            ///< of the whole picture
+    render::FrameInputs inputs;            ///< of the whole image
     int samples = 1;                       ///< of each tile
     double targetError = 0.0;  ///< relative standard error at which a tile is done; 0: none
     int fromPx = 0, toPx = 0;  ///< its columns; the second is outside
@@ -29,14 +29,14 @@ std::string workText(const DrawnSide& side, const render::FrameStats& stats);
 
 class Bands {
   public:
-    /// The sides are the columns of one picture, from the left. `progress` gets the share of it
+    /// The sides are the columns of one image, from the left. `progress` gets the share of it
     /// that is there.
     Bands(std::vector<DrawnSide> sides, Progress progress);
 
     /// The next rows; call until all `sizePx().y` are there. Throws Cancelled.
     Image8 nextDisplay();
     ImageF nextLinear();
-    /// With what the engine knows besides, where it draws the whole picture, one ray per pixel.
+    /// With what the engine knows besides, where it draws the whole image, one ray per pixel.
     LayeredImage nextLayered();
     /// Names of the layers that there are then.
     std::vector<std::string> layerNames() const;

@@ -23,11 +23,11 @@ struct Halves {
     ImageF a, b;
 };
 
-/// The halves of a picture of `size` from the values of their channels, in that order; none where
+/// The halves of an image of `size` from the values of their channels, in that order; none where
 /// one of them is missing.
 std::optional<Halves> halvesFrom(const std::vector<std::vector<float>>& channels, glm::ivec2 size);
 
-/// The channels of a picture, or of a part of it. A species that there is not has no optical depth.
+/// The channels of an image, or of a part of it. A species that there is not has no optical depth.
 std::vector<ImageLayer> channelsOf(const render::FrameLayers& layers);
 
 }  // namespace neph

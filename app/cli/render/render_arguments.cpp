@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "app/cli/render/film.h"
 #include "app/cli/render/render_command.h"
+#include "app/cli/render/video.h"
 #include "core/base/atomic_file.h"
 
 namespace neph {
@@ -25,7 +25,7 @@ void addOutputOptions(CLI::App& command, RenderRequest& request) {
         kindOf(text);
         return std::filesystem::path(text);
     };
-    addParsed(command, "--out,-o", request.out, parseOut, "Image to write, or film of all frames",
+    addParsed(command, "--out,-o", request.out, parseOut, "Image to write, or video of all frames",
               "nephoscope.png")
         ->type_name("P.png|P.exr|P.mp4");
     addSizeOption(command, request.sizePx, "In pixels");
@@ -48,7 +48,7 @@ void addCameraOptions(CLI::App& command, RenderRequest& request) {
     command.add_option("--path", request.path, "Frames along a camera path")->type_name("FILE");
     command.add_flag("--along-path", request.alongPath, "Along the camera path of the session");
     addNumber(command, "--fps", request.fps, kMinFps, kMaxFps,
-              "Frames per second, of films and paths", "25");
+              "Frames per second, of videos and paths", "25");
     addNumber(command, "--frames", request.frames, 1, kMaxFrames,
               "Frames along the path; else as --fps says");
 }
@@ -99,7 +99,7 @@ void checkPath(const CLI::App& command, const RenderRequest& request) {
     if (!counted && kindOf(request.out) != OutputKind::mp4) {
         refuseTyped(command, {"--fps"}, "nothing is played here",
                     path ? "--frames says how many there are; leave out one of the two"
-                         : "--out FILE.mp4 for a film, or --path FILE");
+                         : "--out FILE.mp4 for a video, or --path FILE");
     }
 }
 
@@ -109,11 +109,11 @@ void checkOutput(const CLI::App& command, const RenderRequest& request) {
         refuseTyped(command, {"--format"}, "is of EXR files", "--out FILE.exr");
     }
     if (kind == OutputKind::mp4) {
-        refuseTyped(command, {"--transparent"}, "a film is opaque",
+        refuseTyped(command, {"--transparent"}, "a video is opaque",
                     "write images: --out frames.png");
-        const glm::ivec2 size = filmSize(request.sizePx);
+        const glm::ivec2 size = videoSize(request.sizePx);
         if (size.x < 2 || size.y < 2) {
-            throw UsageError({"--size", "is too small for a film", "", "2x2 or more", ""});
+            throw UsageError({"--size", "is too small for a video", "", "2x2 or more", ""});
         }
         findFfmpeg();
     }

@@ -1,4 +1,4 @@
-// render_command.cpp: one picture after the other is drawn and written, or handed to the film.
+// render_command.cpp: one image after the other is drawn and written, or handed to the video.
 #include "app/cli/render/render_command.h"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@
 #include "app/cli/common/interrupt.h"
 #include "app/cli/common/progress_lines.h"
 #include "app/cli/render/bands.h"
-#include "app/cli/render/film.h"
 #include "app/cli/render/render_sides.h"
 #include "app/cli/render/render_view.h"
 #include "app/cli/render/shots.h"
+#include "app/cli/render/video.h"
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
@@ -34,7 +34,7 @@ void printAll(std::string_view kind, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) fmt::print(stderr, "{}: {}\n", kind, line);
 }
 
-/// What all pictures of one command share.
+/// What all images of one command share.
 class Run {
   public:
     Run(const RenderRequest& request, Progress goesOn);
@@ -48,8 +48,8 @@ class Run {
     CameraPose poseOf(std::size_t index, const Shot& shot) const;
     double aspect() const { return static_cast<double>(sizePx_.x) / sizePx_.y; }
     void write(const Shot& shot, Bands& bands);
-    void picture(const Shot& shot, const std::function<void(Bands&)>& take,
-                 const std::filesystem::path& file);
+    void image(const Shot& shot, const std::function<void(Bands&)>& take,
+               const std::filesystem::path& file);
     const RenderRequest& request_;
     Progress goesOn_;
     std::optional<CameraPath> path_;
@@ -111,9 +111,9 @@ Run::Run(const RenderRequest& request, Progress goesOn)
     }
     shots_ = planShots(request, path_, sides_.front()->times());
     sizePx_ = request.sizePx;
-    if (kindOf(request.out) == OutputKind::mp4 && filmSize(sizePx_) != sizePx_) {
-        sizePx_ = filmSize(sizePx_);
-        printAll("note", {fmt::format("a film has even sides: {}x{}", sizePx_.x, sizePx_.y)});
+    if (kindOf(request.out) == OutputKind::mp4 && videoSize(sizePx_) != sizePx_) {
+        sizePx_ = videoSize(sizePx_);
+        printAll("note", {fmt::format("a video has even sides: {}x{}", sizePx_.x, sizePx_.y)});
     }
     progress_.emplace(request.progress, shots_.size());
 }
@@ -200,16 +200,16 @@ void Run::write(const Shot& shot, Bands& bands) {
     }
 }
 
-/// One picture: read, draw, hand over, and say so.
-void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
-                  const std::filesystem::path& file) {
+/// One image: read, draw, hand over, and say so.
+void Run::image(const Shot& shot, const std::function<void(Bands&)>& take,
+                const std::filesystem::path& file) {
     Bands bands = bandsOf(shot);
     take(bands);
     for (const auto& side : sides_) printAll("warning", side->renderer().takeMessages());
     progress_->done(file);
     const Side& first = *sides_.front();
-    const bool film = kindOf(file) == OutputKind::mp4;
-    fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", film ? "a picture of" : "wrote",
+    const bool video = kindOf(file) == OutputKind::mp4;
+    fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", video ? "an image of" : "wrote",
                file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
                workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
     if (!request_.profile) return;
@@ -224,24 +224,24 @@ void Run::picture(const Shot& shot, const std::function<void(Bands&)>& take,
 void Run::all() {
     if (kindOf(request_.out) != OutputKind::mp4) {
         for (const Shot& shot : shots_) {
-            picture(
+            image(
                 shot, [&](Bands& bands) { write(shot, bands); }, shot.file);
         }
         return;
     }
     replaceFile(request_.out, [&](const std::filesystem::path& aside) {
-        Film film(aside, sizePx_, request_.fps);
+        Video video(aside, sizePx_, request_.fps);
         for (const Shot& shot : shots_) {
             const auto add = [&](Bands& bands) {
                 for (int rows = 0; rows < sizePx_.y;) {
                     const Image8 band = bands.nextDisplay();
-                    film.add(band);
+                    video.add(band);
                     rows += band.size.y;
                 }
             };
-            picture(shot, add, request_.out);
+            image(shot, add, request_.out);
         }
-        film.finish(goesOn_);
+        video.finish(goesOn_);
     });
     fmt::print(stderr, "wrote {}\n", request_.out.string());
 }

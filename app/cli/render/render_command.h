@@ -1,4 +1,4 @@
-// render_command.h: `nephoscope render`: pictures and films to files, without a display.
+// render_command.h: `nephoscope render`: images and videos to files, without a display.
 #pragma once
 #include "app/cli/render/render_request.h"
 

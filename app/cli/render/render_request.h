@@ -45,7 +45,7 @@ struct RenderRequest {
     RenderView from;
     std::filesystem::path path;  ///< file of a camera path; empty: none
     bool alongPath = false;      ///< along the session's
-    double fps = 25.0;           ///< of films, and of frames along a path
+    double fps = 25.0;           ///< of videos, and of frames along a path
     int frames = 0;              ///< along a path; 0: as `fps` says
     SampleRequest sampling;
     ExrPixels format = ExrPixels::half;
@@ -53,7 +53,7 @@ struct RenderRequest {
     bool progress = false;  ///< as progress_lines.h
 };
 
-/// How many samples an image has at most, and the relative standard error at which the reference
+/// How many samples per image has at most, and the relative standard error at which the reference
 /// has enough of them before.
 struct SamplePlan {
     int samples = 1;

@@ -1,4 +1,4 @@
-// render_sides.h: the one scene of a picture, or the two that share it: from what was asked for and
+// render_sides.h: the one scene of an image, or the two that share it: from what was asked for and
 // what a session keeps to data that are open and a renderer that holds a time of them.
 #pragma once
 #include <memory>
@@ -50,7 +50,7 @@ class Side {
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }
     render::Renderer& renderer() { return *renderer_; }
-    /// How the picture was made, for its file.
+    /// How the image was made, for its file.
     Metadata describe(const CameraPose& pose, const std::string& work) const;
 
   private:

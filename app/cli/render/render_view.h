@@ -21,7 +21,7 @@ Observer parseObserver(const std::string& text);
 /// By its name. Throws UsageError.
 View parseView(const std::string& name);
 
-/// The camera to look at `shown` with, in a picture of this aspect; `pose` has what is not told.
+/// The camera to look at `shown` with, in an image of this aspect; `pose` has what is not told.
 /// Throws UsageError where an observer is too far away.
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
                   double aspect);

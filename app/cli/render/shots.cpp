@@ -1,4 +1,4 @@
-// shots.cpp: counting pictures and naming their files.
+// shots.cpp: counting images and naming their files.
 #include "app/cli/render/shots.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ int framesOf(const RenderRequest& request, const CameraPath& path) {
                               : std::floor(durationS(path) * request.fps + 1e-6) + 1.0;
     if (frames <= kMaxFrames) return static_cast<int>(frames);
     throw UsageError({.where = "--path",
-                      .what = "these are too many pictures",
+                      .what = "these are too many images",
                       .found = fmt::format("{:.0f}", frames),
                       .expected = fmt::format("at most {}", kMaxFrames),
                       .hint = "--frames or a smaller --fps"});

@@ -1,4 +1,4 @@
-// shots.h: which pictures one command takes: times of the data, or places along a camera path.
+// shots.h: which images one command takes: times of the data, or places along a camera path.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -12,7 +12,7 @@ namespace neph {
 struct Shot {
     int time = 0;
     std::optional<double> pathS;  ///< along the path; none: the document's camera
-    std::filesystem::path file;   ///< of a picture of its own
+    std::filesystem::path file;   ///< of an image of its own
 };
 
 /// One for each of `times`; or as many as the request says along `path`, which goes through `times`

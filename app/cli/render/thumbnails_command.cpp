@@ -66,7 +66,7 @@ class Storm {
           dataset_(Dataset::open(listFiles({}), PluginHost::standard({}), goesOn)),
           renderer_(resourcePath("shaders")) {}
 
-    Image8 pictureOf(const Preset& preset, glm::ivec2 sizePx);
+    Image8 imageOf(const Preset& preset, glm::ivec2 sizePx);
 
   private:
     Progress goesOn_;
@@ -76,7 +76,7 @@ class Storm {
     RegularGrid grid_;
 };
 
-Image8 Storm::pictureOf(const Preset& preset, glm::ivec2 sizePx) {
+Image8 Storm::imageOf(const Preset& preset, glm::ivec2 sizePx) {
     std::vector<std::string> warnings;  // told by whoever chose the setting
     const VolumeRequest request{
         {},
@@ -107,7 +107,7 @@ int makeAll(const std::vector<Wanted>& wanted, glm::ivec2 sizePx, ProgressLines&
     for (const Wanted& each : wanted) {
         try {
             const Preset preset = loadPreset(each.preset.file).preset;
-            writePng(each.file, storm.pictureOf(preset, sizePx),
+            writePng(each.file, storm.imageOf(preset, sizePx),
                      {{"Software", fmt::format("Nephoscope {}", versionText())},
                       {"nephoscope.preset", each.preset.name}});
             fmt::print(stderr, "wrote {}\n", each.file.string());

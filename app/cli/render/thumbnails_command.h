@@ -1,4 +1,4 @@
-// thumbnails_command.h: `nephoscope thumbnails`: a small picture of each preset on the bundled
+// thumbnails_command.h: `nephoscope thumbnails`: a small image of each preset on the bundled
 // storm.
 #pragma once
 #include <string>

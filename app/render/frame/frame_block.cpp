@@ -72,8 +72,8 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     block.brickM = v4(bricks.brickM);
     block.slices = {slices.count, 0, 0, static_cast<int>(medium.classes.size())};
     block.sampling = {0, inputs.backdrop ? 1 : 0, 0, 0};
-    block.picture = {inputs.sizePx, slices.lightSizePx};
-    const PicturePart part = inputs.part.value_or(PicturePart{inputs.sizePx, {0, 0}});
+    block.image = {inputs.sizePx, slices.lightSizePx};
+    const ImagePart part = inputs.part.value_or(ImagePart{inputs.sizePx, {0, 0}});
     block.whole = {part.wholePx, part.lowerPx};
     for (std::size_t i = 0; i < medium.classes.size(); ++i) {
         block.classes[i] = classBlock(medium.classes[i]);

@@ -1,4 +1,4 @@
-// frame_inputs.h: the plain values that one picture is a function of, and what came of it.
+// frame_inputs.h: the plain values that one image is a function of, and what came of it.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -11,26 +11,26 @@
 
 namespace neph::render {
 
-/// Which pixels of a larger picture are drawn.
-struct PicturePart {
-    glm::ivec2 wholePx{1};  ///< size of the larger picture, whose aspect the camera has
+/// Which pixels of a larger image are drawn.
+struct ImagePart {
+    glm::ivec2 wholePx{1};  ///< size of the larger image, whose aspect the camera has
     glm::ivec2 lowerPx{0};  ///< the part's lower left pixel, counted from the whole's
-    bool operator==(const PicturePart&) const = default;
+    bool operator==(const ImagePart&) const = default;
 };
 
 /// Look and sampling, and what follows.
 struct FrameInputs : ParameterSet {
     Camera camera;
     glm::ivec2 sizePx{640, 480};
-    std::optional<PicturePart> part;  ///< none: the whole
-    int supersample = 1;              ///< a pixel is the mean of so many rays a side
-    bool backdrop = true;             ///< sky and ground behind the medium; else it is transparent
+    std::optional<ImagePart> part;  ///< none: the whole
+    int supersample = 1;            ///< a pixel is the mean of so many rays per side
+    bool backdrop = true;           ///< sky and ground behind the medium; else it is transparent
     /// Slices, or steps of the march, along the diagonal of what is occupied; 0: as the look says.
     /// Interactive frames may ask for fewer. A given number fixes the step; else the march adapts
     /// it to the data.
     int planes = 0;
     /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
-    /// first picture after a change. The march computes it in full for the next picture without.
+    /// first image after a change. The march computes it in full for the next image without.
     bool draftLight = false;
     bool profile = false;  ///< fill in what FrameStats has for it alone, which costs a little
 };
@@ -43,7 +43,7 @@ struct PassTime {
 
 /// Bytes of one part on the GPU.
 struct MemoryUse {
-    std::string_view name;  ///< a literal: "species", "medium", "light", "pictures", "noise"
+    std::string_view name;  ///< a literal: "species", "medium", "light", "images", "noise"
     std::size_t bytes = 0;
 };
 
@@ -51,17 +51,17 @@ struct MemoryUse {
 struct SampleCounts {
     std::uint64_t rays = 0;        ///< that meet the occupied box
     std::uint64_t taken = 0;       ///< samples of the medium
-    std::uint64_t skipped = 0;     ///< leaps over empty bricks
+    std::uint64_t skipped = 0;     ///< skips empty bricks
     std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
 };
 
 /// How far an engine that converges has come with an image.
 struct ReferenceProgress {
-    int samples = 0;  ///< paths a pixel
+    int samples = 0;  ///< paths per pixel
     /// Relative standard error: root mean variance of the pixels over their mean; infinite before
     /// there are two samples.
     double relativeError = 0.0;
-    std::uint64_t collisions = 0;   ///< places where there may have been a particle
+    std::uint64_t collisions = 0;   ///< collisions, real and null
     std::uint64_t scatterings = 0;  ///< particles that scattered
     std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
     double seconds = 0.0;           ///< of work

@@ -1,11 +1,11 @@
-// rows.h: textures have their rows from the bottom, pictures from the top.
+// rows.h: textures have their rows from the bottom, images from the top.
 #pragma once
 #include <cstddef>
 #include <vector>
 
 namespace neph::render {
 
-/// The values of a picture whose rows of `width` values come from the bottom, from the top.
+/// The values of an image whose rows of `width` values come from the bottom, from the top.
 template <typename T>
 std::vector<T> fromTop(const std::vector<T>& values, std::size_t width) {
     std::vector<T> out;

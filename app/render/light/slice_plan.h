@@ -38,7 +38,7 @@ struct SlicePlan {
 SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM);
 
 /// `texelM`: wanted size of a light texel. The buffer covers the box as the sun sees it, 16 to 1024
-/// texels a side.
+/// texels per side.
 SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox& box, int planes,
                      double texelM);
 

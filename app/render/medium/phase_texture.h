@@ -9,13 +9,13 @@ namespace neph::render {
 
 class PhaseTexture {
   public:
-    /// Makes the tables anew where look or plan ask for others.
+    /// Makes the tables again where look or plan ask for others.
     void update(const Look& look, const MediumPlan& plan);
     void bind() const { tables_.bind(kPhasesUnit); }
     std::size_t bytes() const { return tables_.bytes(); }
 
   private:
-    gl::Texture tables_;  ///< RGBA32F, a row a class
+    gl::Texture tables_;  ///< RGBA32F, a row per class
     Look look_;           ///< the look and plan that they were made of
     MediumPlan plan_;
     bool filled_ = false;

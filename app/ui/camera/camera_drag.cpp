@@ -2,7 +2,7 @@
 //
 // Left drag orbits, middle drag or Shift with left drag pans, right drag moves nearer and farther,
 // the wheel zooms to the cursor. In flight, or with the right button held, W A S D move the eye, E
-// and Q lift and lower it, and a drag looks around. Rates are shares of the picture's height, tuned
+// and Q lift and lower it, and a drag looks around. Rates are shares of the image's height, tuned
 // by eye.
 #include "app/ui/camera/camera_drag.h"
 
@@ -17,15 +17,15 @@ namespace neph::ui {
 namespace {
 
 constexpr float kOrbitDegPerHeight = 180.0f;
-constexpr float kLookPerHeight = 1.0f;   // pictures: what is under the hand goes with it
+constexpr float kLookPerHeight = 1.0f;   // images: what is under the user goes with it
 constexpr float kDollyPerHeight = 3.0f;  // e-foldings
 constexpr float kDollyPerNotch = 0.9f;   // factor of the distance for one notch of the wheel
 constexpr double kFaster = 4.0;          // with Shift
 constexpr double kSpeedPerNotch = 1.25;
-constexpr double kLeastSpeed = 1e-4, kMostSpeed = 1.0;  // extents a second
+constexpr double kLeastSpeed = 1e-4, kMostSpeed = 1.0;  // extents per second
 constexpr double kFirstFrameS = 1.0 / 60.0, kLongestFrameS = 0.1;
 
-/// A drag belongs to the picture when it began on the picture.
+/// A drag belongs to the image when it began on the image.
 bool dragging(ImGuiMouseButton button) {
     return ImGui::IsMouseDown(button) && !ImGui::GetIO().WantCaptureMouse &&
            !ImGui::IsAnyItemActive();
@@ -44,10 +44,10 @@ glm::vec3 flightKeys() {
     return {held('D') - held('A'), held('E') - held('Q'), held('W') - held('S')};
 }
 
-/// Where the mouse is in the picture, in [-1, 1], y up.
-glm::dvec2 cursorNdc(const Area& picture) {
+/// Where the mouse is in the image, in [-1, 1], y up.
+glm::dvec2 cursorNdc(const Area& image) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - picture.lower) / picture.size();
+    const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - image.lower) / image.size();
     return glm::clamp(glm::dvec2(2.0f * share.x - 1.0f, 1.0f - 2.0f * share.y), -1.0, 1.0);
 }
 
@@ -67,7 +67,7 @@ void moveByKeys(const PanelContext& context, CameraTools& tools, const RegularGr
     tools.moves = moves;
 }
 
-/// Shares of the picture's height that the mouse has moved.
+/// Shares of the image's height that the mouse has moved.
 void moveByDrag(CameraPose& pose, const CameraTools& tools, const RegularGrid& grid, float dx,
                 float dy) {
     const bool left = dragging(ImGuiMouseButton_Left), right = dragging(ImGuiMouseButton_Right);
@@ -91,7 +91,7 @@ void moveByWheel(const PanelContext& context, CameraTools& tools, const RegularG
                        kLeastSpeed, kMostSpeed);
     } else {
         const Layout layout = context.layout();
-        zoomTo(context.session().document.camera, grid, cursorNdc(layout.picture), aspectOf(layout),
+        zoomTo(context.session().document.camera, grid, cursorNdc(layout.image), aspectOf(layout),
                std::pow(kDollyPerNotch, notches));
     }
 }
@@ -105,7 +105,7 @@ void moveCamera(const PanelContext& context, CameraTools& tools) {
     tools.fliesHeld = right && (tools.fliesHeld || flightKeys() != glm::vec3(0.0f));
     moveByKeys(context, tools, grid);
     const float height =
-        static_cast<float>(pictureBox(context.layout()).size().y) / io.DisplayFramebufferScale.y;
+        static_cast<float>(imageBox(context.layout()).size().y) / io.DisplayFramebufferScale.y;
     if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) {
         moveByDrag(context.session().document.camera, tools, grid, io.MouseDelta.x / height,
                    io.MouseDelta.y / height);

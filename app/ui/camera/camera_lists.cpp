@@ -45,7 +45,7 @@ void beginRename(CameraTools& tools, const std::vector<Bookmark>& bookmarks, std
     tools.name = bookmarks[row].name;
 }
 
-/// The name as it is typed; taken on Enter and where the hand goes elsewhere, left on Esc.
+/// The name as it is typed; taken on Enter and where the user goes elsewhere, left on Esc.
 void renameRow(CameraTools& tools, Bookmark& bookmark) {
     ImGui::SetNextItemWidth(-1.0f);
     if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
@@ -162,7 +162,7 @@ void drawWhole(const PanelContext& context, Playback& playback) {
     }
     place("path.play");
     tooltip(
-        "Shows the path. The camera comes back when it is left, or stays where a hand moves it");
+        "Shows the path. The camera comes back when it is left, or stays where the user moves it");
     ImGui::SameLine(0.0f, inner);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5.5f);
     auto whole = static_cast<float>(durationS(path));

@@ -1,4 +1,4 @@
-// camera_overlays.cpp: scale bar, compass rose and height ruler over the picture, and how flight
+// camera_overlays.cpp: scale bar, compass rose and height ruler over the image, and how flight
 // goes. Light strokes on dark ones, so that they are seen before cloud and before sky.
 #include "app/ui/camera/camera_overlays.h"
 
@@ -19,15 +19,15 @@ constexpr ImU32 kLight = IM_COL32(240, 242, 245, 255);
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 170);
 constexpr ImU32 kNorth = IM_COL32(235, 110, 90, 255);
 constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
-constexpr float kMarginEms = 1.0f;      // from the picture's edge
-constexpr float kBarShare = 0.22f;      // of the picture's width, at most
+constexpr float kMarginEms = 1.0f;      // from the image's edge
+constexpr float kBarShare = 0.22f;      // of the image's width, at most
 constexpr float kBarEms = 12.0f;        // at most
 constexpr float kRoseEms = 2.4f;        // radius
 constexpr double kLeastFlat = 0.35;     // height of the rose as an ellipse, seen from the side
 constexpr double kRoseTurnsDeg = 45.0;  // looking up more steeply, the rose is overhead
 constexpr float kTickEms = 1.9f;        // between labels of the ruler, at least
 constexpr float kLeastRulerEms = 3.0f;  // from its foot to its top, to be drawn
-constexpr double kInside = 0.97;        // of the picture, for the ruler to stand in
+constexpr double kInside = 0.97;        // of the image, for the ruler to stand in
 
 /// 1, 2 or 5 times a power of ten, not more than `most`.
 double roundBelow(double most) {
@@ -46,11 +46,11 @@ double roundAbove(double least) {
     return 10.0 * decade;
 }
 
-/// Draws over the picture, and nowhere else.
+/// Draws over the image, and nowhere else.
 class Overlay {
   public:
     Overlay(const Session& session, const Layout& layout)
-        : area_(layout.picture),
+        : area_(layout.image),
           grid_(gridOf(session)),
           pose_(session.document.camera),
           camera_(placeCamera(pose_, grid_, aspectOf(layout))) {
@@ -87,7 +87,7 @@ class Overlay {
         const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         return {size.x, size.y};
     }
-    /// Place on the screen; none where it is beside the picture or behind the eye.
+    /// Place on the screen; none where it is beside the image or behind the eye.
     std::optional<glm::vec2> screenOf(const glm::dvec3& pointM) const {
         const auto ndc = ndcOf(camera_, pointM);
         if (!ndc || std::abs(ndc->x) > kInside || std::abs(ndc->y) > kInside) return {};
@@ -156,7 +156,7 @@ void Overlay::compass() const {
     }
 }
 
-/// Whole steps of height above a place that are in the picture.
+/// Whole steps of height above a place that are in the image.
 std::vector<Overlay::Tick> Overlay::ticksAt(glm::dvec2 placeM, double stepM) const {
     std::vector<Tick> ticks;
     const int first = static_cast<int>(std::ceil(grid_.originM.z / stepM - 1e-6));
@@ -168,7 +168,7 @@ std::vector<Overlay::Tick> Overlay::ticksAt(glm::dvec2 placeM, double stepM) con
     return ticks;
 }
 
-/// At the nearest of the domain's edges that is in the picture, else at the target; empty where
+/// At the nearest of the domain's edges that is in the image, else at the target; empty where
 /// heights lie on top of one another.
 std::vector<Overlay::Tick> Overlay::ruler() const {
     const glm::dvec3 lower = grid_.originM, upper = grid_.upperM();
@@ -231,7 +231,7 @@ void Overlay::flight(const CameraTools& tools) const {
 
 void drawCameraOverlays(const PanelContext& context, const CameraTools& tools) {
     const Layout layout = context.layout();
-    if (context.session().shown() == nullptr || layout.picture.empty()) return;
+    if (context.session().shown() == nullptr || layout.image.empty()) return;
     const Overlay overlay(context.session(), layout);
     if (context.settings.heightRuler) overlay.heightRuler();
     if (context.settings.scaleBar) overlay.scaleBar();

@@ -1,4 +1,4 @@
-// camera_overlays.h: scale, north and heights over the picture, and how flight goes.
+// camera_overlays.h: scale, north and heights over the image, and how flight goes.
 #pragma once
 #include "app/ui/camera/camera_tools.h"
 #include "app/ui/panel/panel_context.h"

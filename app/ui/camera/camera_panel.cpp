@@ -99,7 +99,7 @@ void drawPose(CameraPose& pose, const RegularGrid& grid) {
     }
     degreesRow("camera.fov", "Field of view", static_cast<double>(kMinFovDeg),
                static_cast<double>(kMaxFovDeg),
-               "Vertical, from the picture's lower edge to its upper", pose.fovDeg);
+               "Vertical, from the image's lower edge to its upper", pose.fovDeg);
 }
 
 /// The same camera told by its eye. What is set here keeps the eye where it is, or the view.
@@ -130,7 +130,7 @@ void drawObserver(CameraPose& pose, CameraTools& tools, const RegularGrid& grid)
                           {0.0, upper.z * kMPerKm, true},
                           " m",
                           std::abs(observer.heightM) < 100.0 ? 1 : 0,
-                          "Of the eye above sea level, where the ground of the picture is"},
+                          "Of the eye above sea level, where the ground of the image is"},
                          observer.heightM);
     changed |= numberRow({"observer.azimuth", "Looks to", {0.0, 360.0}, "°", 1, "0 north, 90 east"},
                          observer.azimuthDeg);

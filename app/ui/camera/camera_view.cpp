@@ -32,7 +32,7 @@ RegularGrid gridOf(const Session& session) {
 }
 
 double aspectOf(const Layout& layout) {
-    const glm::dvec2 size(pictureBox(layout).size());
+    const glm::dvec2 size(imageBox(layout).size());
     return size.x / size.y;
 }
 

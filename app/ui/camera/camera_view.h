@@ -11,13 +11,13 @@ namespace neph::ui {
 /// What poses are shares of: the grid that is shown, or a cube until data are there.
 RegularGrid gridOf(const Session& session);
 
-/// Width / height of the picture.
+/// Width / height of the image.
 double aspectOf(const Layout& layout);
 
 /// What views frame: the clouds that are seen, or the whole of what is shown where there are none.
 Region framedBox(const Session& session);
 
-/// Turns the camera to a side, with all that is framed in a picture of `aspect`.
+/// Turns the camera to a side, with all that is framed in an image of `aspect`.
 void look(Session& session, View view, double aspect);
 
 /// From the ground, in the eye's direction from the target, to the target.

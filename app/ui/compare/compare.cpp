@@ -1,4 +1,4 @@
-// compare.cpp: the line between two pictures, their labels, peeking, and pictures in turns.
+// compare.cpp: the line between two images, their labels, peeking, and images alternately.
 #include "app/ui/compare/compare.h"
 
 #include <imgui.h>
@@ -13,7 +13,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr double kTurnS = 0.5;   // of each picture where they are in turns
+constexpr double kTurnS = 0.5;   // of each image where they are alternately
 constexpr float kGripPx = 9.0f;  // width that the mouse takes for the line, at a scale of 1
 constexpr ImU32 kLine = IM_COL32(255, 255, 255, 200);
 constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
@@ -84,7 +84,7 @@ void drawCompare(const PanelContext& context, CompareState& compare, CompareErro
     if (compare.mode == CompareMode::flicker) takeTurns(compare, context.next);
     drawCompareErrors(context, compare, errors);
     if (compare.mode == CompareMode::error && errors.texture != 0) return;  // it has a legend
-    const Area area = context.layout().picture;
+    const Area area = context.layout().image;
     const float margin = 0.6f * ImGui::GetFontSize();
     const float top = area.lower.y + margin;
     if (compare.mode == CompareMode::split) {

@@ -1,4 +1,4 @@
-// compare_errors.cpp: when figures are reckoned, and from what.
+// compare_errors.cpp: when figures are computed, and from what.
 #include "app/ui/compare/compare_errors.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds kEvery{2.0};         // while pictures get better
-constexpr double kShareOfTime = 0.25;  // that figures may take of it: pictures come first
+constexpr Seconds kEvery{2.0};         // while images get better
+constexpr double kShareOfTime = 0.25;  // that figures may take of it: images come first
 
-SampledPicture sampled(const ImageF& picture, const LinearHalves& halves) {
-    if (halves[0].pixels.empty()) return {picture};
-    return {picture, halves.data(), &halves[1]};
+SampledImage sampled(const ImageF& image, const LinearHalves& halves) {
+    if (halves[0].pixels.empty()) return {image};
+    return {image, halves.data(), &halves[1]};
 }
 
 Image8 coloursOf(glm::ivec2 size, const std::vector<float>& errors, const ErrorScale& scale) {
@@ -39,7 +39,7 @@ Image8 coloursOf(glm::ivec2 size, const std::vector<float>& errors, const ErrorS
 
 PairFigures figuresOf(const LinearPair& pair, const Progress& progress) {
     PairFigures made;
-    made.errors = pictureErrors(sampled(pair.a, pair.halvesA), sampled(pair.b, pair.halvesB));
+    made.errors = imageErrors(sampled(pair.a, pair.halvesA), sampled(pair.b, pair.halvesB));
     const std::vector<float> errors = relativeErrors(pair.a, pair.b);
     made.scale = {.most = roundEnd(errors), .bothSigns = true, .title = "(A-B)/B"};
     made.colours = coloursOf(pair.a.size, errors, made.scale);

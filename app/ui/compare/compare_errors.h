@@ -1,6 +1,6 @@
-// compare_errors.h: how far slot A's picture is from slot B's, live: figures and colours.
+// compare_errors.h: how far slot A's image is from slot B's, live: figures and colours.
 //
-// The window hands over both pictures in linear light when there are newer ones; a worker reckons
+// The window hands over both images in linear light when there are newer ones; a worker computes
 // with copies, so that nothing waits for it. What there was stays until there is something newer.
 #pragma once
 #include <array>
@@ -12,15 +12,15 @@
 
 #include "app/ui/widgets/reference_report.h"
 #include "core/base/jobs.h"
-#include "core/image/error_picture.h"
+#include "core/image/error_image.h"
 #include "core/image/image.h"
-#include "core/image/picture_error.h"
+#include "core/image/image_error.h"
 
 namespace neph::ui {
 
-/// Which pictures the slots have, and how good they are.
+/// Which images the slots have, and how good they are.
 struct PairState {
-    std::uint64_t a = 0, b = 0;             ///< count the pictures that a slot has drawn
+    std::uint64_t a = 0, b = 0;             ///< count the images that a slot has drawn
     bool whole = false;                     ///< both in full and of the same size
     bool settled = false;                   ///< and neither gets better by itself
     std::optional<ReferenceReport> traced;  ///< of B, where the reference draws it
@@ -37,13 +37,13 @@ struct LinearPair {
 
 /// Of A against B.
 struct PairFigures {
-    PictureErrors errors;
+    ImageErrors errors;
     double flip = 0.0, flipP95 = 0.0;  ///< HDR-FLIP
     ErrorScale scale;                  ///< of the colours: (A-B)/B of the luminance
-    Image8 colours;                    ///< of the pictures' size
+    Image8 colours;                    ///< of the images' size
 };
 
-/// Throws Error as pictureErrors, or Cancelled.
+/// Throws Error as imageErrors, or Cancelled.
 PairFigures figuresOf(const LinearPair& pair, const Progress& progress = {});
 
 class CompareErrors {
@@ -55,12 +55,12 @@ class CompareErrors {
     bool wants(const PairState& now, Clock::time_point at);
     void start(LinearPair pair, Clock::time_point at);
 
-    /// Takes over what has been reckoned; true when there is something new.
+    /// Takes over what has been computed; true when there is something new.
     bool poll(Clock::time_point at);
     bool busy() const { return jobs_ && jobs_->busy(); }
 
     const std::optional<PairFigures>& figures() const { return figures_; }
-    /// Whether they are of the pictures that there are, or of the same with fewer paths.
+    /// Whether they are of the images that there are, or of the same with fewer paths.
     bool current() const { return figures_ && seen_.whole && seen_.a == figured_.a; }
     const PairState& seen() const { return seen_; }
     const std::string& fault() const { return fault_; }
@@ -68,7 +68,7 @@ class CompareErrors {
     unsigned texture = 0;  ///< of the colours; whoever draws them makes it
 
   private:
-    std::unique_ptr<Jobs> jobs_;  // once there is something to reckon
+    std::unique_ptr<Jobs> jobs_;  // once there is something to compute
     std::optional<PairFigures> figures_;
     PairState seen_, started_, figured_;
     Clock::time_point begun_, ended_;

@@ -1,4 +1,4 @@
-// compare_figures.cpp: the errors of A against B over the picture's corner, and as colours in its
+// compare_figures.cpp: the errors of A against B over the image's corner, and as colours in its
 // place.
 #include "app/ui/compare/compare_figures.h"
 
@@ -30,7 +30,7 @@ void row(const char* label, const std::string& value, bool current) {
 
 void drawRows(const CompareErrors& errors) {
     const PairFigures& figures = *errors.figures();
-    const PictureErrors& of = figures.errors;
+    const ImageErrors& of = figures.errors;
     const bool current = errors.current();
     row("bias", percentText(of.bias, of.biasSigma), current);
     row("relRMSE", percentText(of.relRmse, of.relRmseSigma), current);
@@ -55,9 +55,9 @@ void drawState(const CompareErrors& errors) {
         drawRows(errors);
     }
     if (!errors.seen().whole) {
-        ImGui::TextDisabled("Both pictures have to be there in full first");
+        ImGui::TextDisabled("Both images have to be there in full first");
     } else if (!errors.figures() && errors.busy()) {
-        ImGui::TextDisabled("Reckoning ...");
+        ImGui::TextDisabled("Computing ...");
     }
     if (const auto& traced = errors.seen().traced) {
         ImGui::TextDisabled("B: %s", pathsText(*traced).c_str());
@@ -70,7 +70,7 @@ void drawFigures(const CompareErrors& errors, const Area& area) {
     ImGui::SetNextWindowPos({area.lower.x + kMarginEms * em, area.lower.y + kTopEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});
     ImGui::SetNextWindowBgAlpha(kOpacity);
-    // Without inputs: the hand reaches the picture through it.
+    // Without inputs: the mouse reaches the image through it.
     if (ImGui::Begin("##figures", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -87,7 +87,7 @@ ImU32 colourAt(double error, const ErrorScale& scale) {
     return ImGui::GetColorU32({colour.x, colour.y, colour.z, 1.0f});
 }
 
-/// Below the picture of errors: what its colours mean.
+/// Below the image of errors: what its colours mean.
 void drawLegend(const Area& area, const ErrorScale& scale) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float em = ImGui::GetFontSize();
@@ -120,10 +120,10 @@ void drawColours(const CompareErrors& errors, const Area& area) {
 }
 
 void renewTexture(const Services& services, CompareErrors& errors) {
-    if (errors.texture != 0 && services.dropPicture) services.dropPicture(errors.texture);
+    if (errors.texture != 0 && services.dropImage) services.dropImage(errors.texture);
     errors.texture = 0;
-    if (errors.figures() && services.showPicture) {
-        errors.texture = services.showPicture(errors.figures()->colours).texture;
+    if (errors.figures() && services.showImage) {
+        errors.texture = services.showImage(errors.figures()->colours).texture;
     }
 }
 
@@ -131,10 +131,10 @@ void renewTexture(const Services& services, CompareErrors& errors) {
 
 void drawCompareErrors(const PanelContext& context, const CompareState& compare,
                        CompareErrors& errors) {
-    if (!comparesPictures(compare)) return;
+    if (!comparesImages(compare)) return;
     if (errors.poll(CompareErrors::Clock::now())) renewTexture(context.services, errors);
     if (errors.busy()) context.next.again(kLookS);
-    const Area area = context.layout().picture;
+    const Area area = context.layout().image;
     if (compare.mode == CompareMode::error) drawColours(errors, area);
     drawFigures(errors, area);
 }

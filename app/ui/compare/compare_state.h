@@ -1,5 +1,5 @@
 // compare_state.h: two slots, A and B, each with data, look and camera of its own, and how they
-// share the picture.
+// share the image.
 #pragma once
 #include "core/session/session_state.h"
 
@@ -10,17 +10,17 @@ struct CompareState {
     bool second = false;   ///< slot B exists
     bool peeking = false;  ///< the other slot is shown for as long as Shift is held
     CompareMode mode = CompareMode::single;
-    int flickered = 0;     ///< slot that is seen now where they are in turns
+    int flickered = 0;     ///< slot that is seen now where they are alternately
     bool figures = false;  ///< how far A is from B is told
-    float splitAt = 0.5f;  ///< share of the picture's width that A takes
+    float splitAt = 0.5f;  ///< share of the image's width that A takes
     bool linkedCameras = true, linkedTimes = true;
     int wanted = -1;     ///< slot to go to after this frame; -1: none
     bool close = false;  ///< give up B after this frame
     bool trace = false;  ///< make B what the reference draws of A, after this frame
 };
 
-/// Whether pictures have to be compared for what is to be seen.
-inline bool comparesPictures(const CompareState& compare) {
+/// Whether images have to be compared for what is to be seen.
+inline bool comparesImages(const CompareState& compare) {
     return compare.second && (compare.figures || compare.mode == CompareMode::error);
 }
 

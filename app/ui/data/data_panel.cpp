@@ -85,12 +85,12 @@ void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryB
     const std::string full = plan.coarsening > 1 ? "" : "At full resolution";
     fact("Shown", how.empty() ? full : how + (full.empty() ? "" : " ") + full);
     ImGui::PopStyleColor();
-    fact("Takes", fmt::format("{} of {}, and for pictures {} of {}", memoryText(plan.machineBytes),
+    fact("Takes", fmt::format("{} of {}, and for images {} of {}", memoryText(plan.machineBytes),
                               memoryText(budget.machine), memoryText(plan.gpuBytes),
                               memoryText(budget.gpu)));
     tooltip(
         "Fields are held in the machine's memory; the renderer holds them once more, with what "
-        "it makes of them, in the memory for pictures. Data that would take more than either "
+        "it makes of them, in the memory for images. Data that would take more than either "
         "are averaged to coarser columns.");
 }
 
@@ -100,7 +100,7 @@ Region domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
     return {{0.0, 0.0, shown.domainHeightsM.x}, {extent.x, extent.y, shown.domainHeightsM.y}};
 }
 
-/// One axis of the region; true when the hand has let go of a change.
+/// One axis of the region; true when the user has let go of a change.
 bool editAxis(const char* name, float& lowKm, float& highKm, double leastM, double mostM) {
     const auto least = static_cast<float>(leastM / kMPerKm);
     const auto most = static_cast<float>(mostM / kMPerKm);
@@ -124,7 +124,7 @@ void editRegion(Session& session, DataEdits& edits, const DatasetInfo& info,
     Region chosen = session.region().value_or(domain);
     chosen.lowerM = glm::max(chosen.lowerM, domain.lowerM);
     chosen.upperM = glm::min(chosen.upperM, domain.upperM);
-    // While the hand is on it the draft is shown; else what is chosen.
+    // While the mouse is on it the draft is shown; else what is chosen.
     if (!edits.holdsRegion) {
         edits.regionKm = {chosen.lowerM / kMPerKm, chosen.upperM / kMPerKm};
     }

@@ -12,7 +12,7 @@ namespace neph::ui {
 struct DataEdits {
     std::string memory;                   ///< as typed
     std::array<glm::vec3, 2> regionKm{};  ///< lower and upper corner, as dragged
-    bool holdsRegion = false;             ///< the hand is on a slider
+    bool holdsRegion = false;             ///< the mouse is on a slider
 };
 
 void drawData(const PanelContext& context, DataEdits& edits);

@@ -85,14 +85,14 @@ bool drawQuestion(const PanelContext& context, SessionDialogs& dialogs, WaitingS
     return !left && !(escape && !ImGui::IsPopupOpen("###files"));
 }
 
-/// All that was opened lately.
+/// All that was opened recently.
 void drawRecent(const PanelContext& context, SessionDialogs& dialogs) {
-    if (std::exchange(dialogs.showRecent, false)) ImGui::OpenPopup("Opened lately");
+    if (std::exchange(dialogs.showRecent, false)) ImGui::OpenPopup("Recent");
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(44.0f * em, display.x - 2.0f * em), 0.0f});
-    if (!ImGui::BeginPopupModal("Opened lately", nullptr,
+    if (!ImGui::BeginPopupModal("Recent", nullptr,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings)) {
         return;
@@ -118,7 +118,7 @@ void drawCrashNotice(const PanelContext& context, SessionDialogs& dialogs) {
     if (left == nullptr || !dialogs.offersCrashed) return;
     if (dialogs.crashText.empty()) dialogs.crashText = crashText(*left);
     bool restore = false, discard = false;
-    if (beginNotice(context.layout().picture, "##crashed", NoticeAt::top)) {
+    if (beginNotice(context.layout().image, "##crashed", NoticeAt::top)) {
         ImGui::TextUnformatted(dialogs.crashText.c_str());
         restore = ImGui::Button("Restore");
         place("crash.restore");

@@ -1,4 +1,4 @@
-// session_dialogs.h: data that have moved, what was opened lately, and what a crash left.
+// session_dialogs.h: data that have moved, what was opened recently, and what a crash left.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -12,7 +12,7 @@ void drawSessionDialogs(const PanelContext& context, SessionDialogs& dialogs);
 /// Offers to restore what a crash left, where there is anything.
 void drawCrashNotice(const PanelContext& context, SessionDialogs& dialogs);
 
-/// Buttons for what was opened lately, `count` at most; returns the entry chosen, or nothing.
+/// Buttons for what was opened recently, `count` at most; returns the entry chosen, or nothing.
 std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs, std::size_t count);
 
 }  // namespace neph::ui

@@ -67,7 +67,7 @@ bool canReopenLast(const SessionDialogs& dialogs);
 /// Opens the open data again, at the same time, as they are on disk now.
 void reloadData(Session& session);
 
-/// Remembers what was opened; call once a frame.
+/// Remembers what was opened; call once per frame.
 void noteOpened(const PanelContext& context, SessionDialogs& dialogs);
 /// Whether an entry of `recent` is still there.
 bool recentIsThere(SessionDialogs& dialogs, const std::vector<std::string>& recent,

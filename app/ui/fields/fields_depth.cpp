@@ -1,4 +1,5 @@
-// fields_depth.cpp: one number a field: how much light it takes away along the middle of the view.
+// fields_depth.cpp: one number per field: how much light it takes away along the middle of the
+// view.
 #include <imgui.h>
 
 #include "app/ui/fields/fields_plots.h"
@@ -35,7 +36,7 @@ void drawDepth(FieldsState& state, const Session& session, Species species) {
     ImGui::TextDisabled("of %s", numberText(depth->total(), 3).c_str());
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
-            "Along the ray through the middle of the picture: this field, and all visible ones.\n"
+            "Along the ray through the middle of the image: this field, and all visible ones.\n"
             "With the look's radii, densities and mixing scales (Eq. 9), without detail noise.\n"
             "At 1, light that comes straight through is down to 37 %%.");
     }

@@ -1,5 +1,5 @@
-// fields_panel.cpp: liquid and ice, a row a field: visible, alone, swatch, mixing scale; unfolded,
-// the rest of its parameters and what the data hold of it.
+// fields_panel.cpp: liquid and ice, a row per field: visible, alone, swatch, mixing scale;
+// unfolded, the rest of its parameters and what the data hold of it.
 #include "app/ui/fields/fields_panel.h"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ void drawSolo(Session& session, FieldsState& state, Species s) {
                  : fmt::format("Solo: shows {} alone", info(s).id));
 }
 
-/// The colour that the picture gives the field, and round it the field's own.
+/// The colour that the image gives the field, and round it the field's own.
 void drawSwatch(Session& session, Species s) {
     Look& look = session.document.look;
     const Parameter& colour = row(s, "colour");
@@ -83,7 +83,7 @@ void drawSwatch(Session& session, Species s) {
     if (!ImGui::BeginPopup("##colour")) return;
     ImGui::TextUnformatted((colour.group + ": " + colour.label).c_str());
     if (natural) {
-        ImGui::TextDisabled("White in the picture while Colour is Natural");
+        ImGui::TextDisabled("White in the image while Colour is Natural");
     }
     colourPicker(look.of(s).colour);
     ImGui::EndPopup();
@@ -132,7 +132,7 @@ bool drawsItself(const Parameter& r) {
            r.id.ends_with(".mixing_scale");
 }
 
-/// Said where parameters of a field do not act because of a mode of the whole picture.
+/// Said where parameters of a field do not act because of a mode of the whole image.
 void drawUnused(const Parameter& r, const Look& look) {
     const std::string because(overruledBy(r, look));
     if (!because.empty()) ImGui::TextDisabled("Not used: %s", because.c_str());

@@ -1,5 +1,5 @@
-// fields_phase.cpp: a phase function on logarithmic axes: polar with straight on to the right, or
-// over the angle. Whole decades; one line a wavelength where they differ.
+// fields_phase.cpp: a phase function on logarithmic axes: polar with forward to the right, or
+// over the angle. Whole decades; one line per wavelength where they differ.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -147,8 +147,8 @@ void readOut(const PhaseCurve::Made& curve, const Frame& frame) {
     const std::string lines = isGrey(curve.table) ? "" : "\nRed, green, blue: 650, 550, 450 nm.";
     nextTooltipBeside({frame.lower.x, frame.lower.y}, {frame.upper.x, frame.upper.y});
     ImGui::SetTooltip(
-        "%.1f°: %s%s\nPhase function, logarithmic, %s to %s 1/sr; 0° is straight on. The dot is "
-        "where\nsunlight turns to the eye at the middle of the picture. A click shows it %s.",
+        "%.1f°: %s%s\nPhase function, logarithmic, %s to %s 1/sr; 0° is forward. The dot is "
+        "where\nsunlight scatters to the eye at the middle of the image. A click shows it %s.",
         static_cast<double>(glm::degrees(theta)), valueText(curve.table, theta).c_str(),
         lines.c_str(), numberText(std::pow(10.0, frame.decades.lo)).c_str(),
         numberText(std::pow(10.0, frame.decades.hi)).c_str(),

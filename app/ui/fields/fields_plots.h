@@ -6,7 +6,7 @@
 
 namespace neph::ui {
 
-/// Angle by which sunlight is turned towards the eye at the middle of the picture, radians: 0 looks
+/// Angle by which sunlight is turned towards the eye at the middle of the image, radians: 0 looks
 /// into the sun.
 double scatteringAngle(const Document& document);
 
@@ -14,7 +14,7 @@ double scatteringAngle(const Document& document);
 /// and taken over when it is done.
 const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species species);
 
-/// Optical depths along the middle of the view, computed anew when volume, look or camera changed;
+/// Optical depths along the middle of the view, computed again when volume, look or camera changed;
 /// none without data.
 const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session& session);
 

@@ -34,7 +34,7 @@ struct DepthProbe {
 };
 
 struct FieldsState {
-    Look atPress;  ///< as it was before the hand took hold of what it holds
+    Look atPress;  ///< as it was before the user took hold of what it holds
     std::array<bool, kSpeciesCount> beforeSolo{};
     bool linkLiquid = false, linkIce = false;
     bool polar = true;  ///< phase functions; else over the angle

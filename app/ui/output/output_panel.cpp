@@ -44,7 +44,7 @@ void drawWhat(const Session& session, ExportSettings& settings) {
     const std::size_t times = info == nullptr ? 0 : info->times.size();
     const CameraPath& path = session.document.path;
     label("Export");
-    choice("This picture", "export.picture", settings.what, ExportWhat::picture);
+    choice("This image", "export.image", settings.what, ExportWhat::image);
     ImGui::SameLine();
     choice(times > 1 ? fmt::format("All {} times", times).c_str() : "All times", "export.times",
            settings.what, ExportWhat::times, times > 1 ? "" : "The data have but one time");
@@ -61,12 +61,12 @@ void drawFormat(ExportSettings& settings) {
     tooltip("Linear light, for further work");
     ImGui::SameLine();
     std::string reason;
-    if (settings.what == ExportWhat::picture) {
-        reason = "A film is made of all times, or of pictures along the path";
+    if (settings.what == ExportWhat::image) {
+        reason = "A video is made of all times, or of images along the path";
     } else if (!findProgram("ffmpeg")) {
-        reason = "A film needs the program ffmpeg, which is not on the PATH: apt install ffmpeg";
+        reason = "A video needs the program ffmpeg, which is not on the PATH: apt install ffmpeg";
     }
-    choice("MP4 film", "export.mp4", settings.format, ExportFormat::mp4, reason);
+    choice("MP4 video", "export.mp4", settings.format, ExportFormat::mp4, reason);
 }
 
 void drawSize(glm::ivec2 window, ExportSettings& settings) {
@@ -88,7 +88,7 @@ void drawSize(glm::ivec2 window, ExportSettings& settings) {
         settings.ownPx = glm::clamp(settings.ownPx, 1, kMostSidePx);
         place("export.pixels");
     }
-    label("Rays a pixel");
+    label("Rays per pixel");
     ImGui::SetNextItemWidth(width);
     int rays = settings.supersample - 1;
     if (ImGui::Combo("##rays", &rays,
@@ -109,7 +109,7 @@ void drawQuality(const Session& session, const ExportScene& scene, ExportSetting
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        tooltip("Pictures that are averaged: more are smoother");
+        tooltip("Images that are averaged: more are smoother");
         place("export.samples");
     }
     if (settings.format == ExportFormat::mp4 || settings.what == ExportWhat::path) {
@@ -130,12 +130,12 @@ void drawQuality(const Session& session, const ExportScene& scene, ExportSetting
     place("export.compare");
 }
 
-/// How many pictures there will be.
+/// How many images there will be.
 int countOf(const Session& session, const ExportSettings& settings) {
     if (settings.what == ExportWhat::times && session.info() != nullptr) {
         return static_cast<int>(session.info()->times.size());
     }
-    if (settings.what == ExportWhat::picture) return 1;
+    if (settings.what == ExportWhat::image) return 1;
     return static_cast<int>(durationS(session.document.path) * settings.fps + 1e-6) + 1;
 }
 
@@ -155,10 +155,10 @@ bool drawFile(const Session& session, const ExportScene& scene, ExportSettings& 
     } else {
         const glm::ivec2 size = sizeOf(settings, scene);
         const int count = countOf(session, settings);
-        const bool film = settings.format == ExportFormat::mp4;
+        const bool video = settings.format == ExportFormat::mp4;
         const std::string length =
-            film ? fmt::format(", {}", durationText(count / settings.fps)) : std::string();
-        ImGui::TextDisabled("%s", fmt::format("{} picture{} of {} \u00d7 {} pixels{}; "
+            video ? fmt::format(", {}", durationText(count / settings.fps)) : std::string();
+        ImGui::TextDisabled("%s", fmt::format("{} image{} of {} \u00d7 {} pixels{}; "
                                               "a number is added to a name that is taken",
                                               count, count == 1 ? "" : "s", size.x, size.y, length)
                                       .c_str());
@@ -186,7 +186,7 @@ void drawEnd(OutputState& output) {
         case ExportJob::State::done:
             ImGui::TextUnformatted(
                 job.done() > 1
-                    ? fmt::format("Wrote {} pictures, the last is {}", job.done(), file).c_str()
+                    ? fmt::format("Wrote {} images, the last is {}", job.done(), file).c_str()
                     : ("Wrote " + file).c_str());
             break;
         case ExportJob::State::cancelled:
@@ -250,14 +250,14 @@ void drawDialogue(const PanelContext& context, OutputState& output, const Export
     ImGui::End();
 }
 
-/// The same where the dialogue is closed: in the picture's upper right corner, which no overlay
+/// The same where the dialogue is closed: in the image's upper right corner, which no overlay
 /// has.
-void drawNotice(OutputState& output, const PixelBox& picture) {
+void drawNotice(OutputState& output, const PixelBox& image) {
     const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
     const ImVec2 corner{
-        static_cast<float>(picture.upper.x) / io.DisplayFramebufferScale.x - em,
-        io.DisplaySize.y - static_cast<float>(picture.upper.y) / io.DisplayFramebufferScale.y + em};
+        static_cast<float>(image.upper.x) / io.DisplayFramebufferScale.x - em,
+        io.DisplaySize.y - static_cast<float>(image.upper.y) / io.DisplayFramebufferScale.y + em};
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSize({kNoticeEms * em, 0.0f});
     if (ImGui::Begin("##export", nullptr,
@@ -280,7 +280,7 @@ void drawOutput(const PanelContext& context, OutputState& output, const ExportSc
     if (output.open) {
         drawDialogue(context, output, scene);
     } else if (output.job) {
-        drawNotice(output, pictureBox(context.layout()));
+        drawNotice(output, imageBox(context.layout()));
     }
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr glm::ivec2 kHdPx{1920, 1080}, kUhdPx{3840, 2160};
 constexpr std::string_view kEndings[] = {".png", ".exr", ".mp4"};
 
-/// "name_0012.png" is a picture of the series "name.png".
+/// "name_0012.png" is an image of the series "name.png".
 bool isOfSeries(const std::filesystem::path& file, const std::filesystem::path& series) {
     const std::string name = file.stem().string(), stem = series.stem().string() + "_";
     if (file.extension() != series.extension() || !name.starts_with(stem)) return false;
@@ -65,14 +65,14 @@ std::vector<std::string> exportArguments(const ExportSettings& settings, const E
     }
     if (settings.what == ExportWhat::times) add({"--time", "all"});
     if (settings.what == ExportWhat::path) add({"--along-path"});
-    const bool film = settings.format == ExportFormat::mp4;
-    if (settings.what == ExportWhat::path || (film && settings.what == ExportWhat::times)) {
+    const bool video = settings.format == ExportFormat::mp4;
+    if (settings.what == ExportWhat::path || (video && settings.what == ExportWhat::times)) {
         add({"--fps", fmt::format("{}", settings.fps)});
     }
     add({"--size", fmt::format("{}x{}", sizePx.x, sizePx.y)});
     add({"--supersample", std::to_string(settings.supersample)});
     if (scene.averages) add({"--samples", std::to_string(settings.samples)});
-    if (settings.transparent && !film) add({"--transparent"});
+    if (settings.transparent && !video) add({"--transparent"});
     for (const std::string& reader : scene.readers) add({"--reader", reader});
     add({"--out", out.string()});
     return arguments;
@@ -82,11 +82,11 @@ std::string exportFault(const ExportSettings& settings, const Session& session) 
     if (session.info() == nullptr) return "There is no data yet.";
     if (settings.format == ExportFormat::mp4) {
         if (!findProgram("ffmpeg")) {
-            return "A film needs the program ffmpeg, which is not on the PATH (apt install "
-                   "ffmpeg). Pictures need none.";
+            return "A video needs the program ffmpeg, which is not on the PATH (apt install "
+                   "ffmpeg). Images need none.";
         }
-        if (settings.what == ExportWhat::picture) {
-            return "A film is made of all times, or of pictures along the path.";
+        if (settings.what == ExportWhat::image) {
+            return "A video is made of all times, or of images along the path.";
         }
     }
     if (settings.what == ExportWhat::path && session.document.path.keys.empty()) {
@@ -100,8 +100,8 @@ std::filesystem::path defaultExportFile() {
     std::error_code fault;
     std::filesystem::path folder = std::filesystem::current_path(fault);
     if (const char* home = std::getenv("HOME"); home != nullptr) {
-        const auto pictures = std::filesystem::path(home) / "Pictures";
-        if (std::filesystem::is_directory(pictures, fault)) folder = pictures;
+        const auto images = std::filesystem::path(home) / "Images";
+        if (std::filesystem::is_directory(images, fault)) folder = images;
     }
     return folder / "nephoscope.png";
 }

@@ -33,7 +33,7 @@ std::string stoppedText(const ExportJob& job) {
     if (job.done() == 0 || job.file().extension() == ".mp4") {
         return "The export was stopped; nothing was written";
     }
-    return fmt::format("The export was stopped; {} picture{} kept", job.done(),
+    return fmt::format("The export was stopped; {} image{} kept", job.done(),
                        job.done() == 1 ? " is" : "s are");
 }
 
@@ -46,7 +46,7 @@ void startExport(const PanelContext& context, OutputState& output, const ExportS
     if (exports(output) || !context.services.state) return;
     try {
         const bool series =
-            settings.what != ExportWhat::picture && settings.format != ExportFormat::mp4;
+            settings.what != ExportWhat::image && settings.format != ExportFormat::mp4;
         const auto out = freeFile(withEnding(settings.file, settings.format), series);
         output.session = sessionFile();
         saveSession(output.session, context.services.state());
@@ -60,9 +60,9 @@ void startExport(const PanelContext& context, OutputState& output, const ExportS
     }
 }
 
-void exportPicture(const PanelContext& context, OutputState& output, const ExportScene& scene) {
+void exportImage(const PanelContext& context, OutputState& output, const ExportScene& scene) {
     ExportSettings settings = output.settings;
-    settings.what = ExportWhat::picture;
+    settings.what = ExportWhat::image;
     settings.size = ExportSize::window;
     if (settings.format == ExportFormat::mp4) settings.format = ExportFormat::png;
     if (settings.file.empty()) settings.file = defaultExportFile().string();

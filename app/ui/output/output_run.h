@@ -1,4 +1,4 @@
-// output_run.h: starting an export beside the window, and looking after it.
+// output_run.h: starting an export in the background, and looking after it.
 #pragma once
 #include "app/ui/output/output_plan.h"
 #include "app/ui/panel/panel_context.h"
@@ -12,8 +12,8 @@ bool exports(const OutputState& output);
 void startExport(const PanelContext& context, OutputState& output, const ExportSettings& settings,
                  const ExportScene& scene);
 
-/// The picture of the window, with what else was set last.
-void exportPicture(const PanelContext& context, OutputState& output, const ExportScene& scene);
+/// The image of the window, with what else was set last.
+void exportImage(const PanelContext& context, OutputState& output, const ExportScene& scene);
 
 /// Takes in what it said, and tells its end. To be called in every frame.
 void updateExport(const PanelContext& context, OutputState& output);

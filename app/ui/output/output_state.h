@@ -11,12 +11,12 @@
 
 namespace neph::ui {
 
-enum class ExportWhat : int { picture, times, path };
+enum class ExportWhat : int { image, times, path };
 enum class ExportFormat : int { png, exr, mp4 };
 enum class ExportSize : int { window, hd, uhd, own };
 
 struct ExportSettings {
-    ExportWhat what = ExportWhat::picture;
+    ExportWhat what = ExportWhat::image;
     ExportFormat format = ExportFormat::png;
     ExportSize size = ExportSize::window;
     glm::ivec2 ownPx{1920, 1080};
@@ -24,7 +24,7 @@ struct ExportSettings {
     int samples = 16;
     bool transparent = false;
     bool bothSides = true;  ///< where the window shows two
-    double fps = 25.0;      ///< of films and paths
+    double fps = 25.0;      ///< of videos and paths
     std::string file;       ///< as typed; empty before the dialogue was opened
 };
 

@@ -9,16 +9,16 @@
 
 namespace neph::ui {
 
-/// The picture on screen, for the status line.
+/// The image on screen, for the status line.
 struct FrameReport {
     double milliseconds = 0.0;
     Engine engine{};
     int planes = 0;   ///< slices, or steps of the march along the diagonal
-    int samples = 0;  ///< pictures that were averaged
+    int samples = 0;  ///< images that were averaged
     glm::ivec2 sizePx{0};
     bool full = false;  ///< at the resolution of the window and with all planes or steps
     std::string device;
-    std::size_t gpuBytes = 0;     ///< held for this slot's pictures
+    std::size_t gpuBytes = 0;     ///< held for this slot's images
     int time = -1;                ///< of the data in it; -1: not told
     ReferenceReport reference{};  ///< of that engine alone
 };

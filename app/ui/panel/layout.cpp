@@ -8,8 +8,8 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kLeastColumnEms = 15.0f;   // a label, a slider and its value
-constexpr float kLeastPictureEms = 12.0f;  // else there is nothing to look at
+constexpr float kLeastColumnEms = 15.0f;  // a label, a slider and its value
+constexpr float kLeastImageEms = 12.0f;   // else there is nothing to look at
 constexpr float kEdgeEms = 0.75f;
 constexpr float kTimeEms = 4.1f;  // two rows
 constexpr float kStatusEms = 1.75f;
@@ -22,13 +22,13 @@ struct Widths {
 Widths widthsIn(float window, const Settings& settings, const Columns& columns) {
     Widths widths{settings.leftColumn ? columns.leftEms : 0.0f,
                   settings.rightColumn ? columns.rightEms : 0.0f};
-    const float room = window - 2.0f * kEdgeEms - kLeastPictureEms;
+    const float room = window - 2.0f * kEdgeEms - kLeastImageEms;
     if (widths.left > 0.0f && widths.right > 0.0f && room < 2.0f * kLeastColumnEms) {
         (columns.leftLast ? widths.right : widths.left) = 0.0f;
     }
     const float wanted = widths.left + widths.right;
     if (wanted <= room) return widths;
-    // Both give way in proportion, though never below what their widgets need.
+    // Both yield in proportion, though never below what their widgets need.
     for (float* width : {&widths.left, &widths.right}) {
         if (*width > 0.0f) *width = std::max(kLeastColumnEms, *width * room / wanted);
     }
@@ -55,7 +55,7 @@ Layout layoutOf(const Session& session, const Settings& settings, const Columns&
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const glm::vec2 window = glm::max(glm::vec2(display.x, display.y), 1.0f);
     Layout layout;
-    layout.picture = {glm::vec2(0.0f), window};
+    layout.image = {glm::vec2(0.0f), window};
     if (!columns.shown) return layout;
     const float em = ImGui::GetFontSize();
     const auto whole = [](float pixels) { return glm::round(pixels); };
@@ -72,17 +72,17 @@ Layout layoutOf(const Session& session, const Settings& settings, const Columns&
     layout.right = {{right, top}, {window.x, bottom}};
     layout.time = {{0.0f, bottom}, {window.x, statusTop}};
     layout.status = {{0.0f, statusTop}, window};
-    layout.picture = {{left + edge, top}, {right - edge, bottom}};
+    layout.image = {{left + edge, top}, {right - edge, bottom}};
     return layout;
 }
 
-PixelBox pictureBox(const Layout& layout) {
+PixelBox imageBox(const Layout& layout) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const float height = ImGui::GetIO().DisplaySize.y;
-    const Area& picture = layout.picture;
+    const Area& image = layout.image;
     const glm::vec2 factor{scale.x, scale.y};
-    const glm::vec2 lower{picture.lower.x, height - picture.upper.y};
-    const glm::vec2 upper{picture.upper.x, height - picture.lower.y};
+    const glm::vec2 lower{image.lower.x, height - image.upper.y};
+    const glm::vec2 upper{image.upper.x, height - image.lower.y};
     const glm::ivec2 corner = glm::max(glm::ivec2(glm::round(lower * factor)), 0);
     return {corner, glm::max(corner + 1, glm::ivec2(glm::round(upper * factor)))};
 }

@@ -1,8 +1,8 @@
 // layout.h: where everything stands in the window: menu on top, a column each side, the time and
-// the status along the bottom, and the picture in what is left.
+// the status along the bottom, and the image in what is left.
 //
 // Pixels of ImGui, row 0 on top. Sizes are in letters (the height of the font), so that they follow
-// the scale. Where the window is too narrow for both columns and a picture, the one opened last has
+// the scale. Where the window is too narrow for both columns and an image, the one opened last has
 // the place.
 #pragma once
 #include <glm/glm.hpp>
@@ -26,8 +26,8 @@ struct Area {
 };
 
 struct Layout {
-    Area menu, left, right, time, status, picture;  ///< empty: not there
-    Area leftEdge, rightEdge;                       ///< beside the columns: drag, click
+    Area menu, left, right, time, status, image;  ///< empty: not there
+    Area leftEdge, rightEdge;                     ///< beside the columns: drag, click
 };
 
 /// Of a frame with the window and the font that ImGui has now.
@@ -45,6 +45,6 @@ struct PixelBox {
     glm::ivec2 size() const { return upper - lower; }
 };
 /// Where the image is: all that the panels leave. At least a pixel.
-PixelBox pictureBox(const Layout& layout);
+PixelBox imageBox(const Layout& layout);
 
 }  // namespace neph::ui

@@ -1,4 +1,4 @@
-// notice_box.cpp: as wide as its words, up to what the picture has room for.
+// notice_box.cpp: as wide as its words, up to what the image has room for.
 #include "app/ui/panel/notice_box.h"
 
 #include <imgui.h>
@@ -12,13 +12,13 @@ constexpr float kNoticeEms = 34.0f;
 
 }  // namespace
 
-bool beginNotice(const Area& picture, const char* name, NoticeAt at) {
+bool beginNotice(const Area& image, const char* name, NoticeAt at) {
     const float em = ImGui::GetFontSize();
-    const glm::vec2 room = glm::max(picture.size() - 2.0f * em, glm::vec2(4.0f * em));
+    const glm::vec2 room = glm::max(image.size() - 2.0f * em, glm::vec2(4.0f * em));
     const float width = std::min(kNoticeEms * em, room.x);
     const float share = at == NoticeAt::top ? 0.0f : at == NoticeAt::middle ? 0.5f : 1.0f;
-    const float top = picture.lower.y + em + share * room.y;
-    ImGui::SetNextWindowPos({(picture.lower.x + picture.upper.x) / 2.0f, top}, ImGuiCond_Always,
+    const float top = image.lower.y + em + share * room.y;
+    ImGui::SetNextWindowPos({(image.lower.x + image.upper.x) / 2.0f, top}, ImGuiCond_Always,
                             {0.5f, share});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, room.y});
     const bool open =

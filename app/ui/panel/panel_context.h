@@ -30,7 +30,7 @@ struct Requests {
     std::optional<std::string> preset;  ///< file of one to load; of the presets' room
 };
 
-/// Seconds between looks at what goes on beside the window.
+/// Seconds between looks at what goes on in the background.
 inline constexpr double kLookS = 0.2;
 
 /// When the next frame is due. Cleared before each, and set by what is drawn in it.

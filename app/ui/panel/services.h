@@ -9,17 +9,17 @@
 
 namespace neph::ui {
 
-/// A picture as a texture.
-struct LoadedPicture {
+/// An image as a texture.
+struct LoadedImage {
     unsigned texture = 0;  ///< for ImGui; 0 where the file could not be read
     glm::ivec2 sizePx{0};
 };
 
 /// Empty in tests.
 struct Services {
-    std::function<LoadedPicture(const std::filesystem::path& png)> loadPicture;
-    std::function<LoadedPicture(const Image8& picture)> showPicture;
-    std::function<void(unsigned texture)> dropPicture;
+    std::function<LoadedImage(const std::filesystem::path& png)> loadImage;
+    std::function<LoadedImage(const Image8& image)> showImage;
+    std::function<void(unsigned texture)> dropImage;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state. Another session may be the active one from then on.

@@ -47,7 +47,7 @@ void list(const Services& services, PresetBrowser& presets) {
     presets.triedThumbnails = false;
 }
 
-/// Lists them anew when files have come, gone or changed, by whomever.
+/// Lists them again when files have come, gone or changed, by whomever.
 void keepListed(const Services& services, PresetBrowser& presets) {
     const double now = ImGui::GetTime();
     if (presets.listed && now - presets.lookedS < kLookS) return;

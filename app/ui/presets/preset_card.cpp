@@ -22,7 +22,7 @@ constexpr double kTooltipDelayS = 0.5;
 constexpr float kTooltipEms = 30.0f;
 constexpr std::size_t kTooltipRows = 12;
 
-/// Of a radiance; close enough to the film curve for a swatch.
+/// Of a radiance; close enough to the tone mapping for a swatch.
 ImU32 swatch(const glm::vec3& radiance, float exposureEv) {
     const glm::vec3 lit = radiance * std::exp2(exposureEv);
     const glm::vec3 shown = glm::pow(glm::clamp(lit, 0.0f, 1.0f), glm::vec3(1.0f / 2.2f));
@@ -141,11 +141,11 @@ void drawMenu(Session& session, PresetBrowser& presets, const PresetCard& card) 
     }
 }
 
-/// Picture, outline and name.
+/// Image, outline and name.
 void drawFace(const Session& session, const PresetCard& card, glm::vec2 at, float width,
               bool hovered) {
     const glm::vec2 corner = at + glm::vec2(width, width / kThumbnailAspect);
-    drawPresetPicture(card, at, corner);
+    drawPresetImage(card, at, corner);
     const bool loaded = card.entry.name == session.presetName;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (loaded || hovered) {
@@ -169,7 +169,7 @@ float presetCardHeight(float width) {
     return width / kThumbnailAspect + ImGui::GetTextLineHeight() + 4.0f;
 }
 
-void drawPresetPicture(const PresetCard& card, glm::vec2 lower, glm::vec2 upper) {
+void drawPresetImage(const PresetCard& card, glm::vec2 lower, glm::vec2 upper) {
     if (card.texture == 0) {
         drawSky(card.preset.look, lower, upper);
         return;

@@ -15,15 +15,15 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kWidthEms = 34.0f, kPictureEms = 14.0f;
+constexpr float kWidthEms = 34.0f, kImageEms = 14.0f;
 constexpr int kMostLines = 16;
 
 void drawHead(const PresetCard& card) {
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const glm::vec2 lower{at.x, at.y};
-    const glm::vec2 size{kPictureEms * em, kPictureEms * em / kThumbnailAspect};
-    drawPresetPicture(card, lower, lower + size);
+    const glm::vec2 size{kImageEms * em, kImageEms * em / kThumbnailAspect};
+    drawPresetImage(card, lower, lower + size);
     ImGui::Dummy({size.x, size.y});
     ImGui::SameLine();
     ImGui::BeginGroup();

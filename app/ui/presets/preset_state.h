@@ -30,7 +30,7 @@ struct PresetApplied {
 
 struct PresetBrowser {
     std::vector<PresetCard> cards;
-    bool listed = false;   ///< false: to be listed anew
+    bool listed = false;   ///< false: to be listed again
     bool revealed = true;  ///< false: the loaded preset is to be scrolled to
     double lookedS = 0.0;  ///< when it was last seen whether files have changed
     std::filesystem::file_time_type stamp{};

@@ -1,4 +1,4 @@
-// preset_thumbnails.cpp: the cards' pictures: found where they were kept, made by a program beside
+// preset_thumbnails.cpp: the cards' images: found where they were kept, made by a program beside
 // this one where they were not, and read as textures once each.
 #include "app/ui/presets/preset_thumbnails.h"
 
@@ -16,15 +16,15 @@ namespace {
 
 constexpr int kNiceness = 10;  // the window has the right of way
 
-/// Reads what is there; true when a picture is missing still.
+/// Reads what is there; true when an image is missing still.
 bool readThumbnails(const Services& services, PresetBrowser& presets) {
     bool missing = false;
     for (PresetCard& card : presets.cards) {
         if (card.texture != 0 || card.thumbnail.empty() || !card.fault.empty()) continue;
         std::error_code fault;
         if (std::filesystem::exists(card.thumbnail, fault)) {
-            card.texture = services.loadPicture(card.thumbnail).texture;
-            if (card.texture == 0) card.thumbnail.clear();  // no picture: not again
+            card.texture = services.loadImage(card.thumbnail).texture;
+            if (card.texture == 0) card.thumbnail.clear();  // no image: not again
         } else {
             missing = true;
         }
@@ -46,7 +46,7 @@ void startMaker(Session& session, PresetBrowser& presets) {
 }  // namespace
 
 void updateThumbnails(const PanelContext& context, PresetBrowser& presets) {
-    if (!context.services.loadPicture) return;
+    if (!context.services.loadImage) return;
     const bool missing = readThumbnails(context.services, presets);
     if (!presets.thumbnails) {
         if (missing && !presets.triedThumbnails) startMaker(context.session(), presets);
@@ -55,7 +55,7 @@ void updateThumbnails(const PanelContext& context, PresetBrowser& presets) {
     context.next.again(kLookS);
     if (presets.thumbnails->poll()) return;
     if (presets.thumbnails->status() != 0) {
-        context.session().say(Message::Kind::warning, "The presets' pictures could not be made: " +
+        context.session().say(Message::Kind::warning, "The presets' images could not be made: " +
                                                           presets.thumbnails->lastWords());
     }
     presets.thumbnails.reset();
@@ -64,7 +64,7 @@ void updateThumbnails(const PanelContext& context, PresetBrowser& presets) {
 void keepThumbnails(const Services& services, PresetBrowser& presets,
                     std::vector<PresetCard>& cards) {
     for (PresetCard& card : cards) {
-        if (services.loadPicture && card.fault.empty()) {
+        if (services.loadImage && card.fault.empty()) {
             card.thumbnail = thumbnailFile(card.entry).value_or(std::filesystem::path());
         }
         const auto before =
@@ -73,7 +73,7 @@ void keepThumbnails(const Services& services, PresetBrowser& presets,
         card.texture = std::exchange(before->texture, 0u);
     }
     for (const PresetCard& card : presets.cards) {
-        if (card.texture != 0 && services.dropPicture) services.dropPicture(card.texture);
+        if (card.texture != 0 && services.dropImage) services.dropImage(card.texture);
     }
 }
 

@@ -7,7 +7,7 @@
 
 namespace neph::ui {
 
-/// Reads images that are there, has those made that are missing. Once a frame while they show.
+/// Reads images that are there, has those made that are missing. Once per frame while they show.
 void updateThumbnails(const PanelContext& context, PresetBrowser& presets);
 
 /// Hands the images of the present cards to new ones of the same content, and drops the others.

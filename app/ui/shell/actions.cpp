@@ -68,7 +68,7 @@ bool runChord(Ui& ui, Chord chord) {
     });
     if (found == actions().end() || !isEnabled(*found, ui)) return false;
     found->run(ui);
-    ui.next.again(0.0);  // however long the next picture takes
+    ui.next.again(0.0);  // however long the next image takes
     return true;
 }
 

@@ -10,7 +10,7 @@ bool hasSecond(const Ui& ui) {
     return ui.compare.second;
 }
 
-/// Turns a way of sharing the picture on, or off again.
+/// Turns a way of sharing the image on, or off again.
 void toggle(Ui& ui, CompareMode mode) {
     ui.compare.mode = ui.compare.mode == mode ? CompareMode::single : mode;
     if (!ui.compare.second) ui.compare.wanted = 1;
@@ -43,11 +43,11 @@ const std::array kActions{
            .label = "Flicker",
            .menu = Menu::compare,
            .chord = {Key::n4},
-           .help = "A and B in turns, half a second each: what differs moves",
+           .help = "A and B alternately, half a second each: what differs moves",
            .run = [](Ui& ui) { toggle(ui, CompareMode::flicker); },
            .checked = [](const Ui& ui) { return ui.compare.mode == CompareMode::flicker; }},
     Action{.id = "compare.error",
-           .label = "Error picture",
+           .label = "Error image",
            .menu = Menu::compare,
            .chord = {Key::x},
            .help = "Where A is darker than B, blue, or brighter, red",

@@ -41,7 +41,7 @@ const std::array kActions{
            .menu = Menu::edit,
            .chord = {Key::y, true},
            .other = {Key::z, true, true},
-           .help = "Does the step again that was taken back",
+           .help = "Does the step again that was undone",
            .run = [](Ui& ui) { ui.session().redo(); },
            .enabled = [](const Ui& ui) { return ui.session().history.canRedo(); }},
     Action{.id = "edit.show_all",
@@ -53,7 +53,7 @@ const std::array kActions{
     Action{.id = "edit.accessible_colours",
            .label = "Colour-blind-safe field colours",
            .menu = Menu::edit,
-           .help = "Field colours after Okabe and Ito, in the picture too; and back to table 2",
+           .help = "Field colours after Okabe and Ito, in the image too; and back to table 2",
            .run = toggleColours,
            .checked = isAccessible},
 };

@@ -37,7 +37,7 @@ const std::array kActions{
            .label = "Open recent...",
            .menu = Menu::file,
            .chord = {Key::r, true, true},
-           .help = "What was opened lately, newest first",
+           .help = "Data and sessions opened before, newest first",
            .run = [](Ui& ui) { ui.sessionDialogs.showRecent = true; },
            .enabled = [](const Ui& ui) { return !ui.settings.recent.empty(); }},
     Action{.id = "file.reload",

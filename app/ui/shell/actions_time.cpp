@@ -26,7 +26,7 @@ void goBy(Ui& ui, int times) {
     goTo(ui, ui.session().document.time + times);
 }
 
-/// Begins anew where the end was reached before.
+/// Begins again where the end was reached before.
 void play(Ui& ui) {
     Playback& playback = ui.playback;
     playback.playing = !playback.playing;
@@ -54,7 +54,7 @@ const std::array kActions{
            .label = "Loop",
            .menu = Menu::time,
            .chord = {Key::l},
-           .help = "Playing begins anew at its end",
+           .help = "Playing starts again at the end",
            .run = [](Ui& ui) { ui.playback.loop = !ui.playback.loop; },
            .checked = [](const Ui& ui) { return ui.playback.loop; }},
     Action{.id = "time.along_path",
@@ -70,14 +70,14 @@ const std::array kActions{
            .label = "Slower",
            .menu = Menu::time,
            .chord = {Key::comma},
-           .help = "Half as many times a second",
+           .help = "Half as many times per second",
            .run = [](Ui& ui) { changeSpeed(ui.playback, -1); },
            .enabled = hasTimes},
     Action{.id = "time.faster",
            .label = "Faster",
            .menu = Menu::time,
            .chord = {Key::period},
-           .help = "Twice as many times a second",
+           .help = "Twice as many times per second",
            .run = [](Ui& ui) { changeSpeed(ui.playback, 1); },
            .enabled = hasTimes},
     Action{.id = "time.before",

@@ -28,7 +28,7 @@ PanelContext contextOf(Ui& ui) {
 }
 
 ExportScene exportSceneOf(const Ui& ui) {
-    return {pictureBox(ui.layout()).size(), ui.compare.active + 1,
+    return {imageBox(ui.layout()).size(), ui.compare.active + 1,
             ui.compare.second && ui.compare.mode == CompareMode::split, ui.output.readers,
             traitsOf(ui.session().document.look.engine).refinement == Refinement::averages};
 }

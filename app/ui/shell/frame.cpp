@@ -18,7 +18,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the hand
+constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the mouse
 constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
 
 /// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
@@ -113,7 +113,7 @@ void draw(Ui& ui) {
     playOn(context, ui.playback, imageTimeOf(ui));
     keepOwnCamera(ui.session(), ui.playback);
     moveCamera(context, ui.cameraTools);
-    drawPlace(ui, PanelPlace::picture);
+    drawPlace(ui, PanelPlace::image);
     if (ui.columns.shown) drawAround(ui);
     drawPlace(ui, PanelPlace::over);
     closeOnEscape(popups);

@@ -1,4 +1,4 @@
-// notices.cpp: loading, errors and empty states over the picture; the list of messages when asked.
+// notices.cpp: loading, errors and empty states over the image; the list of messages when asked.
 #include "app/ui/shell/notices.h"
 
 #include <fmt/format.h>
@@ -36,8 +36,8 @@ void title(const char* text) {
     ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_CheckMark], "%s", text);
 }
 
-void drawLoading(const Area& picture, Session& session) {
-    if (beginNotice(picture, "##loading", NoticeAt::middle)) {
+void drawLoading(const Area& image, Session& session) {
+    if (beginNotice(image, "##loading", NoticeAt::middle)) {
         ImGui::TextUnformatted(session.loadingLabel().c_str());
         const float em = ImGui::GetFontSize();
         ImGui::ProgressBar(static_cast<float>(session.loadingFraction()), {16.0f * em, 0.0f});
@@ -49,9 +49,9 @@ void drawLoading(const Area& picture, Session& session) {
 }
 
 /// True when it is closed.
-bool drawError(const Area& picture, const std::string& text) {
+bool drawError(const Area& image, const std::string& text) {
     bool close = false;
-    if (beginNotice(picture, "##error", NoticeAt::top)) {
+    if (beginNotice(image, "##error", NoticeAt::top)) {
         ImGui::TextColored(errorColour(), "Error");
         ImGui::TextUnformatted(text.c_str());
         close = ImGui::Button("Close");
@@ -67,7 +67,7 @@ bool drawError(const Area& picture, const std::string& text) {
 /// What there is to do when nothing is open.
 void drawStart(const PanelContext& context, SessionDialogs& dialogs) {
     std::string wanted;
-    if (beginNotice(context.layout().picture, "##nodata", NoticeAt::middle)) {
+    if (beginNotice(context.layout().image, "##nodata", NoticeAt::middle)) {
         title("No data");
         ImGui::TextUnformatted("Drop model output on the window: files, or the folder of a run.");
         ImGui::Spacing();
@@ -83,7 +83,7 @@ void drawStart(const PanelContext& context, SessionDialogs& dialogs) {
         }
         if (!context.settings.recent.empty()) {
             ImGui::Spacing();
-            title("Opened lately");
+            title("Recent");
             wanted = drawRecentList(context, dialogs, kRecentShown);
         }
     }
@@ -91,7 +91,7 @@ void drawStart(const PanelContext& context, SessionDialogs& dialogs) {
     if (!wanted.empty()) openFiles(context, dialogs, namesIn(wanted));
 }
 
-void drawNoHydrometeors(const Area& picture, const DatasetInfo& info) {
+void drawNoHydrometeors(const Area& image, const DatasetInfo& info) {
     std::string names;
     for (std::size_t i = 0; i < std::min(kVariablesShown, info.variables.size()); ++i) {
         names += (i == 0 ? "" : ", ") + info.variables[i].name;
@@ -99,7 +99,7 @@ void drawNoHydrometeors(const Area& picture, const DatasetInfo& info) {
     if (info.variables.size() > kVariablesShown) {
         names += fmt::format(" and {} more", info.variables.size() - kVariablesShown);
     }
-    if (beginNotice(picture, "##nohydrometeors", NoticeAt::middle)) {
+    if (beginNotice(image, "##nohydrometeors", NoticeAt::middle)) {
         title("No hydrometeors");
         ImGui::TextUnformatted(
             "These data hold none of what can be seen: cloud, rain, ice, snow, graupel or hail, as "
@@ -110,9 +110,9 @@ void drawNoHydrometeors(const Area& picture, const DatasetInfo& info) {
     endNotice();
 }
 
-void drawClearSky(const Area& picture, Session& session, const VolumeSummary& shown) {
+void drawClearSky(const Area& image, Session& session, const VolumeSummary& shown) {
     const bool part = session.region().has_value();
-    if (beginNotice(picture, "##clear", NoticeAt::middle)) {
+    if (beginNotice(image, "##clear", NoticeAt::middle)) {
         title("Clear sky");
         ImGui::Text("There is no hydrometeor%s at %s.", part ? " in this part of the domain" : "",
                     shown.timeLabel.c_str());
@@ -122,8 +122,8 @@ void drawClearSky(const Area& picture, Session& session, const VolumeSummary& sh
     endNotice();
 }
 
-void drawAllOff(const Area& picture, Look& look) {
-    if (beginNotice(picture, "##off", NoticeAt::middle)) {
+void drawAllOff(const Area& image, Look& look) {
+    if (beginNotice(image, "##off", NoticeAt::middle)) {
         ImGui::TextUnformatted("Every field is switched off.");
         if (ImGui::Button("Show all fields")) showAllFields(look);
         place("off.show");
@@ -140,19 +140,19 @@ bool hasHydrometeors(const DatasetInfo& info) {
 /// What there is to say when there is nothing to see.
 void drawState(const PanelContext& context, SessionDialogs& dialogs) {
     Session& session = context.session();
-    const Area picture = context.layout().picture;
+    const Area image = context.layout().image;
     const VolumeSummary* shown = session.shown();
     const bool opening = session.loading() && session.loadingLabel().starts_with("Opening");
     if (opening || (session.loading() && shown == nullptr)) {
-        drawLoading(picture, session);
+        drawLoading(image, session);
     } else if (shown == nullptr) {
         drawStart(context, dialogs);
     } else if (session.info() != nullptr && !hasHydrometeors(*session.info())) {
-        drawNoHydrometeors(picture, *session.info());
+        drawNoHydrometeors(image, *session.info());
     } else if (shown->empty()) {
-        drawClearSky(picture, session, *shown);
+        drawClearSky(image, session, *shown);
     } else if (everyFieldOff(session.document.look, *shown)) {
-        drawAllOff(picture, session.document.look);
+        drawAllOff(image, session.document.look);
     }
 }
 
@@ -173,18 +173,17 @@ void drawNotices(const PanelContext& context, SessionDialogs& dialogs,
     drawCrashNotice(context, dialogs);
     const Session& session = context.session();
     const std::string* error = newestError(session, dismissedSerial);
-    if (error != nullptr && drawError(context.layout().picture, *error)) {
+    if (error != nullptr && drawError(context.layout().image, *error)) {
         dismissedSerial = session.messages.back().serial;
     }
 }
 
 void drawMessages(const PanelContext& context, bool& shown) {
     const float em = ImGui::GetFontSize();
-    const Area picture = context.layout().picture;
-    const glm::vec2 corner = picture.lower;
-    ImGui::SetNextWindowSize(
-        {std::min(kMessagesEms * em, picture.size().x - 2.0f * em), 18.0f * em},
-        ImGuiCond_Appearing);
+    const Area image = context.layout().image;
+    const glm::vec2 corner = image.lower;
+    ImGui::SetNextWindowSize({std::min(kMessagesEms * em, image.size().x - 2.0f * em), 18.0f * em},
+                             ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({corner.x + em, corner.y + em}, ImGuiCond_Appearing);
     if (ImGui::Begin("Messages", &shown,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {

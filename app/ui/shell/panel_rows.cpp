@@ -28,7 +28,7 @@ namespace {
 
 const std::array kPanels{
     Panel{.id = "camera_overlays",
-          .place = PanelPlace::picture,
+          .place = PanelPlace::image,
           .draw = [](Ui& ui) { drawCameraOverlays(contextOf(ui), ui.cameraTools); }},
     Panel{.id = "menu_bar", .place = PanelPlace::top, .draw = drawMenuBar},
     Panel{.id = "data",
@@ -58,13 +58,13 @@ const std::array kPanels{
     Panel{.id = "compare",
           .draw = [](Ui& ui) { drawCompare(contextOf(ui), ui.compare, ui.errors); }},
     Panel{.id = "profile",
-          .draw = [](Ui& ui) { drawProfile(ui.layout().picture, ui.profile); },
+          .draw = [](Ui& ui) { drawProfile(ui.layout().image, ui.profile); },
           .shown = &Ui::showProfile,
           .toggle = {.id = "view.profile",
                      .label = "Performance",
                      .menu = Menu::view,
                      .chord = {Key::f3},
-                     .help = "What the picture cost, pass by pass"},
+                     .help = "What the image cost, pass by pass"},
           .before = "view.full_screen",
           .toggled = [](Ui& ui) { ui.requests.redraw = ui.showProfile; }},
     Panel{

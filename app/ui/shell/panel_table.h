@@ -11,7 +11,7 @@
 namespace neph::ui {
 
 /// In the order in which they are drawn. Top, columns and bottom are there while panels are shown.
-enum class PanelPlace : int { picture, top, left, right, bottom, over };
+enum class PanelPlace : int { image, top, left, right, bottom, over };
 
 struct Panel {
     std::string_view id = {};

@@ -1,4 +1,4 @@
-// profile_overlay.cpp: what the picture cost, over its corner: text, and a thin bar under each
+// profile_overlay.cpp: what the image cost, over its corner: text, and a thin bar under each
 // pass.
 //
 // Digits of the font are of one width, so numbers that end at the same place stand still.
@@ -9,11 +9,11 @@
 namespace neph::ui {
 namespace {
 
-// In letters: width, margin to the picture's edge, and where values end.
+// In letters: width, margin to the image's edge, and where values end.
 constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValueEndEms = 12.0f;
 constexpr float kOpacity = 0.80f;  // legible on a bright cloud, and the cloud still shows
 
-/// Nearer to that of values than on the panels, since the picture shows through.
+/// Nearer to that of values than on the panels, since the image shows through.
 ImVec4 labelColour() {
     const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const ImVec4 label = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
@@ -52,7 +52,7 @@ void drawContent(const Profile& profile) {
     ImGui::TextUnformatted(profile.engine.c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s", profile.device.c_str());
-    drawRows(profile.picture);
+    drawRows(profile.image);
     ImGui::Dummy(gap);
     for (const ProfileRow& row : profile.passes) {
         drawRow(row);
@@ -67,21 +67,21 @@ void drawContent(const Profile& profile) {
 
 }  // namespace
 
-void drawProfile(const Area& picture, const Profile& profile) {
+void drawProfile(const Area& image, const Profile& profile) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(
-        {picture.upper.x - (kWidthEms + kMarginEms) * em, picture.lower.y + kMarginEms * em});
+        {image.upper.x - (kWidthEms + kMarginEms) * em, image.lower.y + kMarginEms * em});
     ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
     ImGui::SetNextWindowBgAlpha(kOpacity);
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, labelColour());
-    // Without inputs: the hand reaches the picture through it.
+    // Without inputs: the mouse reaches the image through it.
     if (ImGui::Begin("##profile", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                          ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-        if (profile.picture.empty()) {
-            ImGui::TextDisabled("No picture yet");
+        if (profile.image.empty()) {
+            ImGui::TextDisabled("No image yet");
         } else {
             drawContent(profile);
         }

@@ -5,7 +5,7 @@
 
 namespace neph::ui {
 
-/// `picture` is the area of the image.
-void drawProfile(const Area& picture, const Profile& profile);
+/// `image` is the area of the image.
+void drawProfile(const Area& image, const Profile& profile);
 
 }  // namespace neph::ui

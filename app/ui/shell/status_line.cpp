@@ -1,4 +1,4 @@
-// status_line.cpp: the newest message; how long the picture took, what it is made of and in which
+// status_line.cpp: the newest message; how long the image took, what it is made of and in which
 // memory.
 #include "app/ui/shell/status_line.h"
 
@@ -30,7 +30,7 @@ std::string workText(const FrameReport& report) {
     return work + (report.full ? "" : ", draft");
 }
 
-/// In motion frames a second say more.
+/// In motion frames per second say more.
 std::string timeText(const FrameReport& report, bool animates) {
     const bool moves = animates || ImGui::IsAnyMouseDown();
     const std::string time = fmt::format("{:.0f} ms", report.milliseconds);
@@ -80,7 +80,7 @@ Said newest(const Session& session) {
     return {firstLine(message.text), error ? errorColour() : warning ? warningColour() : usual};
 }
 
-/// Said as long as it is so: the picture is not all that the data have.
+/// Said as long as it is so: the image is not all that the data have.
 std::string coarsenedText(const VolumeSummary* shown) {
     if (shown == nullptr || shown->plan.coarsening == 1) return {};
     return fmt::format("coarsened {0} \u00d7 {0}", shown->plan.coarsening);
@@ -102,7 +102,7 @@ std::string fitting(const std::vector<std::string>& texts, float room) {
 }
 
 void drawMessage(const Session& session, const Area& area, float end, bool& showMessages) {
-    // The message gives way to the frame, not the other way round.
+    // The message yields to the frame, not the other way round.
     ImGui::PushClipRect({area.lower.x, area.lower.y}, {end, area.upper.y}, true);
     const Said said = newest(session);
     ImGui::TextColored(said.colour, "%s", said.text.c_str());

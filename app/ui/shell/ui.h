@@ -1,7 +1,7 @@
 // ui.h: all that the panels edit and keep: the session, what the last frame was, what is asked of
 // the window, and a struct of each room.
 //
-// Panels see core and ImGui, and leave room for the picture, which the window draws itself. The
+// Panels see core and ImGui, and leave room for the image, which the window draws itself. The
 // shell alone knows this struct; a panel is given a PanelContext and the state of its room.
 #pragma once
 #include <cstddef>

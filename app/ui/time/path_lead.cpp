@@ -9,7 +9,7 @@ void leadAlongPath(Session& session, Playback& playback) {
     const VolumeSummary* shown = session.shown();
     const bool leads = led.has_value();
     keepOwnCamera(session, playback);
-    const bool taken = leads && !led;  // by a hand
+    const bool taken = leads && !led;  // by the user
     if (taken || shown == nullptr || document.path.keys.empty()) return;
     playback.alongPath = true;
     if (!led) led = LedCamera{document.camera, document.camera};

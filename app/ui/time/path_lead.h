@@ -6,9 +6,9 @@
 namespace neph::ui {
 
 /// Camera and time as they are where the path is now. The document's own camera comes back when
-/// the path is left, but where a hand has moved it.
+/// the path is left, but where the user has moved it.
 void leadAlongPath(Session& session, Playback& playback);
-/// Notices that the path was left. Once a frame.
+/// Notices that the path was left. Once per frame.
 void keepOwnCamera(Session& session, Playback& playback);
 
 }  // namespace neph::ui

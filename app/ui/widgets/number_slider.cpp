@@ -78,7 +78,7 @@ std::optional<double> parse(const std::string& typed, const std::string& unit) {
     return value;
 }
 
-/// Takes over what was typed; false where it is no number.
+/// Takes over what was typed; false where it is not a number.
 bool take(double& value, const NumberRange& range, const std::string& unit, bool& changed) {
     const std::optional<double> typed = parse(typing.text, unit);
     if (!typed) return false;
@@ -112,7 +112,7 @@ bool typeIn(double& value, const NumberRange& range, const std::string& unit) {
             typing = {};
             return changed;
         }
-        typing.fault = "\"" + typing.text + "\" is no number. Enter takes one" +
+        typing.fault = "\"" + typing.text + "\" is not a number. Enter takes one" +
                        (trimmed(unit).empty() ? "" : " in " + std::string(trimmed(unit))) +
                        ", Esc leaves it.";
         typing.begun = false;  // Enter took the keyboard away

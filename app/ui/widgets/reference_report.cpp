@@ -35,7 +35,7 @@ std::string roughDuration(double seconds) {
 }
 
 std::string pathsText(const ReferenceReport& report) {
-    std::string text = fmt::format("{} path{} a pixel", report.paths, report.paths == 1 ? "" : "s");
+    std::string text = fmt::format("{} sample{} per pixel", report.paths, report.paths == 1 ? "" : "s");
     if (!std::isfinite(report.relativeError)) return text;
     text += fmt::format(", error {} %", numberText(100.0 * report.relativeError, 2));
     const std::optional<double> left = secondsToTarget(report);

@@ -1,4 +1,4 @@
-// reference_report.h: how far the reference has come with a picture, in numbers and in words.
+// reference_report.h: how far the reference has come with an image, in numbers and in words.
 #pragma once
 #include <limits>
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace neph::ui {
 
-/// Of one picture. The error is one standard deviation of its pixels as a share of their mean.
+/// Of one image. The error is one standard deviation of its pixels as a share of their mean.
 struct ReferenceReport {
     int paths = 0;  ///< a pixel
     double relativeError = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ std::optional<double> secondsToTarget(const ReferenceReport& report);
 /// "40 s", "2 min", "3 h", "12 days", of which nobody wants to know more.
 std::string roughDuration(double seconds);
 
-/// "37 paths a pixel, error 8.1 %, about 2 min to 2 %".
+/// "37 paths per pixel, error 8.1 %, about 2 min to 2 %".
 std::string pathsText(const ReferenceReport& report);
 
 }  // namespace neph::ui

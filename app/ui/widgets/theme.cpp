@@ -128,7 +128,7 @@ bool addFont(const char* path, float sizePx, bool merged) {
 }  // namespace
 
 void applyTheme(float scale, Theme theme) {
-    ImGui::GetStyle() = ImGuiStyle();  // sizes are scaled from what they are: begin anew
+    ImGui::GetStyle() = ImGuiStyle();  // sizes are scaled from what they are: begin again
     colour(theme);
     space(scale);
 }

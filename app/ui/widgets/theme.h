@@ -1,4 +1,4 @@
-// theme.h: colours, spacing and font of the panels: calm, so that the picture is the brightest
+// theme.h: colours, spacing and font of the panels: calm, so that the image is the brightest
 // thing on the screen, or light, for bright rooms and for print.
 #pragma once
 #include <imgui.h>

@@ -130,7 +130,7 @@ TEST_CASE("A result wakes whoever waits for it") {
     CHECK(jobs.poll());
 }
 
-TEST_CASE("Work ahead of time is not busy until it is wanted, and gives way to what is") {
+TEST_CASE("Work ahead of time is not busy until it is wanted, and yields to what is") {
     Jobs jobs;
     jobs.start("ahead", workForever, {}, Jobs::Kind::ahead);
     CHECK_FALSE(jobs.busy());

@@ -1,4 +1,4 @@
-// camera_moves_test.cpp: what stays where when the eye moves, and what is in the picture then.
+// camera_moves_test.cpp: what stays where when the eye moves, and what is in the image then.
 #include "core/camera/camera_moves.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ const RegularGrid kGrid{{100, 50, 40}, {1000.0, 2000.0, 500.0}, {1000.0, 1000.0,
 const Region kAll{{1000.0, 2000.0, 500.0}, {101e3, 52e3, 20500.0}};
 const Region kClouds{{30e3, 10e3, 2000.0}, {60e3, 20e3, 14e3}};
 
-/// Largest coordinates in the picture that a corner of the box has, sideways and upwards.
+/// Largest coordinates in the image that a corner of the box has, sideways and upwards.
 glm::dvec2 reach(const Camera& camera, const Region& box) {
     glm::dvec2 most{0.0};
     for (int corner = 0; corner < 8; ++corner) {
@@ -117,7 +117,7 @@ TEST_CASE("An observer becomes a pose and the same observer again, within centim
     CHECK_FALSE(poseOf({-500e3, 0.0, 2.0, 270.0, 0.0, 40.0}, kGrid).has_value());
 }
 
-TEST_CASE("From every side all of the box is in the picture, and fills it but for the margin") {
+TEST_CASE("From every side all of the box is in the image, and fills it but for the margin") {
     for (const double aspect : {0.3, 1.0, 16.0 / 9.0, 4.0}) {
         for (const Region& box : {kAll, kClouds}) {
             for (std::size_t i = 0; i < kViewNames.size(); ++i) {
@@ -151,7 +151,7 @@ TEST_CASE("Views look where their names say") {
     CHECK(fitted.elevationDeg == 12.0f);
 }
 
-TEST_CASE("A point behind the eye is nowhere in the picture") {
+TEST_CASE("A point behind the eye is nowhere in the image") {
     const Camera camera = placeCamera(CameraPose{}, kGrid, 1.5);
     CHECK_FALSE(ndcOf(camera, camera.eyeWorld - camera.forward).has_value());
     const auto edge = ndcOf(camera, camera.eyeWorld + camera.rayDir({1.0, -0.5}) * 7e3);

@@ -88,7 +88,7 @@ TEST_CASE("Orbiting goes round and stops short of the poles") {
     CHECK(pose.elevationDeg > 89.0f);
 }
 
-TEST_CASE("Panning by half a picture puts the old target on its edge") {
+TEST_CASE("Panning by half an image puts the old target on its edge") {
     CameraPose pose = levelFromSouth();
     const RegularGrid grid{{100, 100, 100}, {0.0, 0.0, 0.0}, {1000.0, 1000.0, 1000.0}};
     const glm::dvec3 target = grid.originM + grid.extentM() * glm::dvec3(pose.target);

@@ -132,7 +132,7 @@ TEST_CASE("Files that are gone are dropped when the cache is written") {
     CHECK(place.open().find(place.data / "b", b));
 }
 
-TEST_CASE("A damaged cache file counts as empty, whichever byte is wrong, and is written anew") {
+TEST_CASE("A damaged cache file counts as empty, whichever byte is wrong, and is written again") {
     const Place place;
     const HeaderStamp stamp = place.write("a", "1");
     HeaderCache cache = place.open();
@@ -150,9 +150,9 @@ TEST_CASE("A damaged cache file counts as empty, whichever byte is wrong, and is
         CHECK(!place.open().find(place.data / "a", stamp));
     }
     std::ofstream(file) << "[]";
-    HeaderCache anew = place.open();
-    anew.put(place.data / "a", stamp, described(8.0));
-    anew.save();
+    HeaderCache again = place.open();
+    again.put(place.data / "a", stamp, described(8.0));
+    again.save();
     CHECK(place.open().find(place.data / "a", stamp)->times[0].seconds == 8.0);
 }
 

@@ -41,7 +41,7 @@ ImageF patterned(unsigned seed, float most = 1.0f) {
     return image;
 }
 
-/// One number a pixel, repeated beyond the border.
+/// One number per pixel, repeated beyond the border.
 struct Plane {
     glm::ivec2 size;
     std::vector<double> values;
@@ -207,7 +207,7 @@ TEST_CASE("Large patches have the errors that colour alone gives") {
     CHECK(error(glm::vec3(0.18f), glm::vec3(0.20f)) == doctest::Approx(0.10438).epsilon(1e-3));
 }
 
-TEST_CASE("FLIP of two pictures is between 0 and 1, the same either way, and 0 for one picture") {
+TEST_CASE("FLIP of two images is between 0 and 1, the same either way, and 0 for one image") {
     const ImageF a = patterned(3), b = patterned(4);
     const FlipMap forth = ldrFlip(a, b), back = ldrFlip(b, a);
     CHECK(forth.errors == back.errors);
@@ -235,7 +235,7 @@ TEST_CASE("Exposures go from where the brightest to where the median comes to 0.
     CHECK(exposures.start == doctest::Approx(std::log2(2.1189 / 8.0)).epsilon(1e-4));
     CHECK(exposures.stop == doctest::Approx(std::log2(2.1189)).epsilon(1e-4));
     CHECK(exposures.count == 3);
-    // The authors' own test picture: -12.5423 to 0.9427 EV in 14 exposures.
+    // The authors' own test image: -12.5423 to 0.9427 EV in 14 exposures.
     image.pixels[0] = image.pixels[2] = glm::vec4(2.1189f * std::exp2(-0.9427f));
     image.pixels[1] = glm::vec4(2.1189f * std::exp2(12.5423f));
     CHECK(flipExposures(image).count == 14);

@@ -26,7 +26,7 @@ double integrateTable(const PhaseTable& table, Weight weight) {
     constexpr int kNodes = 40000;
     double sum = 0.0;
     for (int i = 0; i < kNodes; ++i) {
-        const double s = (i + 0.5) / kNodes;  // crowded at straight on, like the table
+        const double s = (i + 0.5) / kNodes;  // crowded at forward, like the table
         const double theta = kPi * s * s;
         sum += 2.0 * kPi *
                static_cast<double>(lookUp(table, static_cast<float>(std::cos(theta))).y) *

@@ -67,7 +67,7 @@ TEST_CASE("A preset saved under a bundled name hides the bundled one until it is
     CHECK(loadPreset(findPreset("storm")).preset.title == "A storm");
 }
 
-TEST_CASE("A bundled preset cannot be renamed, described anew or deleted") {
+TEST_CASE("A bundled preset cannot be renamed, described again or deleted") {
     const Library library;
     CHECK_THROWS_WITH_AS(renamePreset("storm", "mine 2"), doctest::Contains("bundled"), Error);
     CHECK_THROWS_WITH_AS(describePreset("storm", {}), doctest::Contains("bundled"), Error);

@@ -21,14 +21,14 @@ ExportJob::State ended(ExportJob& job) {
 
 }  // namespace
 
-TEST_CASE("An export tells how many pictures are there and how long the others will take") {
+TEST_CASE("An export tells how many images are there and how long the others will take") {
     ExportJob job = pretend(
         "echo 'not ours'; echo '{\"done\": 12, \"of\": 40, \"seconds\": 60, \"file\": \"a.png\"}'; "
         "while :; do sleep 0.01; done");
     CHECK(job.text() == "Preparing");
     while (job.done() == 0) job.poll();
-    // 28 pictures of 5 s each.
-    CHECK(job.text() == "12 of 40 pictures, 2 min 20 s left");
+    // 28 images of 5 s each.
+    CHECK(job.text() == "12 of 40 images, 2 min 20 s left");
     CHECK(job.fraction() == doctest::Approx(0.3));
     CHECK(job.file() == "a.png");
     job.cancel();
@@ -36,7 +36,7 @@ TEST_CASE("An export tells how many pictures are there and how long the others w
     CHECK(ended(job) == ExportJob::State::cancelled);
 }
 
-TEST_CASE("Of a single picture the share tells") {
+TEST_CASE("Of a single image the share tells") {
     ExportJob job =
         pretend("echo '{\"done\": 0, \"of\": 1, \"seconds\": 30, \"part\": 0.25}'; sleep 0.3");
     while (job.fraction() == 0.0) job.poll();

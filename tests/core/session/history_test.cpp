@@ -178,7 +178,7 @@ TEST_CASE("Any step of the list can be gone to, there and back") {
     CHECK((document == states[0]));
 }
 
-TEST_CASE("Starting anew forgets all steps") {
+TEST_CASE("Starting again forgets all steps") {
     Document document;
     History history(document);
     document.time = 1;

@@ -102,7 +102,7 @@ TEST_CASE("A bound of one volume reads nothing ahead") {
     CHECK(opened.session.cache().count() == 1);
 }
 
-TEST_CASE("Reading ahead gives way to what is asked for, and is not begun anew where it is that") {
+TEST_CASE("Reading ahead yields to what is asked for, and is not begun again where it is that") {
     Opened opened;
     Session& session = opened.session;
     REQUIRE(pollUntil(session, [&] { return session.timesHeld() == 6; }));

@@ -162,7 +162,7 @@ TEST_CASE("A folder stands for its files in order of name, nothing for the bundl
 }
 
 TEST_CASE(
-    "A look that takes radii from the model has the time read again, and one that does not anew") {
+    "A look that takes radii from the model has the time read again, and one that does not again") {
     Session session(testHost());
     session.open(std::array{kStorm});
     REQUIRE(settle(session));

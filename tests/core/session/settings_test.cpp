@@ -112,7 +112,7 @@ TEST_CASE("A wrong setting is told with what is expected, and the others are use
     }
 }
 
-TEST_CASE("What was opened lately is listed newest first, once, and twelve at most") {
+TEST_CASE("What was opened recently is listed newest first, once, and twelve at most") {
     std::vector<std::string> recent;
     for (int i = 0; i < 15; ++i) addRecent(recent, "/data/" + std::to_string(i));
     addRecent(recent, "/data/9");

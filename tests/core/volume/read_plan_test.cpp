@@ -57,7 +57,7 @@ double massOf(const SpeciesVolume& volume, Species species) {
 }
 
 ReadPlan coarsenedBy(Dataset& dataset, int coarsening) {
-    // The GPU takes 4 bytes a species and 16 of the medium a voxel: 24 here.
+    // The GPU takes 4 bytes per species and 16 of the medium a voxel: 24 here.
     const ReadPlan full = planRead(dataset, 0);
     const auto columns = [](int n, int c) { return static_cast<std::uint64_t>((n + c - 1) / c); };
     return planRead(dataset, 0, {},
@@ -89,7 +89,7 @@ TEST_CASE("The finest plan that fits is taken, and says what it averages and wha
         CHECK(contains(describe(plan, dataset.info()),
                        fmt::format("Every {0} x {0} columns are averaged", coarsening)));
     }
-    // The machine's memory binds as well: 8 bytes a voxel.
+    // The machine's memory binds as well: 8 bytes per voxel.
     const ReadPlan full = planRead(dataset, 0);
     CHECK(planRead(dataset, 0, {}, {.machine = full.machineBytes - 1}).coarsening == 2);
     CHECK(planRead(dataset, 0, {}, {.machine = full.machineBytes}).coarsening == 1);

@@ -1,8 +1,8 @@
-// tiles_test.cpp: parts of a picture, several rays a pixel, and pictures without a backdrop.
+// tiles_test.cpp: parts of an image, several rays per pixel, and images without a backdrop.
 #include <doctest/doctest.h>
 
 #include "app/render/frame/tiles.h"
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 
 using namespace neph;
@@ -24,7 +24,7 @@ ImageF drawTiled(const SpeciesVolume& volume, render::FrameInputs inputs, int sa
     renderer().setVolume(volume);
     ImageF whole{inputs.sizePx, std::vector<glm::vec4>(
                                     static_cast<std::size_t>(inputs.sizePx.x * inputs.sizePx.y))};
-    inputs.part = render::PicturePart{inputs.sizePx, {0, 0}};
+    inputs.part = render::ImagePart{inputs.sizePx, {0, 0}};
     for (glm::ivec2& at = inputs.part->lowerPx; at.y < whole.size.y; at.y += kTilePx.y) {
         for (at.x = 0; at.x < whole.size.x; at.x += kTilePx.x) {
             inputs.sizePx = glm::min(kTilePx, whole.size - at);
@@ -55,7 +55,7 @@ double linearOf(std::uint8_t encoded) {  // IEC 61966-2-1
 
 }  // namespace
 
-TEST_CASE("A picture in tiles is the picture in one, with either engine and all its samples") {
+TEST_CASE("An image in tiles is the image in one, with either engine and all its samples") {
     const SpeciesVolume volume = blobs();
     for (const Engine engine : {Engine::march, Engine::slicing}) {
         CAPTURE(engine);
@@ -69,7 +69,7 @@ TEST_CASE("A picture in tiles is the picture in one, with either engine and all 
 TEST_CASE("A tile's light is that of the tiles before: the march carries it once") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = inputsOf(volume, Engine::march, {16, 16});
-    inputs.part = render::PicturePart{kWholePx, {0, 0}};
+    inputs.part = render::ImagePart{kWholePx, {0, 0}};
     renderer().setVolume(volume);
     CHECK(renderer().render(inputs).marchedLight);
     inputs.part->lowerPx = {16, 0};
@@ -123,7 +123,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A transparent picture put over black in linear light is the cloud before black") {
+TEST_CASE("A transparent image put over black in linear light is the cloud before black") {
     const SpeciesVolume volume = blobs();
     for (const ToneMap toneMap : {ToneMap::linear, ToneMap::filmic}) {
         render::FrameInputs inputs = inputsOf(volume, Engine::march, kWholePx);

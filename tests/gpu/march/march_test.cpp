@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 #include "tests/gpu/slicing/reference_march.h"
 
@@ -202,7 +202,7 @@ TEST_CASE("Grids of any size are drawn: one cell, a few, and sizes that no brick
     }
 }
 
-TEST_CASE("A picture of one pixel is that of the ray through its middle") {
+TEST_CASE("An image of one pixel is that of the ray through its middle") {
     const SpeciesVolume volume = depthThree();
     const CameraPose pose{{0.5f, 0.5f, 0.5f}, 3.0f, 180.0f, 0.0f, 5.0f};
     const ImageF seen = renderOn(volume, marchFrame(volume, withoutGround(), pose, {1, 1}, 0));

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 
 using namespace neph;
@@ -47,7 +47,7 @@ double meanGreen(const ImageF& image) {
 
 }  // namespace
 
-TEST_CASE("The same seed gives the same picture, another seed another") {
+TEST_CASE("The same seed gives the same image, another seed another") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF first = tracedOn(volume, inputs, 3);
@@ -56,11 +56,11 @@ TEST_CASE("The same seed gives the same picture, another seed another") {
     CHECK(worstDifference(first, tracedOn(volume, inputs, 3)) > 0.0f);
 }
 
-TEST_CASE("A part of a picture has the paths of the whole") {
+TEST_CASE("A part of an image has the paths of the whole") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF whole = tracedOn(volume, inputs, 2);
-    inputs.part = render::PicturePart{kSizePx, {4, 6}};
+    inputs.part = render::ImagePart{kSizePx, {4, 6}};
     inputs.sizePx = {8, 6};
     const ImageF part = tracedOn(volume, inputs, 2);
     for (int y = 0; y < 6; ++y) {
@@ -71,15 +71,15 @@ TEST_CASE("A part of a picture has the paths of the whole") {
     }
 }
 
-TEST_CASE("A pass that gave way goes on where it was") {
+TEST_CASE("A pass that yielded goes on where it was") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = traced(volume, richLook());
     const ImageF wanted = tracedOn(volume, inputs, 4);
     render::Accumulation image = trace(inputs, 3);
     int asked = 0;
-    const auto giveWay = [&asked](double) { return ++asked < 2; };
+    const auto yields = [&asked](double) { return ++asked < 2; };
     try {
-        renderer().render(inputs, image, giveWay);
+        renderer().render(inputs, image, yields);
     } catch (const Cancelled&) {
     }
     CHECK(renderer().render(inputs, image).reference.samples == 4);

@@ -10,7 +10,7 @@
 
 namespace neph::test {
 
-/// The linear picture that Renderer::readLinear gives.
+/// The linear image that Renderer::readLinear gives.
 ImageF referenceMarch(const SpeciesVolume& volume, const render::FrameInputs& inputs);
 
 }  // namespace neph::test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "tests/gpu/pictures.h"
+#include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 #include "tests/gpu/slicing/reference_march.h"
 
@@ -162,14 +162,14 @@ TEST_CASE("More slices than light layers fit are marched in batches, in either o
     }
 }
 
-TEST_CASE("A picture larger than the GPU takes is an error that names the limit") {
+TEST_CASE("An image larger than the GPU takes is an error that names the limit") {
     const SpeciesVolume volume = blobs();
     renderer().setVolume(volume);
     const auto tooLarge = slicedFrame(volume, Look(), views()[0].pose, {1 << 20, 4}, 16);
     CHECK_THROWS_WITH_AS(renderer().render(tooLarge), doctest::Contains("1048576 x 4 px"), Error);
 }
 
-TEST_CASE("A cancelled frame leaves the last whole picture, and the next frame is right") {
+TEST_CASE("A cancelled frame leaves the last whole image, and the next frame is right") {
     const SpeciesVolume volume = blobs();
     const auto before = slicedFrame(volume, Look(), views()[0].pose, {40, 30}, 48);
     const ImageF whole = renderOn(volume, before);

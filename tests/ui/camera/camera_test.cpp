@@ -17,7 +17,7 @@ using namespace neph;
 
 namespace {
 
-/// A window without panels, so that all of it is the picture: 8 km x 8 km x 2 km, six times.
+/// A window without panels, so that all of it is the image: 8 km x 8 km x 2 km, six times.
 struct Fixture {
     Headless gui;
     std::shared_ptr<FakeSeries> series = std::make_shared<FakeSeries>();
@@ -98,7 +98,7 @@ TEST_CASE("In flight W moves forwards, Shift faster, a drag looks around and not
     f.io.MousePos = {568.0f, 300.0f};  // a tenth of the height to the left
     f.frame();
     f.io.MouseDown[0] = false;
-    // The picture goes with the hand: the view turns right by a tenth of the field of view.
+    // The image goes with the hand: the view turns right by a tenth of the field of view.
     CHECK(f.pose().azimuthDeg == doctest::Approx(184.0f));
     CHECK(glm::length(f.eye() - third) < 0.01);
 }
@@ -222,7 +222,7 @@ TEST_CASE("The Camera panel adds and deletes bookmarks and keys, and goes to the
     ui::wantPlaces(false);
 }
 
-TEST_CASE("What lies over the picture stays within it, and is switched off one by one") {
+TEST_CASE("What lies over the image stays within it, and is switched off one by one") {
     Fixture f;
     const auto vertices = [&] {
         f.frame();
@@ -241,12 +241,12 @@ TEST_CASE("What lies over the picture stays within it, and is switched off one b
     f.state.columns.shown = true;
     f.frame();
     f.frame();
-    const ui::Area picture = f.state.layout().picture;
+    const ui::Area image = f.state.layout().image;
     int within = 0;
     for (const ImDrawCmd& command : ImGui::GetBackgroundDrawList()->CmdBuffer) {
         if (command.ElemCount == 0) continue;
-        CHECK(command.ClipRect.x >= picture.lower.x - 1.0f);
-        CHECK(command.ClipRect.z <= picture.upper.x + 1.0f);
+        CHECK(command.ClipRect.x >= image.lower.x - 1.0f);
+        CHECK(command.ClipRect.z <= image.upper.x + 1.0f);
         ++within;
     }
     CHECK(within > 0);

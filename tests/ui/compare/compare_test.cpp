@@ -1,4 +1,4 @@
-// compare_test.cpp: pictures in turns, when figures of two pictures are reckoned, and what they
+// compare_test.cpp: images alternately, when figures of two images are computed, and what they
 // are.
 #include <doctest/doctest.h>
 
@@ -27,7 +27,7 @@ ImageF ramp(float gain) {
     return image;
 }
 
-ui::PairState pictures(std::uint64_t a, std::uint64_t b, int pathsOfB, bool settled = false) {
+ui::PairState images(std::uint64_t a, std::uint64_t b, int pathsOfB, bool settled = false) {
     ui::PairState state;
     state.a = a;
     state.b = b;
@@ -43,7 +43,7 @@ void finish(ui::CompareErrors& errors, Clock::time_point at) {
 
 }  // namespace
 
-TEST_CASE("A picture a tenth brighter than its reference has those figures and one colour") {
+TEST_CASE("An image a tenth brighter than its reference has those figures and one colour") {
     const ui::PairFigures figures = ui::figuresOf({ramp(1.1f), ramp(1.0f), {}, {}});
     CHECK(figures.errors.bias == doctest::Approx(0.1).epsilon(1e-5));
     // sqrt(mean (r/10)^2) / mean r of 1/16 to 1: 0.1 sqrt(93.5) / 8.5
@@ -58,7 +58,7 @@ TEST_CASE("A picture a tenth brighter than its reference has those figures and o
     }
 }
 
-TEST_CASE("Noise that the halves of the reference tell of is taken off the figures") {
+TEST_CASE("Noise that the halves of the reference tell of is subtracted the figures") {
     ui::LinearPair pair{ramp(1.0f), ramp(1.0f), {}, {ramp(1.0f), ramp(1.0f)}};
     for (std::size_t i = 0; i < pair.b.pixels.size(); ++i) {
         const float noise = i % 2 == 0 ? 0.02f : -0.02f;
@@ -66,55 +66,55 @@ TEST_CASE("Noise that the halves of the reference tell of is taken off the figur
         pair.halvesB[1].pixels[i] += glm::vec4(glm::vec3(i % 4 < 2 ? noise : -noise), 0.0f);
         pair.b.pixels[i] = (pair.halvesB[0].pixels[i] + pair.halvesB[1].pixels[i]) / 2.0f;
     }
-    const PictureErrors errors = ui::figuresOf(pair).errors;
+    const ImageErrors errors = ui::figuresOf(pair).errors;
     CHECK(errors.noise > 0.01);
     CHECK(errors.relRmse < 0.5 * errors.relRmseRaw);
 }
 
-TEST_CASE("Figures wait for whole pictures, for an even number of paths, and two seconds") {
+TEST_CASE("Figures wait for whole images, for an even number of paths, and two seconds") {
     ui::CompareErrors errors;
     const Clock::time_point start = Clock::now();
     const auto later = [&](double seconds) {
         return start + std::chrono::milliseconds(static_cast<int>(1e3 * seconds));
     };
-    ui::PairState drafts = pictures(1, 1, 2);
+    ui::PairState drafts = images(1, 1, 2);
     drafts.whole = false;
     CHECK_FALSE(errors.wants(drafts, start));
-    CHECK_FALSE(errors.wants(pictures(1, 1, 1), start));
-    REQUIRE(errors.wants(pictures(1, 2, 2), start));
+    CHECK_FALSE(errors.wants(images(1, 1, 1), start));
+    REQUIRE(errors.wants(images(1, 2, 2), start));
     errors.start({ramp(1.1f), ramp(1.0f), {}, {}}, start);
     finish(errors, later(0.1));
     REQUIRE(errors.current());
-    CHECK_FALSE(errors.wants(pictures(1, 2, 2), later(60.0)));  // nothing new
-    CHECK_FALSE(errors.wants(pictures(1, 4, 4), later(1.0)));
-    CHECK(errors.wants(pictures(1, 4, 4), later(2.2)));
-    CHECK_FALSE(errors.wants(pictures(1, 5, 5), later(2.2)));
-    CHECK(errors.current());                                   // with fewer paths
-    CHECK(errors.wants(pictures(1, 5, 5, true), later(0.2)));  // the last there will be
-    errors.wants(pictures(2, 5, 5), later(0.3));
-    CHECK_FALSE(errors.current());  // A has become another picture
+    CHECK_FALSE(errors.wants(images(1, 2, 2), later(60.0)));  // nothing new
+    CHECK_FALSE(errors.wants(images(1, 4, 4), later(1.0)));
+    CHECK(errors.wants(images(1, 4, 4), later(2.2)));
+    CHECK_FALSE(errors.wants(images(1, 5, 5), later(2.2)));
+    CHECK(errors.current());                                 // with fewer paths
+    CHECK(errors.wants(images(1, 5, 5, true), later(0.2)));  // the last there will be
+    errors.wants(images(2, 5, 5), later(0.3));
+    CHECK_FALSE(errors.current());  // A has become another image
 }
 
-TEST_CASE("Figures that take long are reckoned less often: a quarter of the time at most") {
+TEST_CASE("Figures that take long are computed less often: a quarter of the time at most") {
     ui::CompareErrors errors;
     const Clock::time_point start = Clock::now();
-    REQUIRE(errors.wants(pictures(1, 2, 2), start));
+    REQUIRE(errors.wants(images(1, 2, 2), start));
     errors.start({ramp(1.1f), ramp(1.0f), {}, {}}, start);
     finish(errors, start + std::chrono::seconds(10));
-    CHECK_FALSE(errors.wants(pictures(1, 4, 4), start + std::chrono::seconds(39)));
-    CHECK(errors.wants(pictures(1, 4, 4), start + std::chrono::seconds(41)));
+    CHECK_FALSE(errors.wants(images(1, 4, 4), start + std::chrono::seconds(39)));
+    CHECK(errors.wants(images(1, 4, 4), start + std::chrono::seconds(41)));
 }
 
 TEST_CASE("What cannot be compared is told in words") {
     ui::CompareErrors errors;
-    REQUIRE(errors.wants(pictures(1, 2, 2), Clock::now()));
+    REQUIRE(errors.wants(images(1, 2, 2), Clock::now()));
     errors.start({ramp(1.0f), ramp(0.0f), {}, {}}, Clock::now());
     finish(errors, Clock::now());
     CHECK_FALSE(errors.figures());
     CHECK_FALSE(errors.fault().empty());
 }
 
-TEST_CASE("In turns each picture is seen for half a second, and nothing counts as moving") {
+TEST_CASE("In turns each image is seen for half a second, and nothing counts as moving") {
     Headless gui;
     Session session(noReaders());
     ui::Ui ui(session);
@@ -146,20 +146,20 @@ TEST_CASE("The reference is offered for anything but the reference alone") {
     CHECK(ui::runAction(ui, "compare.reference"));
 }
 
-TEST_CASE("Error picture and figures fit into the window, with figures and before") {
+TEST_CASE("Error image and figures fit into the window, with figures and before") {
     Headless gui;
     Session session(noReaders());
     ui::Ui ui(session);
     ui.compare.second = ui.compare.figures = true;
     REQUIRE(ui::runAction(ui, "compare.error"));
     int textures = 0;
-    ui.services.showPicture = [&](const Image8& image) {
+    ui.services.showImage = [&](const Image8& image) {
         ++textures;
-        return ui::LoadedPicture{7, image.size};
+        return ui::LoadedImage{7, image.size};
     };
     gui.frame([&] { drawCompare(contextOf(ui), ui.compare, ui.errors); });
     CHECK(textures == 0);
-    REQUIRE(ui.errors.wants(pictures(1, 2, 2), Clock::now()));
+    REQUIRE(ui.errors.wants(images(1, 2, 2), Clock::now()));
     ui.errors.start({ramp(1.1f), ramp(1.0f), {}, {}}, Clock::now());
     for (int i = 0; i < 5000 && textures == 0; ++i) {
         gui.frame([&] { drawCompare(contextOf(ui), ui.compare, ui.errors); });

@@ -53,10 +53,10 @@ TEST_CASE("Settings become the command line that a user would type") {
     settings.what = ExportWhat::path;
     settings.format = ExportFormat::mp4;
     scene.split = true;
-    const std::string film = lineOf(settings, scene);
-    CHECK(contains(film, "--compare --along-path --fps 25"));
-    CHECK_FALSE(contains(film, "--transparent"));
-    CHECK_FALSE(contains(film, "--slot"));
+    const std::string video = lineOf(settings, scene);
+    CHECK(contains(video, "--compare --along-path --fps 25"));
+    CHECK_FALSE(contains(video, "--transparent"));
+    CHECK_FALSE(contains(video, "--slot"));
     settings.what = ExportWhat::times;
     CHECK(contains(lineOf(settings, scene), "--time all --fps 25"));
     scene.averages = false;
@@ -69,7 +69,7 @@ TEST_CASE("A file's ending is that of its format, and other dots are part of its
     CHECK(withEnding("storm.0001-01-01", ExportFormat::png) == "storm.0001-01-01.png");
 }
 
-TEST_CASE("No export writes over what is there, be it a file or a picture of a series") {
+TEST_CASE("No export writes over what is there, be it a file or an image of a series") {
     const TemporaryFolder folder;
     CHECK(freeFile(folder / "a.png", true) == folder / "a.png");
     std::ofstream(folder / "a_0007.png") << "x";
@@ -82,12 +82,12 @@ TEST_CASE("No export writes over what is there, be it a file or a picture of a s
     CHECK(freeFile(folder / "a_b.png", true) == folder / "a_b.png");
 }
 
-TEST_CASE("The pictures folder is the place for pictures, where there is one") {
+TEST_CASE("The images folder is the place for images, where there is one") {
     const TemporaryFolder folder;
     const Environment home("HOME", folder.path().string());
     CHECK(defaultExportFile().parent_path() == std::filesystem::current_path());
-    std::filesystem::create_directory(folder / "Pictures");
-    CHECK(defaultExportFile() == folder / "Pictures" / "nephoscope.png");
+    std::filesystem::create_directory(folder / "Images");
+    CHECK(defaultExportFile() == folder / "Images" / "nephoscope.png");
 }
 
 TEST_CASE("An export reads what the window holds, is told when it is there, and cleans up") {
@@ -117,9 +117,9 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
         makeProgram(ui.output.program,
                     "cp \"$4\" " + (folder / "copy").string() +
                         "; echo '{\"done\": 1, \"of\": 1, \"file\": \"p.png\"}'");
-        exportPicture(contextOf(ui), ui.output, exportSceneOf(ui));
+        exportImage(contextOf(ui), ui.output, exportSceneOf(ui));
         REQUIRE(exports(ui.output));
-        CHECK_FALSE(runAction(ui, "output.picture"));
+        CHECK_FALSE(runAction(ui, "output.image"));
         finish();
         CHECK(ui.output.job->state() == ExportJob::State::done);
         CHECK(session.messages.back().text == "Wrote p.png");
@@ -149,7 +149,7 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
     CHECK(std::filesystem::is_empty(folder / "nephoscope" / "exports"));
 }
 
-TEST_CASE("A film without ffmpeg, and a path without keys, say what to do") {
+TEST_CASE("A video without ffmpeg, and a path without keys, say what to do") {
     const TemporaryFolder folder;
     Session session(noReaders());
     ExportSettings settings;

@@ -1,5 +1,5 @@
 // presets_test.cpp: the browser of presets with a made-up mouse, a folder of its own and the
-// clipboard; without pictures.
+// clipboard; without images.
 #include <doctest/doctest.h>
 #include <imgui.h>
 

@@ -66,7 +66,7 @@ bool overlap(const ui::Area& a, const ui::Area& b) {
 
 /// What must neither overlap nor leave the window.
 std::array<ui::Area, 8> areasOf(const ui::Layout& layout) {
-    return {layout.menu,      layout.left,  layout.leftEdge, layout.picture,
+    return {layout.menu,      layout.left,  layout.leftEdge, layout.image,
             layout.rightEdge, layout.right, layout.time,     layout.status};
 }
 
@@ -116,8 +116,8 @@ TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and s
             const ui::Layout layout = scene.state.layout();
             checkAreas(layout, window.size);
             checkWindows(window.size);
-            CHECK(layout.picture.size().x >= 0.25f * window.size.x);
-            CHECK(layout.picture.size().y >= 0.6f * window.size.y);
+            CHECK(layout.image.size().x >= 0.25f * window.size.x);
+            CHECK(layout.image.size().y >= 0.6f * window.size.y);
             CHECK_FALSE(layout.time.empty());
         }
     }

@@ -1,4 +1,4 @@
-// notices_test.cpp: every state has words, and they stay over the picture.
+// notices_test.cpp: every state has words, and they stay over the image.
 #include <doctest/doctest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -35,13 +35,13 @@ void openAndWait(Session& session) {
     REQUIRE(session.shown() != nullptr);
 }
 
-/// Lays the panels out; checks that this notice, and no other, is there and within the picture.
+/// Lays the panels out; checks that this notice, and no other, is there and within the image.
 void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
     CAPTURE(wanted);
     for (const ImVec2 size : {ImVec2(960.0f, 600.0f), ImVec2(1280.0f, 720.0f)}) {
         ImGui::GetIO().DisplaySize = size;
         for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
-        const ui::Area picture = state.layout().picture;
+        const ui::Area image = state.layout().image;
         for (const char* name : {"##nodata", "##loading", "##nohydrometeors", "##clear", "##off",
                                  "##error", "##crashed"}) {
             CAPTURE(name);
@@ -49,10 +49,10 @@ void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
             const bool there = window != nullptr && window->WasActive;
             CHECK(there == (name == wanted));
             if (!there) continue;
-            CHECK(window->Pos.x >= picture.lower.x);
-            CHECK(window->Pos.y >= picture.lower.y);
-            CHECK(window->Pos.x + window->Size.x <= picture.upper.x);
-            CHECK(window->Pos.y + window->Size.y <= picture.upper.y);
+            CHECK(window->Pos.x >= image.lower.x);
+            CHECK(window->Pos.y >= image.lower.y);
+            CHECK(window->Pos.x + window->Size.x <= image.upper.x);
+            CHECK(window->Pos.y + window->Size.y <= image.upper.y);
             CHECK(window->Size.x > 100.0f);
         }
     }
@@ -60,7 +60,7 @@ void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
 
 }  // namespace
 
-TEST_CASE("Without data the start screen says what to do, with what was opened lately") {
+TEST_CASE("Without data the start screen says what to do, with what was opened recently") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);
@@ -68,7 +68,7 @@ TEST_CASE("Without data the start screen says what to do, with what was opened l
     checkNotice(gui, state, "##nodata");
 }
 
-TEST_CASE("An error is told over the picture until it is closed") {
+TEST_CASE("An error is told over the image until it is closed") {
     Headless gui;
     Session session(openFake(std::make_shared<FakeSeries>()));
     openAndWait(session);

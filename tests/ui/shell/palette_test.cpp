@@ -61,7 +61,7 @@ TEST_CASE("A word that begins a word of the label is better than one within, or 
     CHECK(ui::matchOf("", "Panels", "View") == 0);
 }
 
-TEST_CASE("With nothing typed what was run lately comes first, then every action") {
+TEST_CASE("With nothing typed what was run recently comes first, then every action") {
     const std::vector<std::string> recent{"cloud.mixing_scale", "help.sheet"};
     const std::vector<ui::Command> found = ui::findCommands("", recent);
     REQUIRE(found.size() == ui::actions().size() + 1);

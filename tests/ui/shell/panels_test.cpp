@@ -124,31 +124,31 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     CHECK(session.follow);
 }
 
-TEST_CASE("The picture has what the panels leave of the window, and all of it without them") {
+TEST_CASE("The image has what the panels leave of the window, and all of it without them") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);
     gui.frame([&] { ui::draw(state); });
-    const ui::PixelBox box = ui::pictureBox(state.layout());
+    const ui::PixelBox box = ui::imageBox(state.layout());
     // Letters of 13 pixels: columns of 20, edges of 3/4; the status line of 7/4, and a line of
     // menus with 3 pixels above and below.
     CHECK(box.lower == glm::ivec2(260 + 10, 23));
     CHECK(box.upper == glm::ivec2(1280 - 260 - 10, 720 - 19));
     state.columns.shown = false;
-    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(1280, 720));
+    CHECK(ui::imageBox(state.layout()).size() == glm::ivec2(1280, 720));
     ImGui::GetIO().DisplayFramebufferScale = {2.0f, 2.0f};
-    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(2560, 1440));
+    CHECK(ui::imageBox(state.layout()).size() == glm::ivec2(2560, 1440));
     ImGui::GetIO().DisplaySize = {30.0f, 10.0f};
     state.columns.shown = true;
-    CHECK(ui::pictureBox(state.layout()).size() == glm::ivec2(1, 1));
+    CHECK(ui::imageBox(state.layout()).size() == glm::ivec2(1, 1));
 }
 
-TEST_CASE("A drag on the picture orbits, with shift it pans, and the wheel comes nearer") {
+TEST_CASE("A drag on the image orbits, with shift it pans, and the wheel comes nearer") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);
     state.columns.shown = false;
-    session.say(Message::Kind::note, "no notice over the picture");
+    session.say(Message::Kind::note, "no notice over the image");
     const auto frame = [&] { gui.frame([&] { ui::draw(state); }); };
     ImGuiIO& io = ImGui::GetIO();
     const auto dragBy = [&](float dx, float dy) {

@@ -31,7 +31,7 @@ std::vector<int> shown(ui::Playback& playback, int time, int frames, double seco
 
 }  // namespace
 
-TEST_CASE("Playing goes on by a step as often as its speed says, and begins anew in a loop") {
+TEST_CASE("Playing goes on by a step as often as its speed says, and begins again in a loop") {
     ui::Playback playback = playing(4.0, true);
     CHECK(shown(playback, 2, 10, 0.125) == std::vector{3, 4, 0, 1, 2});  // 1.25 s
     playback = playing(4.0, true);

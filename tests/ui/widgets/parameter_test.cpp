@@ -159,7 +159,7 @@ TEST_CASE("A typed number beyond the range becomes its bound") {
     CHECK(bench.value() == 90.0);
 }
 
-TEST_CASE("What is no number changes nothing, and can be corrected at once; Esc leaves it") {
+TEST_CASE("What is not a number changes nothing, and can be corrected at once; Esc leaves it") {
     Bench bench("sun.elevation");
     bench.beginTyping();
     bench.type("high");

@@ -1,4 +1,4 @@
-// profile_test.cpp: the overlay of what a picture cost: its rows from picture to picture, its
+// profile_test.cpp: the overlay of what an image cost: its rows from image to image, its
 // place.
 #include "app/ui/widgets/profile.h"
 
@@ -20,7 +20,7 @@ ui::Profile profile(const std::vector<std::string>& passes, const std::string& r
     ui::Profile made;
     made.engine = "March";
     made.device = "a device with a name that is far too long for the width of the overlay";
-    made.picture = {{"picture", "640 x 360 px", "128 steps"}, {"frame", "12.00 ms", "83.3 fps"}};
+    made.image = {{"image", "640 x 360 px", "128 steps"}, {"frame", "12.00 ms", "83.3 fps"}};
     for (const std::string& pass : passes) made.passes.push_back({pass, "1.00 ms", "50 %", 0.5});
     made.samples = {{"rays", "230.40 k", ""}};
     made.memory = {{"GPU memory", "45.2 MiB", ""}, {"  light", "5.0 MiB", ""}};
@@ -66,7 +66,7 @@ Extent seenOf(const std::string& window) {
 
 }  // namespace
 
-TEST_CASE("Passes that a picture did without stay in their place, as old ones") {
+TEST_CASE("Passes that an image did without stay in their place, as old ones") {
     ui::Profile shown;
     ui::update(shown, profile({"eye", "resolve"}, "eye > resolve"), true);
     CHECK(labels(shown.passes) == Labels{"eye", "resolve"});
@@ -101,7 +101,7 @@ TEST_CASE("Another engine begins a new profile") {
     CHECK(shown.redone == "eye > resolve");
 }
 
-TEST_CASE("F3 shows and hides the overlay and has the picture drawn anew for its times") {
+TEST_CASE("F3 shows and hides the overlay and has the image drawn again for its times") {
     Session session(noReaders());
     ui::Ui state(session);
     CHECK(ui::runChord(state, {ui::Key::f3}));
@@ -112,7 +112,7 @@ TEST_CASE("F3 shows and hides the overlay and has the picture drawn anew for its
     CHECK_FALSE(state.requests.redraw);
 }
 
-TEST_CASE("The overlay keeps to the corner of the picture, whatever the name of the device") {
+TEST_CASE("The overlay keeps to the corner of the image, whatever the name of the device") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);
@@ -124,17 +124,17 @@ TEST_CASE("The overlay keeps to the corner of the picture, whatever the name of 
         state.columns.shown = panels;
         for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
         const Extent seen = seenOf("##profile");
-        const float edge = state.layout().picture.upper.x;
+        const float edge = state.layout().image.upper.x;
         CHECK(edge == (panels ? 1280.0f - 270.0f : 1280.0f));
         CHECK(seen.upper.x < edge);
         CHECK(seen.upper.x > edge - 2.0f * ImGui::GetFontSize());
-        CHECK(seen.lower.x > 640.0f);  // the middle of the picture stays free
+        CHECK(seen.lower.x > 640.0f);  // the middle of the image stays free
         CHECK(seen.lower.y > 0.0f);
         CHECK(seen.upper.y < 360.0f);
     }
 }
 
-TEST_CASE("The hand reaches the picture through the overlay") {
+TEST_CASE("The hand reaches the image through the overlay") {
     Headless gui;
     Session session(noReaders());
     ui::Ui state(session);

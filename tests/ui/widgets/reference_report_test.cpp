@@ -1,4 +1,4 @@
-// reference_report_test.cpp: what is said of a picture whose error falls.
+// reference_report_test.cpp: what is said of an image whose error falls.
 #include "app/ui/widgets/reference_report.h"
 
 #include <doctest/doctest.h>
@@ -23,15 +23,15 @@ TEST_CASE("One path tells of no error: it is no reason to rest, and no time is f
     const ui::ReferenceReport first = report(1, ui::ReferenceReport{}.relativeError, 0.5, 3.0);
     CHECK_FALSE(ui::isReached(first));
     CHECK_FALSE(ui::secondsToTarget(first));
-    CHECK(ui::pathsText(first) == "1 path a pixel");
+    CHECK(ui::pathsText(first) == "1 path per pixel");
     CHECK_FALSE(ui::isReached(report(1, 0.0, 0.5, 3.0)));
     CHECK(ui::isReached(report(2, 0.0, 0.5, 3.0)));
 }
 
 TEST_CASE("The status line says how far the reference is and how long it takes") {
     CHECK(ui::pathsText(report(37, 0.081, 0.02, 7.8)) ==
-          "37 paths a pixel, error 8.1 %, about 2 min to 2 %");
-    CHECK(ui::pathsText(report(400, 0.0199, 0.02, 7.8)) == "400 paths a pixel, error 2 %");
+          "37 paths per pixel, error 8.1 %, about 2 min to 2 %");
+    CHECK(ui::pathsText(report(400, 0.0199, 0.02, 7.8)) == "400 paths per pixel, error 2 %");
 }
 
 TEST_CASE("Durations are told in the unit that suits them") {

@@ -65,7 +65,7 @@ TEST_CASE("Text differs from all that it stands on by 4.5 to 1, in the dark and 
     }
 }
 
-TEST_CASE("Sizes follow the scale, however often the style is made anew") {
+TEST_CASE("Sizes follow the scale, however often the style is made again") {
     Headless gui;
     ui::applyTheme(1.0f);
     const float one = ImGui::GetStyle().ItemSpacing.x;

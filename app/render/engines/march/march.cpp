@@ -129,7 +129,7 @@ double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const Packe
                              : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
 }
 
-/// How much of the detail the medium should hold for a picture: steps that are too long to show
+/// How much of the detail the medium should hold for an image: steps that are too long to show
 /// more than the voxels' need none of their own.
 PackedDetail detailFor(const FrameInputs& inputs, const RegularGrid& grid,
                        const PackedMedium& medium) {

@@ -67,7 +67,7 @@ gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
 
 void PathTracer::restart(const TraceSetup& setup) {
     setup_ = setup;
-    lanes_ = 0;  // made anew by the next pass
+    lanes_ = 0;  // made again by the next pass
     firstPass_ = 0;
     firstTicket_ = 0;
     counters_ = {};

@@ -1,9 +1,9 @@
 // path_tracer.h: carries paths of light through a medium and sums up what they bring.
 //
-// A pass is one path a pixel. Lanes on the GPU carry paths in pieces of a few milliseconds and take
-// the next path as soon as one ends, from passes to come where need be, so that neither a long path
-// nor a large picture holds anything up. Results are stored by path and added up pass by pass: the
-// same seed gives the same sums. docs/architecture.md
+// A pass is one path per pixel. Lanes on the GPU carry paths in pieces of a few milliseconds and
+// take the next path as soon as one ends, from passes to come where need be, so that neither a long
+// path nor a large image holds anything up. Results are stored by path and added up pass by pass:
+// the same seed gives the same sums. docs/architecture.md
 #pragma once
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ namespace block {
 inline constexpr double kSunRadiusRad = 0.004675;
 
 struct TraceSetup {
-    FrameBlock block{};  ///< `picture` and `whole` have the size
+    FrameBlock block{};  ///< `image` and `whole` have the size
     bool periodic = false;
     const gl::Buffer* detectors = nullptr;  ///< where paths begin; none: at the eye
     int seed = 0;
@@ -34,13 +34,13 @@ struct TraceSetup {
 
 /// What has been done since restart().
 struct TraceCounts {
-    std::uint64_t collisions = 0;   ///< places where there may have been a particle
+    std::uint64_t collisions = 0;   ///< collisions, real and null
     std::uint64_t scatterings = 0;  ///< particles that scattered
     std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
     double seconds = 0.0;
 };
 
-/// Sums over paths, a value a pixel, row 0 at the bottom. Halves: even and odd passes.
+/// Sums over paths, a value per pixel, row 0 at the bottom. Halves: even and odd passes.
 struct TraceSums {
     std::array<std::vector<glm::vec4>, 2> halves;  ///< radiance; w: paths that met a particle
     std::vector<glm::vec4> squares;  ///< of radiance; w: distances to the first particle, m
@@ -67,7 +67,7 @@ class PathTracer {
     std::size_t bytes() const;
 
   private:
-    glm::ivec2 sizePx() const { return {setup_.block.picture.x, setup_.block.picture.y}; }
+    glm::ivec2 sizePx() const { return {setup_.block.image.x, setup_.block.image.y}; }
     int pathsAPass() const { return sizePx().x * sizePx().y; }
     void prepare(const MediumTextures& medium, gl::ProgramCache& programs);
     const gl::Program& tracing(const MediumTextures& medium, const PathMedium& paths,

@@ -1,4 +1,4 @@
-// reference.cpp: the paths' setting, and the layers that can be read besides the picture.
+// reference.cpp: the paths' setting, and the layers that can be read besides the image.
 #include "app/render/engines/reference/reference.h"
 
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
         pathsOf_ = context.medium.version();
     }
     if (frame.sample == 0) {
-        // A first pass that gave way goes on.
+        // A first pass that yielded goes on.
         const TraceSetup setup{.block = blockOf(inputs, grid, medium),
                                .seed = inputs.sampling.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);

@@ -1,5 +1,5 @@
-// reference.h: the engine that neglects nothing: paths of light through the very medium that half-
-// angle slicing has, added up for as long as one likes. docs/accuracy.md
+// reference.h: the engine that traces every scatter: paths of light through the very medium that
+// half- angle slicing has, added up for as long as one likes. docs/accuracy.md
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// trace_meter.cpp: a small scene as the medium of the engine, and a picture whose columns are
+// trace_meter.cpp: a small scene as the medium of the engine, and an image whose columns are
 // detectors.
 #include "app/render/engines/reference/trace_meter.h"
 
@@ -90,7 +90,7 @@ FrameBlock blockOf(const MeterScene& scene, const MediumPlan& plan, glm::ivec2 s
     block.sunRadiance = v4(glm::dvec3(scene.sunIrradiance / (4.0 * kPi)));
     block.skyZenith = block.skyHorizon = v4(glm::dvec3(scene.skyRadiance));
     block.ground = v4(glm::dvec3(scene.surfaceAlbedo.value_or(0.0)), scene.surfaceAlbedo ? 1 : 0);
-    block.picture = {sizePx, 0, 0};
+    block.image = {sizePx, 0, 0};
     block.whole = {sizePx, 0, 0};
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         block.classes[i].colourAlbedo =
@@ -99,7 +99,7 @@ FrameBlock blockOf(const MeterScene& scene, const MediumPlan& plan, glm::ivec2 s
     return block;
 }
 
-/// Mean and error of a detector: a column of the picture.
+/// Mean and error of a detector: a column of the image.
 Measured measured(const TraceSums& sums, glm::ivec2 sizePx, int column, int passes, double scale) {
     double sum = 0.0, squares = 0.0;
     for (int row = 0; row < sizePx.y; ++row) {

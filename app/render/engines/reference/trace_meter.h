@@ -63,7 +63,7 @@ struct MeterScene {
 };
 
 struct MeterSettings {
-    std::uint64_t samples = 100'000;  ///< paths a detector, at least
+    std::uint64_t samples = 100'000;  ///< paths per detector, at least
     std::uint32_t seed = 0;
     int maxScatterings = 0;      ///< light scattered more often is not seen; 0: no limit
     double majorantScale = 1.0;  ///< on the bound of extinction, at least 1: results do not change

@@ -1,5 +1,5 @@
-// picture_textures.cpp: row 0 of a texture is the picture's top row, as ImGui has it.
-#include "app/workbench/picture_textures.h"
+// image_textures.cpp: row 0 of a texture is the image's top row, as ImGui has it.
+#include "app/workbench/image_textures.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace neph {
 
-ui::LoadedPicture PictureTextures::load(const std::filesystem::path& png) {
+ui::LoadedImage ImageTextures::load(const std::filesystem::path& png) {
     try {
         return show(readPng(png));
     } catch (const Error&) {
@@ -16,7 +16,7 @@ ui::LoadedPicture PictureTextures::load(const std::filesystem::path& png) {
     }
 }
 
-ui::LoadedPicture PictureTextures::show(const Image8& image) {
+ui::LoadedImage ImageTextures::show(const Image8& image) {
     gl::Texture texture = gl::Texture::make2D(GL_RGBA8, image.size);
     texture.setLinear();
     texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());

@@ -1,5 +1,5 @@
-// film.cpp: raw frames down a pipe.
-#include "app/cli/render/film.h"
+// video.cpp: raw frames down a pipe.
+#include "app/cli/render/video.h"
 
 #include <fmt/format.h>
 
@@ -34,18 +34,18 @@ std::vector<std::string> arguments(const std::filesystem::path& file, glm::ivec2
 
 std::filesystem::path findFfmpeg() {
     if (const auto found = findProgram("ffmpeg")) return *found;
-    throw Error({.what = "a film needs the program ffmpeg, which is not on the PATH",
-                 .hint = "apt install ffmpeg, or write pictures: --out frames.png"});
+    throw Error({.what = "a video needs the program ffmpeg, which is not on the PATH",
+                 .hint = "apt install ffmpeg, or write images: --out frames.png"});
 }
 
-glm::ivec2 filmSize(glm::ivec2 sizePx) {
+glm::ivec2 videoSize(glm::ivec2 sizePx) {
     return sizePx / 2 * 2;
 }
 
-Film::Film(const std::filesystem::path& file, glm::ivec2 sizePx, double fps)
+Video::Video(const std::filesystem::path& file, glm::ivec2 sizePx, double fps)
     : ffmpeg_(findFfmpeg(), arguments(file, sizePx, fps), {.niceness = 0, .takesInput = true}) {}
 
-void Film::add(const Image8& band) {
+void Video::add(const Image8& band) {
     rows_.clear();
     rows_.reserve(band.rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < band.rgba.size(); ++i) {
@@ -54,7 +54,7 @@ void Film::add(const Image8& band) {
     if (!ffmpeg_.write(rows_)) fail();
 }
 
-void Film::finish(const Progress& progress) {
+void Video::finish(const Progress& progress) {
     ffmpeg_.closeInput();
     while (ffmpeg_.poll()) {
         if (!goOn(progress, 1.0)) throw Cancelled{};
@@ -63,14 +63,14 @@ void Film::finish(const Progress& progress) {
     if (ffmpeg_.status() != 0) fail();
 }
 
-void Film::fail() {
+void Video::fail() {
     ffmpeg_.cancel();
     const int status = ffmpeg_.wait();
     const std::string words = ffmpeg_.lastWords();
     throw Error({.where = "ffmpeg",
-                 .what = fmt::format("the film could not be made; ffmpeg ended with {}", status),
+                 .what = fmt::format("the video could not be made; ffmpeg ended with {}", status),
                  .found = words,
-                 .hint = "or write pictures: --out frames.png"});
+                 .hint = "or write images: --out frames.png"});
 }
 
 }  // namespace neph

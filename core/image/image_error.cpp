@@ -1,10 +1,10 @@
-// picture_error.cpp: sums over the pixels, in double precision.
+// image_error.cpp: sums over the pixels, in double precision.
 //
 // With halves, (I_A - R_A)(I_B - R_B) and (I_A - R_B)(I_B - R_A) have the squared true difference
 // as their expectation, because the four errors are independent. The code sums the mean of the two:
 // the squared difference of the means minus a quarter of the squared differences between halves,
 // which is the noise. An image without halves is used as both of its halves.
-#include "core/image/picture_error.h"
+#include "core/image/image_error.h"
 
 #include <fmt/format.h>
 
@@ -33,14 +33,14 @@ void checkFinite(const ImageF& image, const char* name) {
     }
 }
 
-void checkHalves(const SampledPicture& sampled, const char* name) {
+void checkHalves(const SampledImage& sampled, const char* name) {
     if (!sampled.halved()) return;
     for (const ImageF* half : {sampled.halfA, sampled.halfB}) {
-        if (half->size != sampled.picture.size) {
+        if (half->size != sampled.image.size) {
             throw Error(
                 {.what = fmt::format("{} and its halves differ in size", name),
                  .found = fmt::format("{}x{}", half->size.x, half->size.y),
-                 .expected = fmt::format("{}x{}", sampled.picture.size.x, sampled.picture.size.y)});
+                 .expected = fmt::format("{}x{}", sampled.image.size.x, sampled.image.size.y)});
         }
         checkFinite(*half, name);
     }
@@ -58,19 +58,18 @@ struct Sums {
 
 /// The channels of a pixel come from the same paths, so their errors are added before they are
 /// squared.
-void add(Sums& sums, const SampledPicture& picture, const SampledPicture& reference,
-         std::size_t i) {
-    const auto half = [i](const SampledPicture& of, const ImageF* which) {
-        return glm::dvec3((of.halved() ? *which : of.picture).pixels[i]);
+void add(Sums& sums, const SampledImage& image, const SampledImage& reference, std::size_t i) {
+    const auto half = [i](const SampledImage& of, const ImageF* which) {
+        return glm::dvec3((of.halved() ? *which : of.image).pixels[i]);
     };
-    const glm::dvec3 a = half(picture, picture.halfA), b = half(picture, picture.halfB);
+    const glm::dvec3 a = half(image, image.halfA), b = half(image, image.halfB);
     const glm::dvec3 refA = half(reference, reference.halfA),
                      refB = half(reference, reference.halfB);
     const glm::dvec3 middle = 0.5 * ((a + b) - (refA + refB));
     const glm::dvec3 apart = 0.5 * (a - b), refApart = 0.5 * (refA - refB);
     const glm::dvec3 one(1.0);
-    const glm::dvec3 whole(reference.picture.pixels[i]);
-    sums.difference += glm::dot(glm::dvec3(picture.picture.pixels[i]) - whole, one);
+    const glm::dvec3 whole(reference.image.pixels[i]);
+    sums.difference += glm::dot(glm::dvec3(image.image.pixels[i]) - whole, one);
     sums.reference += glm::dot(whole, one);
     const double noise = glm::dot(apart, apart) + glm::dot(refApart, refApart);
     sums.squared += glm::dot(middle, middle) - noise;
@@ -83,17 +82,17 @@ void add(Sums& sums, const SampledPicture& picture, const SampledPicture& refere
 
 /// Mean of squared difference over squared reference, per channel; the floor keeps dark pixels from
 /// dominating.
-double relativeMse(const ImageF& picture, const ImageF& reference, double meanReference) {
+double relativeMse(const ImageF& image, const ImageF& reference, double meanReference) {
     const double floor = kFloorShare * meanReference;
     double sum = 0.0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (int c = 0; c < kColours; ++c) {
-            const double is = static_cast<double>(picture.pixels[i][c]);
+            const double is = static_cast<double>(image.pixels[i][c]);
             const double should = static_cast<double>(reference.pixels[i][c]);
             sum += (is - should) * (is - should) / (should * should + floor * floor);
         }
     }
-    return sum / (kColours * static_cast<double>(picture.pixels.size()));
+    return sum / (kColours * static_cast<double>(image.pixels.size()));
 }
 
 /// Largest luminance; 0 for an image that is black everywhere.
@@ -109,13 +108,13 @@ float brightest(const ImageF& image) {
 }
 
 /// Relative errors of dark pixels are noise, so only brighter ones count.
-double relativeP95(const ImageF& picture, const ImageF& reference) {
+double relativeP95(const ImageF& image, const ImageF& reference) {
     const float floor = static_cast<float>(kFloorShare) * brightest(reference);
     std::vector<float> errors;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const float should = luminance(reference.pixels[i]);
         if (should > floor) {
-            errors.push_back(std::abs(luminance(picture.pixels[i]) - should) / should);
+            errors.push_back(std::abs(luminance(image.pixels[i]) - should) / should);
         }
     }
     return errors.empty() ? 0.0 : quantile(errors, kQuantile);
@@ -136,51 +135,51 @@ double quantile(std::span<const float> values, double share) {
     return static_cast<double>(*at);
 }
 
-void checkComparable(const ImageF& picture, const ImageF& reference) {
-    if (picture.size != reference.size) {
-        throw Error({.what = "the pictures differ in size",
-                     .found = fmt::format("{}x{} and {}x{}", picture.size.x, picture.size.y,
+void checkComparable(const ImageF& image, const ImageF& reference) {
+    if (image.size != reference.size) {
+        throw Error({.what = "the images differ in size",
+                     .found = fmt::format("{}x{} and {}x{}", image.size.x, image.size.y,
                                           reference.size.x, reference.size.y),
                      .expected = "the same view at the same size",
                      .hint = "render one of them again with --size"});
     }
-    if (picture.pixels.empty()) throw Error({.what = "the pictures have no pixels"});
-    checkFinite(picture, "the picture");
+    if (image.pixels.empty()) throw Error({.what = "the images have no pixels"});
+    checkFinite(image, "the image");
     checkFinite(reference, "the reference");
 }
 
-PictureErrors pictureErrors(const SampledPicture& picture, const SampledPicture& reference) {
-    checkComparable(picture.picture, reference.picture);
-    checkHalves(picture, "the picture");
+ImageErrors imageErrors(const SampledImage& image, const SampledImage& reference) {
+    checkComparable(image.image, reference.image);
+    checkHalves(image, "the image");
     checkHalves(reference, "the reference");
     Sums sums;
-    const std::size_t pixels = picture.picture.pixels.size();
-    for (std::size_t i = 0; i < pixels; ++i) add(sums, picture, reference, i);
+    const std::size_t pixels = image.image.pixels.size();
+    for (std::size_t i = 0; i < pixels; ++i) add(sums, image, reference, i);
     if (!(sums.reference > 0.0)) refuseBlack();
     const double count = kColours * static_cast<double>(pixels);
     const double mean = sums.reference / count;
     const double mse = sums.squared / count, noise = sums.noise / count;
     const double sigma = std::sqrt(sums.squaredVariance) / count;
-    PictureErrors errors;
+    ImageErrors errors;
     errors.bias = sums.difference / sums.reference;
     errors.biasSigma = std::sqrt(sums.biasVariance) / sums.reference;
     errors.relRmse = std::sqrt(std::max(mse, 0.0)) / mean;
     errors.relRmseRaw = std::sqrt(std::max(mse + noise, 0.0)) / mean;
     errors.noise = std::sqrt(noise) / mean;
     errors.relRmseSigma = std::sqrt(std::max(mse, 0.0) + sigma) / mean - errors.relRmse;
-    errors.relMse = relativeMse(picture.picture, reference.picture, mean);
-    errors.p95 = relativeP95(picture.picture, reference.picture);
+    errors.relMse = relativeMse(image.image, reference.image, mean);
+    errors.p95 = relativeP95(image.image, reference.image);
     return errors;
 }
 
-std::vector<float> relativeErrors(const ImageF& picture, const ImageF& reference) {
-    checkComparable(picture, reference);
+std::vector<float> relativeErrors(const ImageF& image, const ImageF& reference) {
+    checkComparable(image, reference);
     const float floor = static_cast<float>(kFloorShare) * brightest(reference);
     if (!(floor > 0.0f)) refuseBlack();
-    std::vector<float> errors(picture.pixels.size());
+    std::vector<float> errors(image.pixels.size());
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const float should = luminance(reference.pixels[i]);
-        errors[i] = (luminance(picture.pixels[i]) - should) / std::max(should, floor);
+        errors[i] = (luminance(image.pixels[i]) - should) / std::max(should, floor);
     }
     return errors;
 }

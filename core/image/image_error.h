@@ -1,4 +1,4 @@
-// picture_error.h: how far a linear image is from its reference, in numbers.
+// image_error.h: how far a linear image is from its reference, in numbers.
 //
 // Compares scene-referred radiance: premultiplied, background included, alpha ignored. Where an
 // image consists of two independent halves, its noise is subtracted. docs/compare.md
@@ -12,15 +12,15 @@ namespace neph {
 
 /// An image and, if available, its two halves: independent images of equally many samples whose
 /// mean the image is.
-struct SampledPicture {
-    const ImageF& picture;
+struct SampledImage {
+    const ImageF& image;
     const ImageF* halfA = nullptr;
     const ImageF* halfB = nullptr;
     bool halved() const { return halfA != nullptr && halfB != nullptr; }
 };
 
 /// Errors of an image I against a reference R. Pure numbers: 0.01 is 1 %.
-struct PictureErrors {
+struct ImageErrors {
     double bias = 0.0;          ///< Σ(I-R) / ΣR over all pixels' R, G and B
     double biasSigma = 0.0;     ///< its standard error; 0 where nothing has halves
     double relRmse = 0.0;       ///< √mean (I-R)² / mean R over the same, without noise
@@ -36,16 +36,16 @@ float luminance(const glm::vec4& colour);
 
 /// Throws Error if the sizes differ, there are no pixels, a value is not finite or the reference is
 /// black.
-PictureErrors pictureErrors(const SampledPicture& picture, const SampledPicture& reference);
+ImageErrors imageErrors(const SampledImage& image, const SampledImage& reference);
 
 /// (I-R)/R of the luminance of each pixel, divided by 1 % of the maximum of R where R is darker
-/// than that. Throws as pictureErrors does.
-std::vector<float> relativeErrors(const ImageF& picture, const ImageF& reference);
+/// than that. Throws as imageErrors does.
+std::vector<float> relativeErrors(const ImageF& image, const ImageF& reference);
 
 /// The smallest of `values` that a fraction `share` of them do not exceed. `values` is not empty.
 double quantile(std::span<const float> values, double share);
 
 /// Throws Error if the sizes differ, there are no pixels or a value is not finite.
-void checkComparable(const ImageF& picture, const ImageF& reference);
+void checkComparable(const ImageF& image, const ImageF& reference);
 
 }  // namespace neph

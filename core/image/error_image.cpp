@@ -1,5 +1,5 @@
-// error_picture.cpp: two colour maps, a font of 5 by 7 pixels, and a colour bar.
-#include "core/image/error_picture.h"
+// error_image.cpp: two colour maps, a font of 5 by 7 pixels, and a colour bar.
+#include "core/image/error_image.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/base/number_text.h"
-#include "core/image/picture_error.h"
+#include "core/image/image_error.h"
 
 namespace neph {
 namespace {
@@ -171,7 +171,7 @@ double roundEnd(std::span<const float> errors) {
     return 10.0 * decade;
 }
 
-Image8 errorPicture(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale) {
+Image8 errorImage(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale) {
     const int unit = std::max(1, size.x / kWidthPerUnit);
     Image8 image;
     image.size = {std::max(size.x, kLeastWidth), size.y + kHeight * unit};

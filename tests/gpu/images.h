@@ -1,4 +1,4 @@
-// pictures.h: the one renderer that tests of pictures share, and how pictures are compared.
+// images.h: the one renderer that tests of images share, and how images are compared.
 #pragma once
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ inline ImageF renderOn(const SpeciesVolume& volume, const render::FrameInputs& i
     return renderer().readLinear();
 }
 
-/// The mean of `samples` pictures of the march.
+/// The mean of `samples` images of the march.
 inline ImageF averageOn(const SpeciesVolume& volume, const render::FrameInputs& inputs,
                         int samples) {
     renderer().setVolume(volume);

@@ -1,5 +1,5 @@
-// picture_error_test.cpp: errors of pictures whose truth is known.
-#include "core/image/picture_error.h"
+// image_error_test.cpp: errors of images whose truth is known.
+#include "core/image/image_error.h"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ ImageF grey(std::vector<float> values) {
 
 constexpr int kSide = 64;
 
-/// From 0.2 to 1.8 over the picture: mean 1, standard deviation 1.6/√12.
+/// From 0.2 to 1.8 over the image: mean 1, standard deviation 1.6/√12.
 ImageF ramp(float factor = 1.0f) {
     ImageF image;
     image.size = {kSide, kSide};
@@ -37,18 +37,18 @@ ImageF ramp(float factor = 1.0f) {
 const double kRampRms = std::sqrt(1.0 + 1.6 * 1.6 / 12.0);
 
 struct Halves {
-    ImageF picture, a, b;
-    SampledPicture sampled() const { return {picture, &a, &b}; }
+    ImageF image, a, b;
+    SampledImage sampled() const { return {image, &a, &b}; }
 };
 
-/// Two pictures whose grey noise is independent, with the deviation of the whole.
+/// Two images whose grey noise is independent, with the deviation of the whole.
 Halves noisy(const ImageF& truth, double deviation, std::mt19937& random) {
     std::normal_distribution<float> noise(0.0f, static_cast<float>(deviation * std::sqrt(2.0)));
     Halves halves{truth, truth, truth};
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
         halves.a.pixels[i] += glm::vec4(glm::vec3(noise(random)), 0.0f);
         halves.b.pixels[i] += glm::vec4(glm::vec3(noise(random)), 0.0f);
-        halves.picture.pixels[i] = 0.5f * (halves.a.pixels[i] + halves.b.pixels[i]);
+        halves.image.pixels[i] = 0.5f * (halves.a.pixels[i] + halves.b.pixels[i]);
     }
     return halves;
 }
@@ -57,7 +57,7 @@ Halves noisy(const ImageF& truth, double deviation, std::mt19937& random) {
 
 TEST_CASE("Errors of four pixels are those that were worked out by hand") {
     const ImageF is = grey({1.5f, 1.0f, 4.0f, 0.25f}), should = grey({1.0f, 2.0f, 4.0f, 1.0f});
-    const PictureErrors errors = pictureErrors({is}, {should});
+    const ImageErrors errors = imageErrors({is}, {should});
     CHECK(errors.bias == doctest::Approx(-1.25 / 8.0));
     CHECK(errors.relRmse == doctest::Approx(std::sqrt((0.25 + 1.0 + 0.5625) / 4.0) / 2.0));
     CHECK(errors.relRmseRaw == doctest::Approx(errors.relRmse));
@@ -73,7 +73,7 @@ TEST_CASE("Errors of four pixels are those that were worked out by hand") {
 TEST_CASE("Dark pixels are left out of the percentile, and alpha out of everything") {
     ImageF is = grey({1.0f, 1.1f, 0.5f}), should = grey({1.0f, 1.0f, 0.0099f});
     is.pixels[0].a = 0.0f;
-    CHECK(pictureErrors({is}, {should}).p95 == doctest::Approx(0.1));
+    CHECK(imageErrors({is}, {should}).p95 == doctest::Approx(0.1));
     const std::vector<float> relative = relativeErrors(is, should);
     CHECK(relative[0] == 0.0f);
     CHECK(relative[1] == doctest::Approx(0.1));
@@ -91,7 +91,7 @@ TEST_CASE(
     std::mt19937 random(1);
     const ImageF is = ramp(1.05f);
     const Halves reference = noisy(ramp(), 0.25, random);
-    const PictureErrors errors = pictureErrors({is}, reference.sampled());
+    const ImageErrors errors = imageErrors({is}, reference.sampled());
     CHECK(std::abs(errors.bias - 0.05) < 3.0 * errors.biasSigma);
     CHECK(errors.biasSigma == doctest::Approx(0.25 / kSide).epsilon(0.05));  // σ/√pixels
     CHECK(errors.noise == doctest::Approx(0.25).epsilon(0.05));
@@ -105,13 +105,13 @@ TEST_CASE(
           doctest::Approx(std::sqrt(4.0 * noise2 * (d2 + noise2)) / kSide).epsilon(0.05));
 }
 
-TEST_CASE("Noise of both pictures is taken off where both have halves") {
+TEST_CASE("Noise of both images is subtracted where both have halves") {
     std::mt19937 random(2);
     const Halves is = noisy(ramp(1.10f), 0.10, random), reference = noisy(ramp(), 0.05, random);
-    const PictureErrors both = pictureErrors(is.sampled(), reference.sampled());
+    const ImageErrors both = imageErrors(is.sampled(), reference.sampled());
     CHECK(both.noise == doctest::Approx(std::hypot(0.10, 0.05)).epsilon(0.05));
     CHECK(both.relRmse == doctest::Approx(0.10 * kRampRms).epsilon(0.05));
-    const PictureErrors one = pictureErrors({is.picture}, reference.sampled());
+    const ImageErrors one = imageErrors({is.image}, reference.sampled());
     CHECK(one.relRmse == doctest::Approx(std::hypot(0.10 * kRampRms, 0.10)).epsilon(0.05));
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("The stated standard errors are those of repeated trials") {
     double bias = 0.0, rmse = 0.0;
     for (int i = 0; i < kTrials; ++i) {
         const Halves reference = noisy(ramp(), 0.1, random);
-        const PictureErrors errors = pictureErrors({is}, reference.sampled());
+        const ImageErrors errors = imageErrors({is}, reference.sampled());
         bias += std::pow((errors.bias - 0.05) / errors.biasSigma, 2);
         rmse += std::pow((errors.relRmse - 0.05 * kRampRms) / errors.relRmseSigma, 2);
     }
@@ -131,27 +131,27 @@ TEST_CASE("The stated standard errors are those of repeated trials") {
     CHECK(std::abs(rmse / kTrials - 1.0) < 0.6);
 }
 
-TEST_CASE("Pictures that differ by noise alone have no error left that noise does not explain") {
+TEST_CASE("Images that differ by noise alone have no error left that noise does not explain") {
     std::mt19937 random(4);
     const Halves is = noisy(ramp(), 0.2, random), reference = noisy(ramp(), 0.2, random);
-    const PictureErrors errors = pictureErrors(is.sampled(), reference.sampled());
+    const ImageErrors errors = imageErrors(is.sampled(), reference.sampled());
     CHECK(errors.relRmse <= 2.0 * errors.relRmseSigma);
     CHECK(std::abs(errors.bias) < 3.0 * errors.biasSigma);
 }
 
 TEST_CASE("What cannot be compared is refused with the reason") {
     const ImageF two = grey({1.0f, 2.0f}), three = grey({1.0f, 2.0f, 3.0f});
-    CHECK_THROWS_WITH_AS(pictureErrors({two}, {three}), doctest::Contains("2x1 and 3x1"), Error);
-    CHECK_THROWS_WITH_AS(pictureErrors({ImageF{}}, {ImageF{}}), doctest::Contains("no pixels"),
+    CHECK_THROWS_WITH_AS(imageErrors({two}, {three}), doctest::Contains("2x1 and 3x1"), Error);
+    CHECK_THROWS_WITH_AS(imageErrors({ImageF{}}, {ImageF{}}), doctest::Contains("no pixels"),
                          Error);
-    CHECK_THROWS_WITH_AS(pictureErrors({two}, {grey({0.0f, 0.0f})}), doctest::Contains("black"),
+    CHECK_THROWS_WITH_AS(imageErrors({two}, {grey({0.0f, 0.0f})}), doctest::Contains("black"),
                          Error);
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-        CHECK_THROWS_WITH_AS(pictureErrors({grey({1.0f, bad})}, {two}),
+        CHECK_THROWS_WITH_AS(imageErrors({grey({1.0f, bad})}, {two}),
                              doctest::Contains("column 1, row 0"), Error);
-        CHECK_THROWS_WITH_AS(pictureErrors({two}, {grey({bad, 1.0f})}),
+        CHECK_THROWS_WITH_AS(imageErrors({two}, {grey({bad, 1.0f})}),
                              doctest::Contains("the reference has"), Error);
     }
-    CHECK_THROWS_AS(pictureErrors({two}, {two, &three, &two}), Error);
+    CHECK_THROWS_AS(imageErrors({two}, {two, &three, &two}), Error);
 }

@@ -1,5 +1,5 @@
-// error_picture_test.cpp: colours of errors, the end of the scale, and the legend's place.
-#include "core/image/error_picture.h"
+// error_image_test.cpp: colours of errors, the end of the scale, and the legend's place.
+#include "core/image/error_image.h"
 
 #include <doctest/doctest.h>
 
@@ -49,12 +49,12 @@ TEST_CASE("The scale ends at 1, 2 or 5 times a power of ten that holds 99 % of t
     CHECK(roundEnd(std::vector<float>{0.0f}) == doctest::Approx(1e-3));
 }
 
-TEST_CASE("The picture of errors is on top, with a legend below that shows every colour") {
+TEST_CASE("The image of errors is on top, with a legend below that shows every colour") {
     const glm::ivec2 size(300, 3);
     std::vector<float> errors(900, 0.0f);
     errors[301] = 1.0f;  // second row
     const ErrorScale scale{1.0, true, true, "(A-B)/B"};
-    const Image8 image = errorPicture(size, errors, scale);
+    const Image8 image = errorImage(size, errors, scale);
     CHECK(image.size.x == 300);
     CHECK(image.size.y > 3);
     CHECK(image.rgba.size() == static_cast<std::size_t>(4 * image.size.x * image.size.y));
@@ -63,5 +63,5 @@ TEST_CASE("The picture of errors is on top, with a legend below that shows every
     std::set<int> blues;
     for (int x = 0; x < image.size.x; ++x) blues.insert(pixelAt(image, x, 3 + 6).b);
     CHECK(blues.size() > 60);  // a bar from one end of the map to the other
-    CHECK(errorPicture({2, 2}, std::vector<float>(4, 0.0f), scale).size.x >= 200);
+    CHECK(errorImage({2, 2}, std::vector<float>(4, 0.0f), scale).size.x >= 200);
 }

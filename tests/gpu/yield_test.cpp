@@ -1,4 +1,4 @@
-// give_way_test.cpp: what a picture of the march that gives way to the user leaves behind.
+// yield_test.cpp: what an image of the march that yields to the user leaves behind.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ double meanDifference(const ImageF& a, const ImageF& b) {
 
 }  // namespace
 
-TEST_CASE("After a picture of the march that gave way the next one needs no new light") {
+TEST_CASE("After an image of the march that yielded the next one needs no new light") {
     test::needContext();
     render::Renderer renderer(std::string(NEPH_TEST_SOURCE_DIR) + "/shaders");
     const SpeciesVolume volume = test::blobs();
@@ -59,7 +59,7 @@ TEST_CASE("After a picture of the march that gave way the next one needs no new 
     CHECK(meanDifference(after, fresh.readLinear()) == 0.0);
 }
 
-TEST_CASE("A further sample that gave way can be asked for again, and the picture is no worse") {
+TEST_CASE("A further sample that yielded can be asked for again, and the image is no worse") {
     test::needContext();
     render::Renderer renderer(std::string(NEPH_TEST_SOURCE_DIR) + "/shaders");
     const SpeciesVolume volume = test::blobs();
@@ -87,7 +87,7 @@ TEST_CASE("A further sample that gave way can be asked for again, and the pictur
     CHECK(meanDifference(given, through) < 0.25 * ofOne);
 }
 
-TEST_CASE("Light of a first picture is computed in full for the next one") {
+TEST_CASE("Light of a first image is computed in full for the next one") {
     test::needContext();
     render::Renderer renderer(std::string(NEPH_TEST_SOURCE_DIR) + "/shaders");
     const SpeciesVolume volume = test::blobs();

@@ -1,4 +1,4 @@
-// error_picture.h: shows the error of each pixel as a colour, with a legend.
+// error_image.h: shows the error of each pixel as a colour, with a legend.
 //
 // 8-bit sRGB. Magnitudes use the colour map magma, from black (no error) to pale yellow; signed
 // errors use cool-warm, from blue (too dark) through grey to red (too bright). docs/references.md
@@ -25,6 +25,6 @@ glm::vec3 errorColour(double error, const ErrorScale& scale);
 double roundEnd(std::span<const float> errors);
 
 /// The errors of an image of `size`, row 0 on top, with a labelled colour bar below it.
-Image8 errorPicture(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale);
+Image8 errorImage(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale);
 
 }  // namespace neph

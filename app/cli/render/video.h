@@ -1,4 +1,4 @@
-// film.h: pictures to an MP4 (H.264), through an ffmpeg of the user's.
+// video.h: images to an MP4 (H.264), through an ffmpeg of the user's.
 #pragma once
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -14,17 +14,17 @@ namespace neph {
 std::filesystem::path findFfmpeg();
 
 /// 4:2:0 video has even sides: the largest such size within `sizePx`.
-glm::ivec2 filmSize(glm::ivec2 sizePx);
+glm::ivec2 videoSize(glm::ivec2 sizePx);
 
-class Film {
+class Video {
   public:
-    /// Begins to write `file`, of pictures of `sizePx`, both even, shown for 1 / `fps` s each.
-    Film(const std::filesystem::path& file, glm::ivec2 sizePx, double fps);
-    ~Film() { ffmpeg_.end(); }
-    Film(const Film&) = delete;
-    Film& operator=(const Film&) = delete;
+    /// Begins to write `file`, of images of `sizePx`, both even, shown for 1 / `fps` s each.
+    Video(const std::filesystem::path& file, glm::ivec2 sizePx, double fps);
+    ~Video() { ffmpeg_.end(); }
+    Video(const Video&) = delete;
+    Video& operator=(const Video&) = delete;
 
-    /// The next rows of a picture, from the top; the next picture begins where one is whole. Throws
+    /// The next rows of an image, from the top; the next image begins where one is whole. Throws
     /// Error with ffmpeg's own words.
     void add(const Image8& band);
     /// Waits for the file; throws Error, or Cancelled.

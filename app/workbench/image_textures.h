@@ -1,4 +1,4 @@
-// picture_textures.h: pictures that panels show, as textures.
+// image_textures.h: images that panels show, as textures.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -9,10 +9,10 @@
 
 namespace neph {
 
-class PictureTextures {
+class ImageTextures {
   public:
-    ui::LoadedPicture load(const std::filesystem::path& png);
-    ui::LoadedPicture show(const Image8& image);
+    ui::LoadedImage load(const std::filesystem::path& png);
+    ui::LoadedImage show(const Image8& image);
     void drop(unsigned texture) { textures_.erase(texture); }
 
   private:
