@@ -103,8 +103,8 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     drawn.targetError = plan.targetError;
     drawn.toPx = sizePx_.x;
     Bands bands({drawn}, progress_);
-    LayeredImage image = bands.nextLayered();
-    while (image.colours.size.y < sizePx_.y) append(image, bands.nextLayered());
+    LayeredImage layered = bands.nextLayered();
+    while (layered.colours.size.y < sizePx_.y) append(layered, bands.nextLayered());
     ComparedImage image;
     image.name = engine.name;
     image.device = side_->renderer().deviceName();
@@ -112,10 +112,10 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     const bool converges = traitsOf(drawn.inputs.look.engine).refinement == Refinement::converges;
     image.samples = converges ? bands.stats().reference.samples : drawn.samples;
     image.seconds = bands.stats().milliseconds / kMsPerS;
-    if (!image.layers.empty()) {
+    if (!layered.layers.empty()) {
         std::vector<std::vector<float>> channels;
         for (std::size_t i = 0; i < halfChannels().size(); ++i) {
-            channels.push_back(image.layers[i].values);
+            channels.push_back(layered.layers[i].values);
         }
         image.halves = halvesFrom(channels, sizePx_);
     }
@@ -123,8 +123,8 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
         fmt::print(stderr, "warning: {}\n", message);
     }
     fmt::print(stderr, "drew {} ({}, {:.1f} s)\n", engine.name, image.made, *image.seconds);
-    if (!request_.out.empty()) keep(engine, image, drawn, image.made);
-    image.image = std::move(image.colours);
+    if (!request_.out.empty()) keep(engine, layered, drawn, image.made);
+    image.image = std::move(layered.colours);
     return image;
 }
 

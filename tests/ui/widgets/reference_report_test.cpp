@@ -19,19 +19,19 @@ TEST_CASE("Half the error takes four times the paths: three times the time there
     CHECK_FALSE(ui::secondsToTarget(report(16, 0.02, 0.02, 10.0)));
 }
 
-TEST_CASE("One path tells of no error: it is no reason to rest, and no time is foretold") {
+TEST_CASE("One sample has no error yet: it is no reason to rest, and no time is predicted") {
     const ui::ReferenceReport first = report(1, ui::ReferenceReport{}.relativeError, 0.5, 3.0);
     CHECK_FALSE(ui::isReached(first));
     CHECK_FALSE(ui::secondsToTarget(first));
-    CHECK(ui::pathsText(first) == "1 path per pixel");
+    CHECK(ui::pathsText(first) == "1 sample per pixel");
     CHECK_FALSE(ui::isReached(report(1, 0.0, 0.5, 3.0)));
     CHECK(ui::isReached(report(2, 0.0, 0.5, 3.0)));
 }
 
 TEST_CASE("The status line says how far the reference is and how long it takes") {
     CHECK(ui::pathsText(report(37, 0.081, 0.02, 7.8)) ==
-          "37 paths per pixel, error 8.1 %, about 2 min to 2 %");
-    CHECK(ui::pathsText(report(400, 0.0199, 0.02, 7.8)) == "400 paths per pixel, error 2 %");
+          "37 samples per pixel, error 8.1 %, about 2 min to 2 %");
+    CHECK(ui::pathsText(report(400, 0.0199, 0.02, 7.8)) == "400 samples per pixel, error 2 %");
 }
 
 TEST_CASE("Durations are told in the unit that suits them") {
