@@ -153,15 +153,14 @@ void Window::clear(const glm::vec3& colour) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void Window::fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
-                  glm::vec2 widthShare) {
+void Window::fill(const PixelBox& part, unsigned texture, glm::ivec2 sizePx, glm::vec2 widthShare) {
     const glm::ivec2 columns(glm::round(widthShare * static_cast<float>(sizePx.x)));
     GLuint frame = 0;
     glCreateFramebuffers(1, &frame);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, texture, 0);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // image stores wrote the texture
-    glBlitNamedFramebuffer(frame, 0, columns.x, 0, columns.y, sizePx.y, lowerPx.x, lowerPx.y,
-                           upperPx.x, upperPx.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(frame, 0, columns.x, 0, columns.y, sizePx.y, part.lower.x, part.lower.y,
+                           part.upper.x, part.upper.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glDeleteFramebuffers(1, &frame);
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/grid/boxes.h"
+
 struct GLFWwindow;
 
 namespace neph::gl {
@@ -45,7 +47,7 @@ class Window {
     void clear(const glm::vec3& colour);
     /// Fills a part of the framebuffer, interpolated, with a 2D texture of `sizePx`, or with its
     /// columns between two fractions of its width. Both have row 0 at the bottom.
-    void fill(glm::ivec2 lowerPx, glm::ivec2 upperPx, unsigned texture, glm::ivec2 sizePx,
+    void fill(const PixelBox& part, unsigned texture, glm::ivec2 sizePx,
               glm::vec2 widthShare = {0.0f, 1.0f});
     /// What was drawn since the last swap: sRGB with an alpha of 255, row 0 at the top.
     std::vector<std::uint8_t> readRgba() const;

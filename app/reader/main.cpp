@@ -126,8 +126,7 @@ class Server {
             std::atomic_ref(control.beats).fetch_add(1);
             return std::atomic_ref(control.cancel).load() == 0;
         };
-        files_.at(request.handle)
-            .read(request.variable, request.time, request.lower, request.upper, buffer, tick);
+        files_.at(request.handle).read(request.variable, request.time, request.box, buffer, tick);
     }
 
     PluginLibrary library_;

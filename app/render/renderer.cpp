@@ -320,9 +320,9 @@ std::optional<double> Renderer::floorMilliseconds() {
 
 std::vector<MemoryUse> Renderer::memory() const {
     const Integrator* engine = impl_->integrator.get();
-    return {{"species", impl_->volume->bytes()},
-            {"medium", impl_->medium.bytes()},
-            {"light", engine ? engine->lightBytes() : 0},
+    return {{"species", impl_->volume->bytes(), true},
+            {"medium", impl_->medium.bytes(), true},
+            {"light", engine ? engine->lightBytes() : 0, true},
             {"noise", impl_->noise.bytes()},
             {"images", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
                            (engine ? engine->otherBytes() : 0)}};

@@ -43,14 +43,14 @@ void addFluxes(Trial& trial, double r, double t, double slant) {
     const double fluxTolerance = trial.twin ? kTwinTolerance : kFluxTolerance;
     const glm::dvec3 extentM = extentOf(trial.scene);
     const double mu = trial.scene.towardsSun.z;
-    add(trial, "R", {DetectorKind::flux, {0.0, 0.0, extentM.z}, extentM, {0.0, 0.0, -1.0}},
+    add(trial, "R", {DetectorKind::flux, {{0.0, 0.0, extentM.z}, extentM}, {0.0, 0.0, -1.0}},
         1.0 / mu, r, fluxTolerance);
-    add(trial, "T", {DetectorKind::flux, {0.0, 0.0, 0.0}, {extentM.x, extentM.y, 0.0}}, 1.0 / mu, t,
-        fluxTolerance);
+    add(trial, "T", {DetectorKind::flux, {{0.0, 0.0, 0.0}, {extentM.x, extentM.y, 0.0}}}, 1.0 / mu,
+        t, fluxTolerance);
     const double side = std::sqrt(0.75);  // sine of 60 degrees
     const glm::dvec3 looking{0.6 * side, 0.8 * side, -0.5};
     add(trial, "radiance leaving the top at 60°",
-        {DetectorKind::radiance, {0.0, 0.0, extentM.z}, extentM, looking}, M_PI / mu, slant,
+        {DetectorKind::radiance, {{0.0, 0.0, extentM.z}, extentM}, looking}, M_PI / mu, slant,
         trial.twin ? 2.0 * kTwinTolerance : kRadianceTolerance);
 }
 
@@ -142,7 +142,7 @@ Trial balanceTrial() {
     trial.detectors.pop_back();
     const glm::dvec3 extentM = extentOf(trial.scene);
     const double mu = trial.scene.towardsSun.z;
-    trial.detectors.push_back({DetectorKind::absorption, {0.0, 0.0, 0.0}, extentM});
+    trial.detectors.push_back({DetectorKind::absorption, {{0.0, 0.0, 0.0}, extentM}});
     const double perVolume = extentM.z / mu;
     for (Quantity& quantity : trial.quantities) quantity.expected.reset();
     trial.quantities.push_back({"A", {{2, perVolume}}, 0.0, {}});

@@ -59,12 +59,13 @@ Trial singleTrial(const Slab& slab, double sunZenithDeg) {
     trial.settings.maxScatterings = 1;
     for (const double zenithDeg : {0.0, 35.0, 70.0, 110.0, 145.0, 180.0}) {
         // Skip the forward direction: the phase function varies across the sun's disc.
-        if (std::abs(180.0 - zenithDeg - sunZenithDeg) < 1.0 && slab.name != "isotropic") continue;
+        const bool straightOn = std::abs(180.0 - zenithDeg - sunZenithDeg) < 1.0;
+        if (straightOn && slab.phase.kind != PhaseKind::isotropic) continue;
         const double zenith = glm::radians(zenithDeg);
         const glm::dvec3 leaving{std::sin(zenith), 0.0, std::cos(zenith)};
         const double z = leaving.z > 0.0 ? kHeightM : 0.0;
         trial.detectors.push_back(
-            {DetectorKind::radiance, {0.0, 0.0, z}, {kWidthM, kWidthM, z}, -leaving});
+            {DetectorKind::radiance, {{0.0, 0.0, z}, {kWidthM, kWidthM, z}}, -leaving});
         const double phase = phaseOfSun(slab.phase, trial.scene, leaving);
         const double expected =
             scatteredOnce(slab.depth, slab.albedo, phase, trial.scene.towardsSun.z, leaving.z);
@@ -110,12 +111,12 @@ void addFurnaceViews(Trial& trial) {
             {name, {{trial.detectors.size() - 1, 1.0 / unit}}, 0.0, Expected{1.0, 5e-4, ""}});
     };
     const glm::dvec3 slant = glm::normalize(glm::dvec3(0.6, -0.5, 0.4));
-    add("radiance inside, upwards", {DetectorKind::radiance, middleM, middleM}, 1.0);
-    add("radiance inside, slanting", {DetectorKind::radiance, middleM, middleM, slant}, 1.0);
+    add("radiance inside, upwards", {DetectorKind::radiance, {middleM, middleM}}, 1.0);
+    add("radiance inside, slanting", {DetectorKind::radiance, {middleM, middleM}, slant}, 1.0);
     add("radiance of the top, from above",
-        {DetectorKind::radiance, {0.0, 0.0, extentM.z}, extentM, {0.0, 0.0, -1.0}}, 1.0);
+        {DetectorKind::radiance, {{0.0, 0.0, extentM.z}, extentM}, {0.0, 0.0, -1.0}}, 1.0);
     add("irradiance of the middle plane",
-        {DetectorKind::flux, {0.0, 0.0, middleM.z}, {extentM.x, extentM.y, middleM.z}}, M_PI);
+        {DetectorKind::flux, {{0.0, 0.0, middleM.z}, {extentM.x, extentM.y, middleM.z}}}, M_PI);
 }
 
 Trial furnaceTrial(bool periodic, bool trilinear) {

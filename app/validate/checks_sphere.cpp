@@ -74,7 +74,7 @@ Detector distantDetector(glm::dvec3 leaving) {
     middle[other] += kRadiusM * leaving[other] / std::abs(leaving[axis]);
     glm::dvec3 reach{0.0, kRadiusM, 0.0};
     reach[other] = half;
-    return {DetectorKind::radiance, middle - reach, middle + reach, -leaving};
+    return {DetectorKind::radiance, {middle - reach, middle + reach}, -leaving};
 }
 
 /// Nodes (x) and weights (y) of Gauss-Legendre quadrature on [-1, 1], by Newton's method on the
@@ -149,7 +149,7 @@ Trial directTrial(const Published& of) {
     trial.scene = sphere(of);
     trial.scene.fields.front().albedo = 0.0;
     trial.detectors.push_back(
-        {DetectorKind::flux, {0.0, 0.0, 0.0}, {2.0 * kRadiusM, 2.0 * kRadiusM, 0.0}});
+        {DetectorKind::flux, {{0.0, 0.0, 0.0}, {2.0 * kRadiusM, 2.0 * kRadiusM, 0.0}}});
     const double t = 2.0 * of.depth;
     const double direct = 2.0 * (1.0 - (1.0 + t) * std::exp(-t)) / (t * t);
     // The square also receives the light that passes beside the sphere.

@@ -94,7 +94,7 @@ Trial randomTrial(bool trilinear, double zenithDeg, const render::MeterSettings&
     const double zenith = glm::radians(zenithDeg);
     trial.scene.towardsSun = {0.8 * std::sin(zenith), 0.6 * std::sin(zenith), std::cos(zenith)};
     for (const glm::dvec3 point : {glm::dvec3(410.0, 530.0, 0.0), glm::dvec3(233.0, 317.0, 87.0)}) {
-        trial.detectors.push_back({DetectorKind::flux, point, point, {0.0, 0.0, 1.0}});
+        trial.detectors.push_back({DetectorKind::flux, {point, point}, {0.0, 0.0, 1.0}});
         const double expected = directIrradiance(trial.scene, point);
         trial.quantities.push_back(
             {fmt::format("irradiance at {:g}, {:g}, {:g} m", point.x, point.y, point.z),
@@ -114,7 +114,7 @@ Trial uniformTrial(double depth, double mu) {
     trial.scene.fields.push_back(
         {Array3f(glm::ivec3(1), static_cast<float>(depth / 1000.0)), 0.0, {}});
     trial.scene.towardsSun = {std::sqrt(1.0 - mu * mu), 0.0, mu};
-    trial.detectors.push_back({DetectorKind::flux, {0.0, 0.0, 0.0}, {4000.0, 4000.0, 0.0}});
+    trial.detectors.push_back({DetectorKind::flux, {{0.0, 0.0, 0.0}, {4000.0, 4000.0, 0.0}}});
     const double expected = std::exp(-depth / mu);
     trial.quantities.push_back(
         {"T direct", {{0, 1.0 / mu}}, 0.0, Expected{expected, kTolerance * expected, ""}});

@@ -219,15 +219,15 @@ void parseSun(const Object& experiment, render::MeterScene& scene) {
 }
 
 void parseDetectors(const Object& parent, Experiment& experiment) {
-    constexpr std::array<std::string_view, 6> kFluxes{"R",         "T", "T_direct",
-                                                      "T_diffuse", "A", "balance"};
     const Object detectors(parent.require("detectors", "an object in braces"),
                            parent.where + ": detectors", {"fluxes", "radiances", "per_column"});
     experiment.perColumn = detectors.flag("per_column", false);
-    for (const Json& item : detectors.list("fluxes", kFluxes.size())) {
+    for (const Json& item : detectors.list("fluxes", kFluxNames.size())) {
         const Json named = Json::object({{"fluxes", item}});
-        experiment.fluxes.push_back(
-            Object(named, detectors.where, {"fluxes"}).word("fluxes", kFluxes));
+        const std::string word =
+            Object(named, detectors.where, {"fluxes"}).word("fluxes", kFluxNames);
+        const auto place = std::ranges::find(kFluxNames, word) - kFluxNames.begin();
+        experiment.fluxes.push_back(static_cast<Flux>(place));
     }
     const Json& list = detectors.list("radiances", kMaxViews);
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -4,6 +4,7 @@
 // range, are errors. Angles describe the direction in which light travels: zenith from the
 // vertical, azimuth from +x towards +y.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,6 +21,11 @@ struct View {
     double zenithDeg = 0.0, azimuthDeg = 0.0;
 };
 
+/// Measured of the whole or of a column; see trialsOf.
+enum class Flux : int { reflected, transmitted, direct, diffuse, absorbed, balance };
+inline constexpr std::array<std::string_view, 6> kFluxNames{"R",         "T", "T_direct",
+                                                            "T_diffuse", "A", "balance"};
+
 /// What the file expects of a quantity, by its name.
 struct NamedExpected {
     std::string quantity;
@@ -29,8 +35,8 @@ struct NamedExpected {
 /// Illumination and detectors.
 struct Experiment {
     std::string name;
-    render::MeterScene scene;         ///< without its fields, which all experiments share
-    std::vector<std::string> fluxes;  ///< of R, T, T_direct, T_diffuse, A and balance
+    render::MeterScene scene;  ///< without its fields, which all experiments share
+    std::vector<Flux> fluxes;
     std::vector<View> views;
     bool perColumn = false;  ///< also measure each column by itself
     std::vector<NamedExpected> expected;

@@ -25,6 +25,14 @@ struct Footprint {
     std::string suffix;
 };
 
+std::string_view nameOf(Flux flux) {
+    return kFluxNames[static_cast<std::size_t>(flux)];
+}
+
+BoxM between(const Footprint& part, double bottomM, double topM) {
+    return {{part.lowerM, bottomM}, {part.upperM, topM}};
+}
+
 glm::dvec3 extentOf(const MeterScene& scene) {
     return glm::dvec3(scene.size) * scene.spacingM;
 }
@@ -68,29 +76,30 @@ class TrialMaker {
         trial_.scene.fields = file.fields;
     }
 
-    void addFlux(const std::string& flux, const Footprint& part) {
+    void addFlux(Flux flux, const Footprint& part) {
         const double share = 1.0 / incident_;
         std::vector<Term> terms;
-        if (flux == "R" || flux == "balance") {
+        if (flux == Flux::reflected || flux == Flux::balance) {
             terms.push_back({plane(DetectorKind::flux, part, heightM_, -1.0), share});
         }
-        if (flux == "T" || flux == "balance") {
+        if (flux == Flux::transmitted || flux == Flux::balance) {
             // Light that the surface reflects is not lost to the scene.
-            const double kept = flux == "T" ? 1.0 : 1.0 - trial_.scene.surfaceAlbedo.value_or(0.0);
+            const double returned = trial_.scene.surfaceAlbedo.value_or(0.0);
+            const double kept = flux == Flux::transmitted ? 1.0 : 1.0 - returned;
             terms.push_back({plane(DetectorKind::flux, part, 0.0, 1.0), share * kept});
         }
-        if (flux == "T_direct") {
+        if (flux == Flux::direct) {
             terms.push_back({plane(DetectorKind::flux, part, 0.0, 1.0), share});
         }
-        if (flux == "T_diffuse") {
+        if (flux == Flux::diffuse) {
             terms.push_back({plane(DetectorKind::diffuseFlux, part, 0.0, 1.0), share});
         }
-        if (flux == "A" || flux == "balance") {
-            trial_.detectors.push_back(
-                {DetectorKind::absorption, {part.lowerM, 0.0}, {part.upperM, heightM_}});
+        if (flux == Flux::absorbed || flux == Flux::balance) {
+            trial_.detectors.push_back({DetectorKind::absorption, between(part, 0.0, heightM_)});
             terms.push_back({trial_.detectors.size() - 1, share * heightM_});
         }
-        trial_.quantities.push_back({flux + part.suffix, std::move(terms), 0.0, {}});
+        trial_.quantities.push_back(
+            {std::string(nameOf(flux)) + part.suffix, std::move(terms), 0.0, {}});
     }
 
     void addView(const View& view, const Footprint& part) {
@@ -99,8 +108,7 @@ class TrialMaker {
                                  std::sin(zenith) * std::sin(azimuth),
                                  view.top ? std::cos(zenith) : -std::cos(zenith)};
         const double z = view.top ? heightM_ : 0.0;
-        trial_.detectors.push_back(
-            {DetectorKind::radiance, {part.lowerM, z}, {part.upperM, z}, -leaving});
+        trial_.detectors.push_back({DetectorKind::radiance, between(part, z, z), -leaving});
         trial_.quantities.push_back(
             {view.name + part.suffix, {{trial_.detectors.size() - 1, kPi / incident_}}, 0.0, {}});
     }
@@ -111,8 +119,7 @@ class TrialMaker {
   private:
     /// Adds a horizontal plane that faces up or down; returns its index.
     std::size_t plane(DetectorKind kind, const Footprint& part, double z, double up) {
-        trial_.detectors.push_back(
-            {kind, {part.lowerM, z}, {part.upperM, z}, glm::dvec3(0.0, 0.0, up)});
+        trial_.detectors.push_back({kind, between(part, z, z), glm::dvec3(0.0, 0.0, up)});
         return trial_.detectors.size() - 1;
     }
 
@@ -130,12 +137,9 @@ void makeAbsorbing(MeterScene& scene) {
 /// Assigns the expected values to the quantities of their names. Throws Error for an unknown name.
 void attachExpected(std::vector<Trial>& trials, const Experiment& experiment,
                     const std::string& where) {
-    std::vector<std::string_view> names;
-    for (const Trial& trial : trials) {
-        for (const Quantity& quantity : trial.quantities) {
-            if (!quantity.name.ends_with(']')) names.push_back(quantity.name);
-        }
-    }
+    std::vector<std::string_view> names;  // of the whole; columns have too many
+    for (const Flux flux : experiment.fluxes) names.push_back(nameOf(flux));
+    for (const View& view : experiment.views) names.push_back(view.name);
     for (const auto& [name, expected] : experiment.expected) {
         bool found = false;
         for (Trial& trial : trials) {
@@ -159,12 +163,12 @@ std::vector<Trial> trialsOf(const SceneFile& file, const std::string& where) {
     std::vector<Trial> all;
     for (const Experiment& experiment : file.experiments) {
         // Direct transmission is measured in a scene of its own, which absorbs all scattered light.
-        const bool direct = std::ranges::count(experiment.fluxes, "T_direct") > 0;
+        const bool direct = std::ranges::count(experiment.fluxes, Flux::direct) > 0;
         std::vector<TrialMaker> makers(direct ? 2 : 1, TrialMaker(file, experiment));
         if (direct) makeAbsorbing(makers.back().trial().scene);
         for (const Footprint& part : footprints(experiment, where)) {
-            for (const std::string& flux : experiment.fluxes) {
-                (flux == "T_direct" ? makers.back() : makers.front()).addFlux(flux, part);
+            for (const Flux flux : experiment.fluxes) {
+                (flux == Flux::direct ? makers.back() : makers.front()).addFlux(flux, part);
             }
             for (const View& view : experiment.views) makers.front().addView(view, part);
         }

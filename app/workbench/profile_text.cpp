@@ -55,7 +55,7 @@ std::vector<ProfileRow> sampleRows(const render::SampleCounts& counts) {
          fmt::format("{:.0f} % of rays", 100.0 * aRay(counts.terminated))}};
 }
 
-std::vector<ProfileRow> pathRows(const render::ReferenceProgress& traced, glm::ivec2 sizePx) {
+std::vector<ProfileRow> pathRows(const ReferenceProgress& traced, glm::ivec2 sizePx) {
     const double paths = 1.0 * traced.samples * sizePx.x * sizePx.y;
     const auto aPath = [&](std::uint64_t count) {
         return fmt::format("{:.1f} a path", static_cast<double>(count) / std::max(1.0, paths));
@@ -69,8 +69,8 @@ std::vector<ProfileRow> pathRows(const render::ReferenceProgress& traced, glm::i
 
 std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {
     std::vector<ProfileRow> rows{{"GPU memory", mebibytes(renderer.gpuBytes()), ""}};
-    for (const auto& [name, bytes] : renderer.memory()) {
-        rows.push_back({fmt::format("  {}", name), mebibytes(bytes), ""});
+    for (const render::MemoryUse& part : renderer.memory()) {
+        rows.push_back({fmt::format("  {}", part.name), mebibytes(part.bytes), ""});
     }
     return rows;
 }

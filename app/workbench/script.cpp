@@ -16,33 +16,47 @@ namespace neph {
 namespace {
 
 struct Grammar {
-    std::string_view command;
+    std::string_view name;
+    ScriptCommand command;
     std::size_t least, most;  // words after it
 };
 constexpr std::size_t kAny = 1000;
 constexpr std::array kGrammar{
-    Grammar{"wait", 0, 0},        Grammar{"frames", 1, 1},       Grammar{"size", 1, 1},
-    Grammar{"action", 1, 1},      Grammar{"key", 1, 1},          Grammar{"text", 1, kAny},
-    Grammar{"move", 1, 1},        Grammar{"click", 1, 1},        Grammar{"right", 1, 1},
-    Grammar{"double", 1, 1},      Grammar{"drag", 3, 3},         Grammar{"orbit", 2, 2},
-    Grammar{"wheel", 2, 2},       Grammar{"open", 1, kAny},      Grammar{"set", 1, 1},
-    Grammar{"expect", 1, 1},      Grammar{"expect-place", 1, 1}, Grammar{"expect-file", 1, 1},
-    Grammar{"expect-time", 1, 1}, Grammar{"screenshot", 1, 1},   Grammar{"monkey", 2, 2},
+    Grammar{"wait", ScriptCommand::wait, 0, 0},
+    Grammar{"frames", ScriptCommand::frames, 1, 1},
+    Grammar{"size", ScriptCommand::size, 1, 1},
+    Grammar{"action", ScriptCommand::action, 1, 1},
+    Grammar{"key", ScriptCommand::key, 1, 1},
+    Grammar{"text", ScriptCommand::text, 1, kAny},
+    Grammar{"move", ScriptCommand::move, 1, 1},
+    Grammar{"click", ScriptCommand::click, 1, 1},
+    Grammar{"right", ScriptCommand::rightClick, 1, 1},
+    Grammar{"double", ScriptCommand::doubleClick, 1, 1},
+    Grammar{"drag", ScriptCommand::drag, 3, 3},
+    Grammar{"orbit", ScriptCommand::orbit, 2, 2},
+    Grammar{"wheel", ScriptCommand::wheel, 2, 2},
+    Grammar{"open", ScriptCommand::open, 1, kAny},
+    Grammar{"set", ScriptCommand::set, 1, 1},
+    Grammar{"expect", ScriptCommand::expect, 1, 1},
+    Grammar{"expect-place", ScriptCommand::expectPlace, 1, 1},
+    Grammar{"expect-file", ScriptCommand::expectFile, 1, 1},
+    Grammar{"expect-time", ScriptCommand::expectTime, 1, 1},
+    Grammar{"screenshot", ScriptCommand::screenshot, 1, 1},
+    Grammar{"monkey", ScriptCommand::monkey, 2, 2},
 };
 
-void check(const ScriptStep& step, const std::string& where) {
-    const auto found = std::ranges::find(kGrammar, step.command, &Grammar::command);
-    const std::string at = fmt::format("{}, line {}", where, step.line);
+ScriptCommand parseCommand(const std::string& name, std::size_t words, const std::string& at) {
+    const auto found = std::ranges::find(kGrammar, name, &Grammar::name);
     if (found == kGrammar.end()) {
         std::vector<std::string_view> known;
-        for (const Grammar& row : kGrammar) known.push_back(row.command);
-        const std::string_view near = nearestName(step.command, known);
-        throw Error({at, "there is no such command", step.command, "",
+        for (const Grammar& row : kGrammar) known.push_back(row.name);
+        const std::string_view near = nearestName(name, known);
+        throw Error({at, "there is no such command", name, "",
                      near.empty() ? "" : fmt::format("did you mean {}?", near)});
     }
-    if (step.words.size() >= found->least && step.words.size() <= found->most) return;
-    throw Error({at, fmt::format("{} has another number of words after it", step.command),
-                 std::to_string(step.words.size()), std::to_string(found->least), ""});
+    if (words >= found->least && words <= found->most) return found->command;
+    throw Error({at, fmt::format("{} has another number of words after it", name),
+                 std::to_string(words), std::to_string(found->least), ""});
 }
 
 }  // namespace
@@ -54,10 +68,13 @@ std::vector<ScriptStep> parseScript(std::string_view text, const std::string& wh
     for (std::string line; std::getline(lines, line);) {
         ++number;
         std::istringstream words(line.substr(0, line.find('#')));
-        ScriptStep step{"", {}, number};
-        if (!(words >> step.command)) continue;
+        std::string name;
+        if (!(words >> name)) continue;
+        ScriptStep step;
+        step.line = number;
         step.words.assign(std::istream_iterator<std::string>(words), {});
-        check(step, where);
+        step.command =
+            parseCommand(name, step.words.size(), fmt::format("{}, line {}", where, number));
         steps.push_back(std::move(step));
     }
     return steps;

@@ -30,8 +30,32 @@
 
 namespace neph {
 
+enum class ScriptCommand {
+    wait,
+    frames,
+    size,
+    action,
+    key,
+    text,
+    move,
+    click,
+    rightClick,
+    doubleClick,
+    drag,
+    orbit,
+    wheel,
+    open,
+    set,
+    expect,
+    expectPlace,
+    expectFile,
+    expectTime,
+    screenshot,
+    monkey
+};
+
 struct ScriptStep {
-    std::string command;
+    ScriptCommand command = ScriptCommand::wait;
     std::vector<std::string> words;
     int line = 0;
 };

@@ -32,7 +32,7 @@ std::optional<glm::vec2> pairOf(const std::string& text, char between) {
 }
 
 glm::vec2 imageCentre(const ScriptWorld& world) {
-    const ui::PixelBox box = ui::imageBox(world.ui.layout());
+    const PixelBox box = ui::imageBox(world.ui.layout());
     const glm::vec2 centre = glm::vec2(box.lower + box.upper) / 2.0f;
     return {centre.x, world.windowPx.y - centre.y};
 }
@@ -83,12 +83,12 @@ bool ScriptPlayer::glide(glm::vec2 from, glm::vec2 to) {
 }
 
 bool ScriptPlayer::playMouse(const ScriptWorld& world) {
-    const std::string& command = step().command;
-    if (command == "orbit") {
+    const ScriptCommand command = step().command;
+    if (command == ScriptCommand::orbit) {
         if (beat_ == 0) from_ = imageCentre(world);
         return glide(from_, from_ + glm::vec2(number(0), number(1)) * world.windowPx);
     }
-    if (command == "drag") {
+    if (command == ScriptCommand::drag) {
         if (beat_ > 0) return glide(from_, to_);
         const auto from = find(world, {number(1), 0.5f});
         if (!from) return false;
@@ -99,9 +99,11 @@ bool ScriptPlayer::playMouse(const ScriptWorld& world) {
     const std::optional<glm::vec2> at = beat_ > 0 ? input_.mouse : find(world, {0.5f, 0.5f});
     if (!at) return false;
     input_.mouse = *at;
-    if (command == "wheel") input_.wheel = beat_ == 1 ? number(1) : 0.0f;
-    if (command == "wheel" || command == "move") return beat_++ > 1;
-    return playClick(command == "double" ? 2 : 1, command == "right" ? 1 : 0);
+    const bool wheel = command == ScriptCommand::wheel;
+    if (wheel) input_.wheel = beat_ == 1 ? number(1) : 0.0f;
+    if (wheel || command == ScriptCommand::move) return beat_++ > 1;
+    return playClick(command == ScriptCommand::doubleClick ? 2 : 1,
+                     command == ScriptCommand::rightClick ? 1 : 0);
 }
 
 /// Any mouse, wheel, key and text, but for what ends the program.
@@ -140,18 +142,20 @@ bool ScriptPlayer::playMonkey(const ScriptWorld& world) {
     return over;
 }
 
-void ScriptPlayer::expect(const ScriptWorld& world) const {
-    if (step().command == "expect-file") {
-        std::error_code error;
-        const auto bytes = std::filesystem::file_size(word(0), error);
-        if (!error && bytes > 0) return;
-        throw Error({here(), word(0) + " is not there or is empty", error.message(), "", ""});
-    }
-    if (step().command == "expect-time") {
-        const int time = world.ui.session().document.time;
-        if (time == static_cast<int>(number(0))) return;
-        throw Error({here(), "another time is shown", std::to_string(time), word(0), ""});
-    }
+void ScriptPlayer::expectFile() const {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(word(0), error);
+    if (!error && bytes > 0) return;
+    throw Error({here(), word(0) + " is not there or is empty", error.message(), "", ""});
+}
+
+void ScriptPlayer::expectTime(const ScriptWorld& world) const {
+    const int time = world.ui.session().document.time;
+    if (time == static_cast<int>(number(0))) return;
+    throw Error({here(), "another time is shown", std::to_string(time), word(0), ""});
+}
+
+void ScriptPlayer::expectValue(const ScriptWorld& world) const {
     const std::size_t equals = word(0).find('=');
     const Parameter& row = parameter(word(0).substr(0, equals));
     const std::string wanted = equals == std::string::npos ? "" : word(0).substr(equals + 1);
@@ -160,37 +164,79 @@ void ScriptPlayer::expect(const ScriptWorld& world) const {
     if (found != expected) throw Error({here(), row.id + " is another", found, expected, ""});
 }
 
+void ScriptPlayer::playText() {
+    for (const std::string& part : step().words) {
+        input_.text += (input_.text.empty() ? "" : " ") + part;
+    }
+}
+
+void ScriptPlayer::playKey() {
+    input_.chord = ui::parseChord(word(0));
+    if (!input_.chord) throw Error({here(), "there is no such key", word(0), "Ctrl+Z", ""});
+}
+
+void ScriptPlayer::playAction(const ScriptWorld& world) const {
+    if (ui::runAction(world.ui, word(0))) return;
+    throw Error({here(), "there is no such action, or it is not enabled", word(0), "", ""});
+}
+
+void ScriptPlayer::playSize(const ScriptWorld& world) const {
+    const auto size = pairOf(word(0), 'x');
+    if (!size) throw Error({here(), "cannot be read as a size", word(0), "1280x720", ""});
+    world.resize(glm::ivec2(*size));
+}
+
 /// Plays a frame of the step; true when it is over.
 bool ScriptPlayer::play(const ScriptWorld& world) {
-    const std::string& command = step().command;
-    const auto is = [&](std::string_view name) { return command == name; };
-    if (is("wait")) return beat_++ > kEarliestWait && world.settled();
-    if (is("frames")) return ++beat_ >= static_cast<int>(number(0));
-    if (is("monkey")) return playMonkey(world);
-    if (is("expect") || is("expect-file") || is("expect-time")) expect(world);
-    if (is("expect-place")) return find(world, {0.5f, 0.5f}).has_value();
-    if (is("screenshot")) world.screenshot(word(0));
-    if (is("set")) applyAssignment(world.ui.session().document, word(0));
-    if (is("open")) world.open({step().words.begin(), step().words.end()});
-    if (is("text")) {
-        for (const std::string& part : step().words) {
-            input_.text += (input_.text.empty() ? "" : " ") + part;
-        }
+    switch (step().command) {
+        case ScriptCommand::wait:
+            return beat_++ > kEarliestWait && world.settled();
+        case ScriptCommand::frames:
+            return ++beat_ >= static_cast<int>(number(0));
+        case ScriptCommand::monkey:
+            return playMonkey(world);
+        case ScriptCommand::expectPlace:
+            return find(world, {0.5f, 0.5f}).has_value();
+        case ScriptCommand::move:
+        case ScriptCommand::click:
+        case ScriptCommand::rightClick:
+        case ScriptCommand::doubleClick:
+        case ScriptCommand::drag:
+        case ScriptCommand::orbit:
+        case ScriptCommand::wheel:
+            return playMouse(world);
+        default:
+            playAtOnce(world);
+            return true;
     }
-    if (is("key")) {
-        input_.chord = ui::parseChord(word(0));
-        if (!input_.chord) throw Error({here(), "there is no such key", word(0), "Ctrl+Z", ""});
+}
+
+/// Steps that are over within one frame.
+void ScriptPlayer::playAtOnce(const ScriptWorld& world) {
+    switch (step().command) {
+        case ScriptCommand::expect:
+            return expectValue(world);
+        case ScriptCommand::expectFile:
+            return expectFile();
+        case ScriptCommand::expectTime:
+            return expectTime(world);
+        case ScriptCommand::screenshot:
+            return world.screenshot(word(0));
+        case ScriptCommand::set:
+            return applyAssignment(world.ui.session().document, word(0));
+        case ScriptCommand::open:
+            return world.open({step().words.begin(), step().words.end()});
+        case ScriptCommand::text:
+            return playText();
+        case ScriptCommand::key:
+            return playKey();
+        case ScriptCommand::action:
+            return playAction(world);
+        case ScriptCommand::size:
+            return playSize(world);
+        default:
+            return;
     }
-    if (is("action") && !ui::runAction(world.ui, word(0))) {
-        throw Error({here(), "there is no such action, or it is not enabled", word(0), "", ""});
-    }
-    if (is("size")) {
-        const auto size = pairOf(word(0), 'x');
-        if (!size) throw Error({here(), "cannot be read as a size", word(0), "1280x720", ""});
-        world.resize(glm::ivec2(*size));
-    }
-    constexpr std::array kMouse{"move", "click", "right", "double", "drag", "orbit", "wheel"};
-    return std::ranges::find(kMouse, command) == kMouse.end() || playMouse(world);
 }
 
 std::optional<PlayedInput> ScriptPlayer::next(const ScriptWorld& world) {

@@ -54,7 +54,14 @@ class ScriptPlayer {
     bool glide(glm::vec2 from, glm::vec2 to);
     bool playMonkey(const ScriptWorld& world);
     std::optional<glm::vec2> find(const ScriptWorld& world, glm::vec2 share);
-    void expect(const ScriptWorld& world) const;
+    void playAtOnce(const ScriptWorld& world);
+    void playText();
+    void playKey();
+    void playAction(const ScriptWorld& world) const;
+    void playSize(const ScriptWorld& world) const;
+    void expectValue(const ScriptWorld& world) const;
+    void expectFile() const;
+    void expectTime(const ScriptWorld& world) const;
 
     std::vector<ScriptStep> steps_;
     std::string where_;

@@ -60,9 +60,9 @@ bool Slot::averages(bool moving) const {
 
 /// With a target that was changed since the image was drawn, too.
 bool Slot::addsPaths(bool moving) const {
-    ui::ReferenceReport reached = report.reference;
+    ReferenceProgress reached = report.reference;
     reached.targetError = static_cast<double>(session.document.sampling.targetError);
-    return !moving && !ui::isReached(reached);
+    return !moving && !isReached(reached);
 }
 
 Slot::Waiting Slot::waiting(bool moving) const {
@@ -131,7 +131,7 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
                 const render::FrameStats& stats) {
     const Look& look = of.look;
     ui::QualityControl& quality = qualityOf(look.engine);
-    const render::ReferenceProgress& traced = stats.reference;
+    const ReferenceProgress& traced = stats.reference;
     // What the camera does not change is no measure of how finely to draw while it moves.
     const bool prepared =
         stats.bakedMedium || (stats.marchedLight && !traitsOf(look.engine).lightFollowsCamera);
@@ -151,10 +151,8 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
               .device = renderer_.deviceName(),
               .gpuBytes = renderer_.gpuBytes(),
               .time = time,
-              .reference = {.paths = traced.samples,
-                            .relativeError = traced.relativeError,
-                            .targetError = static_cast<double>(of.sampling.targetError),
-                            .seconds = traced.seconds}};
+              .reference = traced};
+    report.reference.targetError = static_cast<double>(of.sampling.targetError);
 }
 
 bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {

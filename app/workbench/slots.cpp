@@ -33,7 +33,7 @@ std::vector<Slot*> Slots::all() {
     return slots;
 }
 
-std::vector<ShownImage> Slots::shown(const ui::PixelBox& place) {
+std::vector<ShownImage> Slots::shown(const PixelBox& place) {
     if (!slots_[1]) return {{slots_[0].get(), place}};
     if (compare_.mode == CompareMode::flicker) {
         return {{slots_[compare_.flickered == 0 ? 0 : 1].get(), place}};

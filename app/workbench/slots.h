@@ -8,6 +8,7 @@
 #include "app/ui/compare/compare_state.h"
 #include "app/ui/panel/layout.h"
 #include "app/workbench/slot.h"
+#include "core/grid/boxes.h"
 #include "core/session/session_state.h"
 
 namespace neph {
@@ -15,7 +16,7 @@ namespace neph {
 /// A slot's image, or the part of it that is left of the split or right of it.
 struct ShownImage {
     Slot* slot = nullptr;
-    ui::PixelBox place;          ///< on the screen
+    PixelBox place;              ///< on the screen
     glm::vec2 widthShare{0, 1};  ///< from where to where of the whole image
 };
 
@@ -30,7 +31,7 @@ class Slots {
     Slot* other() { return slots_[compare_.active == 0 ? 1 : 0].get(); }
     std::vector<Slot*> all();
     /// What is on the screen when the images' place is `place`.
-    std::vector<ShownImage> shown(const ui::PixelBox& place);
+    std::vector<ShownImage> shown(const PixelBox& place);
 
     /// Of A and B, where there are both.
     ui::PairState pair() const;

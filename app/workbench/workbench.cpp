@@ -100,7 +100,7 @@ class Workbench {
     std::optional<ScriptPlayer> script_;
     std::filesystem::path shot_;  // to be written of the next frame
     Settings remembered_;
-    ui::PixelBox place_;  // of the images, as of the last turn of the panels
+    PixelBox place_;  // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
     bool framesFirst_ = false;  // no camera was asked for: the first data choose it
@@ -189,8 +189,8 @@ void Workbench::open(const std::vector<std::filesystem::path>& files) {
 /// What an image in the making is left for: commands, and another place for it. What changes the
 /// document is noticed by the slot.
 bool Workbench::yields() const {
-    const ui::PixelBox now = ui::imageBox(ui_.layout());
-    const bool placed = now.lower == place_.lower && now.upper == place_.upper;
+    const PixelBox now = ui::imageBox(ui_.layout());
+    const bool placed = now == place_;
     return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close ||
            ui_.compare.trace || !placed;
 }

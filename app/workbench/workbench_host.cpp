@@ -161,8 +161,7 @@ void WorkbenchHost::endFrame(std::span<const HostImage> images, Image8* shot) {
     window_.clear({colour.x, colour.y, colour.z});
     for (const HostImage& image : images) {
         if (image.texture == 0 || image.place.size().x < 1) continue;
-        window_.fill(image.place.lower, image.place.upper, image.texture, image.sizePx,
-                     image.widthShare);
+        window_.fill(image.place, image.texture, image.sizePx, image.widthShare);
     }
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (shot != nullptr) {

@@ -9,6 +9,7 @@
 #include "app/ui/panel/layout.h"
 #include "app/ui/widgets/chord.h"
 #include "app/workbench/script_player.h"
+#include "core/grid/boxes.h"
 #include "core/image/image.h"
 #include "core/session/settings.h"
 
@@ -16,7 +17,7 @@ namespace neph {
 
 /// An image on the screen, or the part of it between two shares of its width.
 struct HostImage {
-    ui::PixelBox place;
+    PixelBox place;
     unsigned texture = 0;  ///< 0: none yet
     glm::ivec2 sizePx{1};
     glm::vec2 widthShare{0.0f, 1.0f};

@@ -45,7 +45,7 @@ struct Wedge {
 };
 
 /// Moves the eye along its view direction, and sideways, until the box just fits.
-void fitBox(CameraPose& pose, const RegularGrid& grid, const Region& box, double aspect) {
+void fitBox(CameraPose& pose, const RegularGrid& grid, const BoxM& box, double aspect) {
     const Camera camera = placeCamera(pose, grid, aspect);
     const double up = camera.tanHalfFovY * (1.0 - kMargin), across = up * aspect;
     Wedge horizontal, vertical;
@@ -145,7 +145,7 @@ std::optional<CameraPose> poseOf(const Observer& observer, const RegularGrid& gr
     return pose;
 }
 
-CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const Region& box,
+CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const BoxM& box,
                   double aspect) {
     switch (view) {
         case View::fit:

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/camera/camera.h"
-#include "core/volume/read_plan.h"
+#include "core/grid/boxes.h"
 
 namespace neph {
 
@@ -51,7 +51,7 @@ inline constexpr std::array<std::string_view, 7> kViewNames{"fit",   "plan", "no
 
 /// `pose` turned to a standard view, with all of `box` as large as possible in an image of this
 /// aspect ratio, except for a margin. The distance is limited to that of a pose.
-CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const Region& box,
+CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const BoxM& box,
                   double aspect);
 
 /// Position of a point in the image, in [-1, 1] if inside; empty if it is behind the eye.

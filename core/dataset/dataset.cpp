@@ -17,29 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The enumerations of dataset.h and of the ABI have the same values, so casts convert them.
-static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
-static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
-static_assert(static_cast<int>(VariableRole::numberConcentration) ==
-              NEPH_ROLE_NUMBER_CONCENTRATION);
-static_assert(static_cast<int>(Microphysics::morrison) == NEPH_MICROPHYSICS_MORRISON);
-static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
-static_assert(static_cast<int>(Species::hail) == NEPH_SPECIES_HAIL);
-static_assert(kSpeciesCount == NEPH_SPECIES_HAIL + 1);
-
-VariableInfo infoOf(const FileVariable& variable) {
-    VariableInfo info;
-    info.name = variable.name;
-    info.standardName = variable.standardName;
-    info.units = variable.units;
-    info.description = variable.description;
-    info.role = static_cast<VariableRole>(variable.role);
-    if (variable.species != NEPH_SPECIES_NONE)
-        info.species = static_cast<Species>(variable.species);
-    info.size = variable.size;
-    return info;
-}
-
 /// What a data set keeps about one of its files.
 struct KnownFile {
     fs::path path;
@@ -51,7 +28,7 @@ struct KnownFile {
 class SeriesDataset : public Dataset {
   public:
     explicit SeriesDataset(const Series& series);
-    Array3f read(std::string_view variable, int time, std::optional<Box> box,
+    Array3f read(std::string_view variable, int time, std::optional<CellBox> box,
                  const Progress& progress) override;
     std::unique_ptr<Dataset> anotherHandle() const override {
         return std::unique_ptr<Dataset>(new SeriesDataset(info_, reader_, files_));
@@ -64,12 +41,11 @@ class SeriesDataset : public Dataset {
         : reader_(std::move(reader)), files_(std::move(files)) {
         info_ = info;
     }
-    void describe(const FileDescription& first);
-    void mergeVariables(const FileDescription& file);
+    void mergeVariables(const DatasetInfo& file);
     void sortTimes();
     ReaderFile& opened(const KnownFile& file, const Progress& progress);
-    void requireUnchanged(const FileDescription& now, const TimeInfo& when,
-                          std::string_view variable, std::size_t index) const;
+    void requireUnchanged(const DatasetInfo& now, const TimeInfo& when, std::string_view variable,
+                          std::size_t index) const;
     Error missing(const TimeInfo& when, const KnownFile& file, std::string_view variable) const;
 
     std::shared_ptr<const ReaderPlugin> reader_;
@@ -79,14 +55,16 @@ class SeriesDataset : public Dataset {
 };
 
 SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
-    describe(series.files.front().description);
+    info_ = series.files.front().description;
+    info_.reader = reader_->id;
+    info_.times.clear();
     auto files = std::make_shared<KnownFiles>();
     for (const SeriesFile& file : series.files) {
-        const FileDescription& described = file.description;
+        const DatasetInfo& described = file.description;
         mergeVariables(described);
         for (std::size_t i = 0; i < described.times.size(); ++i) {
-            const FileTime& time = described.times[i];
-            info_.times.push_back({time.label, time.seconds, file.path, static_cast<int>(i)});
+            info_.times.push_back(described.times[i]);
+            info_.times.back().file = file.path;
         }
         for (const std::string& note : described.notes) {
             if (std::ranges::find(info_.notes, note) == info_.notes.end()) {
@@ -104,21 +82,10 @@ SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
     info_.notes.insert(info_.notes.end(), series.notes.begin(), series.notes.end());
 }
 
-void SeriesDataset::describe(const FileDescription& first) {
-    info_.reader = reader_->id;
-    info_.model = first.model;
-    info_.scheme = first.scheme;
-    info_.microphysics = static_cast<Microphysics>(first.microphysics);
-    info_.cloudDropletsPerM3 = first.cloudDropletsPerM3;
-    info_.size = first.size;
-    info_.spacingM = first.spacingM;
-    info_.attributes = first.attributes;
-}
-
 /// A variable that only some files have is listed; reading it at another time is an error.
-void SeriesDataset::mergeVariables(const FileDescription& file) {
-    for (const FileVariable& variable : file.variables) {
-        if (info_.find(variable.name) == nullptr) info_.variables.push_back(infoOf(variable));
+void SeriesDataset::mergeVariables(const DatasetInfo& file) {
+    for (const VariableInfo& variable : file.variables) {
+        if (info_.find(variable.name) == nullptr) info_.variables.push_back(variable);
     }
 }
 
@@ -151,7 +118,7 @@ ReaderFile& SeriesDataset::opened(const KnownFile& file, const Progress& progres
 }
 
 /// Throws Error if a file was replaced since the series was opened and has other contents.
-void SeriesDataset::requireUnchanged(const FileDescription& now, const TimeInfo& when,
+void SeriesDataset::requireUnchanged(const DatasetInfo& now, const TimeInfo& when,
                                      std::string_view variable, std::size_t index) const {
     const auto time = static_cast<std::size_t>(when.indexInFile);
     if (now.size == info_.size && index < now.variables.size() &&
@@ -182,7 +149,7 @@ Error SeriesDataset::missing(const TimeInfo& when, const KnownFile& file,
     return Error(parts);
 }
 
-Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<Box> box,
+Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<CellBox> box,
                             const Progress& progress) {
     if (time < 0 || time >= static_cast<int>(info_.times.size())) {
         throw Error({.what = fmt::format("there is no time {}", time),
@@ -195,7 +162,7 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
     ReaderFile& source = opened(*file, progress);
     requireUnchanged(source.description(), when, variable, index->second);
     const glm::ivec3 size = source.description().variables[index->second].size;
-    const Box all = box.value_or(Box{glm::ivec3(0), size});
+    const CellBox all = box.value_or(CellBox{glm::ivec3(0), size});
     if (glm::any(glm::lessThan(all.lower, glm::ivec3(0))) ||
         glm::any(glm::greaterThan(all.upper, size)) ||
         glm::any(glm::lessThanEqual(all.size(), glm::ivec3(0)))) {
@@ -205,24 +172,12 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<B
     }
     Array3f values;
     values.size = all.size();
-    values.values = source.read(index->second, static_cast<std::size_t>(when.indexInFile),
-                                all.lower, all.upper, progress);
+    values.values =
+        source.read(index->second, static_cast<std::size_t>(when.indexInFile), all, progress);
     return values;
 }
 
 }  // namespace
-
-const VariableInfo* DatasetInfo::find(std::string_view name) const {
-    const auto found = std::ranges::find(variables, name, &VariableInfo::name);
-    return found == variables.end() ? nullptr : &*found;
-}
-
-const VariableInfo* DatasetInfo::find(VariableRole role, std::optional<Species> species) const {
-    const auto found = std::ranges::find_if(variables, [&](const VariableInfo& variable) {
-        return variable.role == role && variable.species == species;
-    });
-    return found == variables.end() ? nullptr : &*found;
-}
 
 std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
                                        const Progress& progress) {

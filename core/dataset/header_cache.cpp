@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kVersion = 2;  // increase it with every change of the format
+constexpr std::uint32_t kVersion = 3;  // increase it with every change of the format
 constexpr std::string_view kExtension = ".headers";
 constexpr std::size_t kMostFolders = 64;           // number of cache files that are kept
 constexpr std::uintmax_t kMostBytes = 32U << 20U;  // size of one cache file
@@ -31,14 +31,6 @@ std::string checksumOf(std::string_view body) {
     return fmt::format("{:016x}\n", hashOf(body));
 }
 constexpr std::size_t kChecksumLength = 17;
-
-/// A description without its times, which differ from file to file.
-std::string packCommon(FileDescription description) {
-    description.times.clear();
-    wire::Packer to;
-    wire::pack(to, description);
-    return to.take();
-}
 
 /// Removes the oldest cache files to make room for one more.
 void prune(const fs::path& cacheFolder) {
@@ -100,32 +92,27 @@ void HeaderCache::load() {
         from.text() != reader_) {
         return;
     }
-    std::vector<FileDescription> common(from.count(sizeof(std::uint64_t)));
-    for (FileDescription& description : common) {
+    std::vector<DatasetInfo> common(from.count(sizeof(std::uint64_t)));
+    for (DatasetInfo& description : common) {
         const std::string packed = from.text();
         wire::Unpacker inner(packed);
-        description = wire::unpackDescription(inner);
+        description = wire::unpackBesidesTimes(inner);
     }
     for (std::size_t left = from.count(sizeof(std::uint64_t)); left > 0; --left) {
         const std::string name = from.text();
         Entry entry{from.number<HeaderStamp>(), common.at(from.number<std::uint64_t>())};
-        entry.description.times.resize(from.count(sizeof(std::uint64_t)));
-        for (FileTime& time : entry.description.times) {
-            time.label = from.text();
-            time.seconds = from.number<double>();
-        }
+        entry.description.times = wire::unpackTimes(from);
         entries_[name] = std::move(entry);
     }
 }
 
-std::optional<FileDescription> HeaderCache::find(const fs::path& file,
-                                                 const HeaderStamp& stamp) const {
+std::optional<DatasetInfo> HeaderCache::find(const fs::path& file, const HeaderStamp& stamp) const {
     const auto found = entries_.find(file.filename().string());
     if (found == entries_.end() || found->second.stamp != stamp) return {};
     return found->second.description;
 }
 
-void HeaderCache::put(const fs::path& file, const HeaderStamp& stamp, FileDescription description) {
+void HeaderCache::put(const fs::path& file, const HeaderStamp& stamp, DatasetInfo description) {
     entries_[file.filename().string()] = {stamp, std::move(description)};
     changed_ = true;
 }
@@ -138,15 +125,14 @@ void HeaderCache::save() const {
         std::uint64_t count = 0;
         for (const auto& [name, entry] : entries_) {
             if (headerStampOf(fs::path(folder_) / name) != entry.stamp) continue;
-            std::string shared = packCommon(entry.description);
+            wire::Packer rest;
+            wire::packBesidesTimes(rest, entry.description);
+            std::string shared = rest.take();
             const auto place = std::ranges::find(common, shared);
             const auto index = static_cast<std::uint64_t>(place - common.begin());
             if (place == common.end()) common.push_back(std::move(shared));
             files.text(name).number(entry.stamp).number(index);
-            files.number(static_cast<std::uint64_t>(entry.description.times.size()));
-            for (const FileTime& time : entry.description.times) {
-                files.text(time.label).number(time.seconds);
-            }
+            wire::packTimes(files, entry.description.times);
             ++count;
         }
         wire::Packer to;

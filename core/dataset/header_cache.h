@@ -37,10 +37,9 @@ class HeaderCache {
     /// Folder of the header cache below the user's cache folder.
     static std::filesystem::path standardFolder();
 
-    std::optional<FileDescription> find(const std::filesystem::path& file,
-                                        const HeaderStamp& stamp) const;
-    void put(const std::filesystem::path& file, const HeaderStamp& stamp,
-             FileDescription description);
+    std::optional<DatasetInfo> find(const std::filesystem::path& file,
+                                    const HeaderStamp& stamp) const;
+    void put(const std::filesystem::path& file, const HeaderStamp& stamp, DatasetInfo description);
 
     /// Writes what `put` has added, without entries whose files have changed or gone, and removes
     /// the oldest cache files if there are too many. Errors are ignored: the cache is only a
@@ -50,7 +49,7 @@ class HeaderCache {
   private:
     struct Entry {
         HeaderStamp stamp;
-        FileDescription description;
+        DatasetInfo description;
     };
     void load();
 

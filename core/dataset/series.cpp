@@ -26,7 +26,7 @@ struct Candidate {
     fs::path path;
     fs::path folder{};  ///< the folder that the user named; empty if the file itself was named
     std::optional<HeaderStamp> stamp{};  ///< taken first, so that a later change invalidates it
-    std::optional<FileDescription> description{};
+    std::optional<DatasetInfo> description{};
     std::optional<Error> fault{};
 
     bool mayFail() const { return !folder.empty(); }
@@ -66,13 +66,13 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
     return candidates;
 }
 
-std::string gridText(const FileDescription& file) {
+std::string gridText(const DatasetInfo& file) {
     return fmt::format("{} x {} x {} cells of {} x {} m", file.size.x, file.size.y, file.size.z,
                        file.spacingM.x, file.spacingM.y);
 }
 
 /// Files of one series need the same native grid; their variables may differ.
-bool sameGrid(const FileDescription& a, const FileDescription& b) {
+bool sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
     return a.size == b.size && a.spacingM == b.spacingM;
 }
 

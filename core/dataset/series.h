@@ -19,7 +19,7 @@ namespace neph {
 /// One file of a series with its description.
 struct SeriesFile {
     std::filesystem::path path;  ///< a file, or a folder that a reader accepts as a whole
-    FileDescription description;
+    DatasetInfo description;
 };
 
 /// The files of a series, and the reader that they have in common.

@@ -25,6 +25,14 @@ constexpr std::int32_t kMaxAxis = 1 << 20;
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 36;
 constexpr double kMaxSpacingM = 1e7;  // a quarter of the way around the Earth
 
+// The enumerations of dataset_info.h and of the ABI have the same values, so casts convert them.
+static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
+static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
+static_assert(kVariableRoles == NEPH_ROLE_NUMBER_CONCENTRATION + 1);
+static_assert(kMicrophysics == NEPH_MICROPHYSICS_MORRISON + 1);
+static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
+static_assert(kSpeciesCount == NEPH_SPECIES_HAIL + 1);
+
 /// One faulty claim of a plugin; it becomes an Error that names plugin and file.
 struct Fault {
     std::string text;
@@ -70,61 +78,63 @@ glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
     return {size[0], size[1], size[2]};
 }
 
-/// Unknown roles and species become OTHER and NONE, so that newer readers still work.
-FileVariable checkedVariable(const NephVariable* pointer) {
+/// Unknown roles become `other` and unknown species none, so that newer readers still work.
+VariableInfo checkedVariable(const NephVariable* pointer) {
     const NephVariable& raw = checkedStruct(pointer, "a variable");
-    FileVariable variable;
+    VariableInfo variable;
     variable.name = checkedText(raw.name, "a variable's name");
     if (variable.name.empty()) throw Fault{"a variable has no name"};
     variable.standardName = checkedText(raw.standard_name, variable.name);
     variable.units = checkedText(raw.units, variable.name);
     variable.description = checkedText(raw.description, variable.name);
     variable.size = checkedSize(raw.size, variable.name);
-    const bool roleKnown =
-        raw.role >= NEPH_ROLE_OTHER && raw.role <= NEPH_ROLE_NUMBER_CONCENTRATION;
-    variable.role = roleKnown ? raw.role : NEPH_ROLE_OTHER;
-    const bool speciesKnown = raw.species >= NEPH_SPECIES_CLOUD && raw.species <= NEPH_SPECIES_HAIL;
-    variable.species = speciesKnown ? raw.species : NEPH_SPECIES_NONE;
+    if (raw.role >= 0 && raw.role < kVariableRoles) {
+        variable.role = static_cast<VariableRole>(raw.role);
+    }
+    if (raw.species >= 0 && raw.species < kSpeciesCount) {
+        variable.species = static_cast<Species>(raw.species);
+    }
     return variable;
 }
 
 /// Whether a variable's size fits its role on a grid of `cells`.
-bool fitsGrid(const FileVariable& variable, glm::ivec3 cells) {
-    if (variable.role == NEPH_ROLE_OTHER) return true;
-    if (variable.role == NEPH_ROLE_INTERFACE_HEIGHT) ++cells.z;
-    const bool ofSpecies = variable.role == NEPH_ROLE_MIXING_RATIO ||
-                           variable.role == NEPH_ROLE_EFFECTIVE_RADIUS ||
-                           variable.role == NEPH_ROLE_NUMBER_CONCENTRATION;
+bool fitsGrid(const VariableInfo& variable, glm::ivec3 cells) {
+    if (variable.role == VariableRole::other) return true;
+    if (variable.role == VariableRole::interfaceHeight) ++cells.z;
+    const bool ofSpecies = variable.role == VariableRole::mixingRatio ||
+                           variable.role == VariableRole::effectiveRadius ||
+                           variable.role == VariableRole::numberConcentration;
     const bool profile = variable.size == glm::ivec3(1, 1, cells.z);
     return variable.size == cells || (profile && !ofSpecies);
 }
 
 /// Removes the role of variables that do not lie on the grid, with a note; they can still be read
 /// by name.
-void dropMisfits(FileDescription& description) {
-    for (FileVariable& variable : description.variables) {
+void dropMisfits(DatasetInfo& description) {
+    for (VariableInfo& variable : description.variables) {
         if (fitsGrid(variable, description.size)) continue;
-        variable.role = NEPH_ROLE_OTHER;
-        variable.species = NEPH_SPECIES_NONE;
+        variable.role = VariableRole::other;
+        variable.species.reset();
         description.notes.push_back(
             fmt::format("{} is not used: it has {} x {} x {} values and does not lie on the grid.",
                         variable.name, variable.size.x, variable.size.y, variable.size.z));
     }
 }
 
-std::vector<FileTime> checkedTimes(const NephDescription& raw) {
-    std::vector<FileTime> times;
+std::vector<TimeInfo> checkedTimes(const NephDescription& raw) {
+    std::vector<TimeInfo> times;
     for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
         const NephTime& time = checkedStruct(pointer, "a time");
         if (!std::isfinite(time.seconds)) throw Fault{"a time is not a finite number"};
-        times.push_back({checkedText(time.label, "a time"), time.seconds});
+        times.push_back(
+            {checkedText(time.label, "a time"), time.seconds, {}, static_cast<int>(times.size())});
     }
     if (times.empty()) throw Fault{"it has no times"};
     return times;
 }
 
-std::vector<FileVariable> checkedVariables(const NephDescription& raw) {
-    std::vector<FileVariable> variables;
+std::vector<VariableInfo> checkedVariables(const NephDescription& raw) {
+    std::vector<VariableInfo> variables;
     std::set<std::string> names;
     for (const NephVariable* pointer :
          checkedList(raw.variables, raw.variable_count, "variables")) {
@@ -137,14 +147,14 @@ std::vector<FileVariable> checkedVariables(const NephDescription& raw) {
 }
 
 /// Copies the description while checking it: nothing refers to the memory of the plugin afterwards.
-FileDescription checkedDescription(const NephDescription* pointer) {
+DatasetInfo checkedDescription(const NephDescription* pointer) {
     const NephDescription& raw = checkedStruct(pointer, "the description");
-    FileDescription description;
+    DatasetInfo description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");
-    const bool schemeKnown = raw.microphysics >= NEPH_MICROPHYSICS_UNKNOWN &&
-                             raw.microphysics <= NEPH_MICROPHYSICS_MORRISON;
-    description.microphysics = schemeKnown ? raw.microphysics : NEPH_MICROPHYSICS_UNKNOWN;
+    if (raw.microphysics >= 0 && raw.microphysics < kMicrophysics) {
+        description.microphysics = static_cast<Microphysics>(raw.microphysics);
+    }
     const double droplets = raw.cloud_droplets_per_m3;
     if (!std::isfinite(droplets) || droplets < 0.0) {
         throw Fault{fmt::format("{} cloud droplets per m3", droplets)};
@@ -261,7 +271,7 @@ PluginFile::PluginFile(const NephReader& calls, std::string reader, std::filesys
     });
 }
 
-void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
+void PluginFile::read(std::size_t variable, std::size_t time, const CellBox& box,
                       std::span<float> room, const Progress& progress) {
     const std::span<float> values = room.first(room.size() - kGuardValues);
     const std::span<float> guard = room.last(kGuardValues);
@@ -273,8 +283,8 @@ void PluginFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower, 
     request.variable = static_cast<std::uint32_t>(variable);
     request.time = static_cast<std::uint32_t>(time);
     for (int axis = 0; axis < 3; ++axis) {
-        request.lower[axis] = lower[axis];
-        request.upper[axis] = upper[axis];
+        request.lower[axis] = box.lower[axis];
+        request.upper[axis] = box.upper[axis];
     }
     request.values = values.data();
     request.value_count = values.size();

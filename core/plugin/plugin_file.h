@@ -13,7 +13,8 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/plugin/file_description.h"
+#include "core/grid/boxes.h"
+#include "core/plugin/dataset_info.h"
 #include "core/plugin/reader_abi.h"
 
 namespace neph {
@@ -24,16 +25,16 @@ class PluginFile {
     /// Error.
     PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path);
 
-    const FileDescription& description() const { return description_; }
+    const DatasetInfo& description() const { return description_; }
 
     /// Extra values that `read` needs behind those requested, to detect a reader that writes too
     /// much.
     static constexpr std::size_t kGuardValues = 1024;
 
-    /// Fills `room` with the cells of [lower, upper), x fastest, NaN where the reader wrote
-    /// nothing; behind them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
-    void read(std::size_t variable, std::size_t time, glm::ivec3 lower, glm::ivec3 upper,
-              std::span<float> room, const Progress& progress);
+    /// Fills `room` with the cells of `box`, x fastest, NaN where the reader wrote nothing; behind
+    /// them `room` holds exactly kGuardValues more. Throws Error or Cancelled.
+    void read(std::size_t variable, std::size_t time, const CellBox& box, std::span<float> room,
+              const Progress& progress);
 
   private:
     struct Closer {
@@ -48,7 +49,7 @@ class PluginFile {
     std::string reader_;
     std::filesystem::path path_;
     std::unique_ptr<NephFile, Closer> file_;
-    FileDescription description_;
+    DatasetInfo description_;
 };
 
 }  // namespace neph

@@ -27,11 +27,11 @@ void ReaderFile::open(const Progress& progress) {
     description_ = std::move(opened.description);
 }
 
-std::vector<float> ReaderFile::read(std::size_t variable, std::size_t time, glm::ivec3 lower,
-                                    glm::ivec3 upper, const Progress& progress) {
+std::vector<float> ReaderFile::read(std::size_t variable, std::size_t time, const CellBox& box,
+                                    const Progress& progress) {
     if (!process_->alive()) open(progress);
     const std::string name = description_.variables.at(variable).name;
-    return process_->read({handle_, variable, time, lower, upper}, path_, name, progress);
+    return process_->read({handle_, variable, time, box}, path_, name, progress);
 }
 
 }  // namespace neph

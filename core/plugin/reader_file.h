@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/plugin/file_description.h"
+#include "core/grid/boxes.h"
+#include "core/plugin/dataset_info.h"
 #include "core/plugin/plugin_host.h"
 #include "core/plugin/reader_process.h"
 
@@ -25,12 +26,12 @@ class ReaderFile {
     ReaderFile(const ReaderFile&) = delete;
     ReaderFile& operator=(const ReaderFile&) = delete;
 
-    const FileDescription& description() const { return description_; }
+    const DatasetInfo& description() const { return description_; }
 
-    /// The cells of [lower, upper), x fastest; NaN where the reader wrote nothing. Throws Error or
+    /// The cells of `box`, x fastest; NaN where the reader wrote nothing. Throws Error or
     /// Cancelled. After a crash of the reader the next read opens the file again.
-    std::vector<float> read(std::size_t variable, std::size_t time, glm::ivec3 lower,
-                            glm::ivec3 upper, const Progress& progress);
+    std::vector<float> read(std::size_t variable, std::size_t time, const CellBox& box,
+                            const Progress& progress);
 
   private:
     void open(const Progress& progress);
@@ -39,7 +40,7 @@ class ReaderFile {
     std::filesystem::path path_;
     std::unique_ptr<ReaderProcess> process_;
     std::uint32_t handle_ = 0;
-    FileDescription description_;
+    DatasetInfo description_;
 };
 
 }  // namespace neph

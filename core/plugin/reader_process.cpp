@@ -311,7 +311,7 @@ ReaderProcess::Opened ReaderProcess::open(const std::filesystem::path& file,
     return unpacked(answer, task, [](wire::Unpacker& from) {
         Opened opened;
         opened.handle = from.number<std::uint32_t>();
-        opened.description = wire::unpackDescription(from);
+        opened.description = wire::unpackInfo(from);
         return opened;
     });
 }
@@ -326,7 +326,7 @@ std::vector<float> ReaderProcess::read(const wire::ReadRequest& request,
                                        const std::filesystem::path& file, std::string_view variable,
                                        const Progress& progress) {
     const Task task{file, fmt::format("reading {}", variable)};
-    const auto size = glm::u64vec3(request.upper - request.lower);
+    const auto size = glm::u64vec3(request.box.size());
     const std::size_t count = size.x * size.y * size.z;
     if (pid_ > 0) growMemory(kReaderValuesAt + (count + PluginFile::kGuardValues) * sizeof(float));
     const std::string answer = ask(

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/plugin/file_description.h"
+#include "core/plugin/dataset_info.h"
 #include "core/plugin/reader_wire.h"
 
 namespace neph {
@@ -63,7 +63,7 @@ class ReaderProcess {
 
     struct Opened {
         std::uint32_t handle = 0;
-        FileDescription description;
+        DatasetInfo description;
     };
     /// Throws Error or Cancelled.
     Opened open(const std::filesystem::path& file, const Progress& progress);

@@ -10,6 +10,15 @@ namespace {
 
 constexpr std::uint64_t kLongestMessage = std::uint64_t{1} << 28U;
 
+constexpr std::int32_t kNoSpecies = -1;
+
+/// A number from `first` to below `end`: of an enumeration.
+int unpackChoice(Unpacker& from, std::int32_t first, std::int32_t end) {
+    const auto choice = from.number<std::int32_t>();
+    if (choice < first || choice >= end) throw Malformed{};
+    return choice;
+}
+
 bool sendAll(int socket, const char* bytes, std::size_t count) {
     while (count > 0) {
         const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
@@ -89,52 +98,75 @@ ErrorParts unpackError(Unpacker& from) {
     return parts;
 }
 
-void pack(Packer& to, const FileDescription& d) {
-    to.text(d.model).text(d.scheme).number(d.microphysics).number(d.cloudDropletsPerM3);
-    to.number(d.size).number(d.spacingM);
-    to.number(static_cast<std::uint64_t>(d.times.size()));
-    for (const FileTime& time : d.times) to.text(time.label).number(time.seconds);
-    to.number(static_cast<std::uint64_t>(d.variables.size()));
-    for (const FileVariable& v : d.variables) {
-        to.text(v.name).text(v.standardName).text(v.units).text(v.description);
-        to.number(v.role).number(v.species).number(v.size);
-    }
-    to.number(static_cast<std::uint64_t>(d.notes.size()));
-    for (const std::string& note : d.notes) to.text(note);
-    to.number(static_cast<std::uint64_t>(d.attributes.size()));
-    for (const auto& [name, value] : d.attributes) to.text(name).text(value);
+void packTimes(Packer& to, const std::vector<TimeInfo>& times) {
+    to.number(static_cast<std::uint64_t>(times.size()));
+    for (const TimeInfo& time : times) to.text(time.label).number(time.seconds);
 }
 
-FileDescription unpackDescription(Unpacker& from) {
-    FileDescription d;
-    d.model = from.text();
-    d.scheme = from.text();
-    d.microphysics = from.number<NephMicrophysics>();
-    d.cloudDropletsPerM3 = from.number<double>();
-    d.size = from.number<glm::ivec3>();
-    d.spacingM = from.number<glm::dvec2>();
-    d.times.resize(from.count(sizeof(std::uint64_t)));
-    for (FileTime& time : d.times) {
-        time.label = from.text();
-        time.seconds = from.number<double>();
+std::vector<TimeInfo> unpackTimes(Unpacker& from) {
+    std::vector<TimeInfo> times(from.count(2 * sizeof(std::uint64_t)));
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        times[i].label = from.text();
+        times[i].seconds = from.number<double>();
+        times[i].indexInFile = static_cast<int>(i);
     }
-    d.variables.resize(from.count(sizeof(std::uint64_t)));
-    for (FileVariable& v : d.variables) {
+    return times;
+}
+
+void packBesidesTimes(Packer& to, const DatasetInfo& info) {
+    to.text(info.model).text(info.scheme);
+    to.number(static_cast<std::int32_t>(info.microphysics)).number(info.cloudDropletsPerM3);
+    to.number(info.size).number(info.spacingM);
+    to.number(static_cast<std::uint64_t>(info.variables.size()));
+    for (const VariableInfo& v : info.variables) {
+        to.text(v.name).text(v.standardName).text(v.units).text(v.description);
+        to.number(static_cast<std::int32_t>(v.role));
+        to.number(v.species ? static_cast<std::int32_t>(*v.species) : kNoSpecies).number(v.size);
+    }
+    to.number(static_cast<std::uint64_t>(info.notes.size()));
+    for (const std::string& note : info.notes) to.text(note);
+    to.number(static_cast<std::uint64_t>(info.attributes.size()));
+    for (const auto& [name, value] : info.attributes) to.text(name).text(value);
+}
+
+DatasetInfo unpackBesidesTimes(Unpacker& from) {
+    DatasetInfo info;
+    info.model = from.text();
+    info.scheme = from.text();
+    info.microphysics = static_cast<Microphysics>(unpackChoice(from, 0, kMicrophysics));
+    info.cloudDropletsPerM3 = from.number<double>();
+    info.size = from.number<glm::ivec3>();
+    info.spacingM = from.number<glm::dvec2>();
+    info.variables.resize(from.count(4 * sizeof(std::uint64_t)));
+    for (VariableInfo& v : info.variables) {
         for (std::string* part : {&v.name, &v.standardName, &v.units, &v.description}) {
             *part = from.text();
         }
-        v.role = from.number<NephRole>();
-        v.species = from.number<NephSpecies>();
+        v.role = static_cast<VariableRole>(unpackChoice(from, 0, kVariableRoles));
+        const int species = unpackChoice(from, kNoSpecies, static_cast<int>(kSpeciesCount));
+        if (species != kNoSpecies) v.species = static_cast<Species>(species);
         v.size = from.number<glm::ivec3>();
     }
-    d.notes.resize(from.count(sizeof(std::uint64_t)));
-    for (std::string& note : d.notes) note = from.text();
+    info.notes.resize(from.count(sizeof(std::uint64_t)));
+    for (std::string& note : info.notes) note = from.text();
     const std::size_t attributes = from.count(2 * sizeof(std::uint64_t));
     for (std::size_t i = 0; i < attributes; ++i) {
         std::string name = from.text();
-        d.attributes[std::move(name)] = from.text();
+        info.attributes[std::move(name)] = from.text();
     }
-    return d;
+    return info;
+}
+
+void pack(Packer& to, const DatasetInfo& info) {
+    packTimes(to, info.times);
+    packBesidesTimes(to, info);
+}
+
+DatasetInfo unpackInfo(Unpacker& from) {
+    std::vector<TimeInfo> times = unpackTimes(from);
+    DatasetInfo info = unpackBesidesTimes(from);
+    info.times = std::move(times);
+    return info;
 }
 
 bool send(int socket, std::string_view message) {

@@ -12,7 +12,8 @@
 #include <type_traits>
 
 #include "core/base/error.h"
-#include "core/plugin/file_description.h"
+#include "core/grid/boxes.h"
+#include "core/plugin/dataset_info.h"
 
 namespace neph::wire {
 
@@ -74,15 +75,22 @@ struct Identity {
 struct ReadRequest {
     std::uint32_t handle = 0;
     std::uint64_t variable = 0, time = 0;
-    glm::ivec3 lower{0}, upper{0};
+    CellBox box;
 };
 
 void pack(Packer& to, const Identity& identity);
 void pack(Packer& to, const ErrorParts& parts);
-void pack(Packer& to, const FileDescription& description);
+/// What a reader states about one file, without its times, which differ from file to file: the
+/// header cache keeps times for each file and the rest once.
+void packBesidesTimes(Packer& to, const DatasetInfo& info);
+void packTimes(Packer& to, const std::vector<TimeInfo>& times);
+/// Both.
+void pack(Packer& to, const DatasetInfo& info);
 Identity unpackIdentity(Unpacker& from);
 ErrorParts unpackError(Unpacker& from);
-FileDescription unpackDescription(Unpacker& from);
+DatasetInfo unpackBesidesTimes(Unpacker& from);
+std::vector<TimeInfo> unpackTimes(Unpacker& from);
+DatasetInfo unpackInfo(Unpacker& from);
 
 /// Sends one message; false if the other side has closed the connection.
 bool send(int socket, std::string_view message);

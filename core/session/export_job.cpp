@@ -42,6 +42,9 @@ void ExportJob::take(const std::string& line) {
     if (const auto file = told.find("file"); file != told.end() && file->is_string()) {
         file_ = file->get<std::string>();
     }
+    if (const auto error = told.find("error"); error != told.end() && error->is_string()) {
+        error_ = error->get<std::string>();
+    }
 }
 
 ExportJob::State ExportJob::poll() {
@@ -75,10 +78,8 @@ std::string ExportJob::text() const {
 }
 
 std::string ExportJob::fault() const {
-    const std::string words = child_.lastWords();
-    // Notes and names of written files come before it.
-    const std::size_t error = words.rfind("error: ");
-    if (error != words.npos) return words.substr(error + 7);
+    if (!error_.empty()) return error_;
+    const std::string words = child_.lastWords();  // it ended before it could report why
     return words.empty() ? fmt::format("the program ended with {}", child_.status().value_or(-1))
                          : words;
 }

@@ -46,6 +46,7 @@ class ExportJob {
     double part_ = 0.0;      // of the next image
     double seconds_ = 0.0;   // elapsed so far
     std::filesystem::path file_;
+    std::string error_;  // why it failed; empty: not reported
 };
 
 /// "45 s", "1 min 20 s", "2 h 5 min".

@@ -44,7 +44,7 @@ Session::Session(OpenSeries open, std::function<void()> wake,
     : open_(std::move(open)), watch_(wake, watchInterval), jobs_(std::move(wake)) {}
 
 void Session::open(std::span<const std::string> named, std::optional<int> time,
-                   std::optional<Region> region) {
+                   std::optional<BoxM> region) {
     std::vector<std::filesystem::path> paths;
     try {
         paths = listFiles(named);
@@ -126,7 +126,7 @@ void Session::copyFrom(const Session& other) {
     watch_.watch(paths_, stamps_);
 }
 
-void Session::setRegion(const std::optional<Region>& region) {
+void Session::setRegion(const std::optional<BoxM>& region) {
     region_ = region;
     failedKey_.reset();
 }

@@ -19,6 +19,7 @@
 #include "core/base/jobs.h"
 #include "core/dataset/dataset.h"
 #include "core/dataset/series_watch.h"
+#include "core/grid/boxes.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_difference.h"
 #include "core/session/history.h"
@@ -65,7 +66,7 @@ class Session {
     /// background, and shows `time` (negative counts from the end) or the default time, of `region`
     /// or the whole domain. Errors become messages.
     void open(std::span<const std::string> named, std::optional<int> time = {},
-              std::optional<Region> region = {});
+              std::optional<BoxM> region = {});
     /// The names that the open data were opened with; empty for the bundled storm.
     const std::vector<std::string>& named() const { return named_; }
     /// Copies data, document and what is shown from another session, which keeps its own; the
@@ -85,8 +86,8 @@ class Session {
     void setPreset(const std::string& name);
 
     /// Part of the domain to show; empty: all of it.
-    void setRegion(const std::optional<Region>& region);
-    const std::optional<Region>& region() const { return region_; }
+    void setRegion(const std::optional<BoxM>& region);
+    const std::optional<BoxM>& region() const { return region_; }
     /// Limits of one volume; `machine` also limits all cached volumes together.
     void setBudget(const MemoryBudget& budget);
     const MemoryBudget& budget() const { return budget_; }
@@ -104,6 +105,8 @@ class Session {
     void cancelLoading();
     double loadingFraction() const { return jobs_.fraction(); }
     std::string loadingLabel() const { return jobs_.label(); }
+    /// Whether data are being opened, not a time of the open data read.
+    bool opening() const { return opening_; }
 
     /// Metadata of the open data; nullptr before the first.
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
@@ -148,7 +151,7 @@ class Session {
     std::vector<std::filesystem::path> paths_;  // of the open data
     std::vector<FileStamp> stamps_;             // as they were when last read
     std::shared_ptr<Dataset> dataset_;
-    std::optional<Region> region_;
+    std::optional<BoxM> region_;
     MemoryBudget budget_;
     VolumeCache cache_;
 

@@ -114,14 +114,14 @@ glm::dvec3 readCorner(const Reader& region, std::string_view key, double unbound
     return corner;
 }
 
-std::optional<Region> readRegion(const Reader& slot) {
+std::optional<BoxM> readRegion(const Reader& slot) {
     const Json* json = slot.find("region");
     if (json == nullptr || json->is_null()) return {};
     const Reader region{jsonObject(*json, "region", slot.where), slot.where + ": region",
                         slot.warnings};
     region.warnOfOthers(kRegionKeys);
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    const Region read{readCorner(region, "lower_m", -kFar), readCorner(region, "upper_m", kFar)};
+    const BoxM read{readCorner(region, "lower_m", -kFar), readCorner(region, "upper_m", kFar)};
     for (int i = 0; i < 3; ++i) {
         if (!(read.lowerM[i] < read.upperM[i])) {
             slot.refuse("region", "each of \"lower_m\" less than that of \"upper_m\"");

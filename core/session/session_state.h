@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/grid/boxes.h"
 #include "core/session/history.h"
 #include "core/volume/read_plan.h"
 
@@ -15,7 +16,7 @@ namespace neph {
 /// One of the two documents that can be compared.
 struct SlotState {
     std::vector<std::string> data;  ///< files or folders as named; empty: bundled storm
-    std::optional<Region> region;
+    std::optional<BoxM> region;
     std::string presetName;  ///< last loaded or saved
     Document document;
     bool operator==(const SlotState&) const = default;

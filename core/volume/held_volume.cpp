@@ -27,14 +27,11 @@ double leastDecade(Holding holding) {
     return holding == Holding::extinction ? kLeastDecadePerM : kLeastDecadeKgPerM3;
 }
 
-/// Bounding box in cells, both corners included.
-struct CellBounds {
-    glm::ivec3 lower{std::numeric_limits<int>::max()}, upper{-1};
-    bool empty() const { return upper.x < 0; }
-};
+/// Bounding box of no cells, to be extended by cells.
+constexpr CellBox kNoCells{glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(0)};
 
 /// Extends `bounds` by the cells above `threshold` and adds all cells above zero to `histogram`.
-void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
+void lookThrough(const Array3f& field, float threshold, CellBox& bounds,
                  FieldHistogram& histogram) {
     std::size_t i = 0;
     for (int z = 0; z < field.size.z; ++z) {
@@ -44,7 +41,7 @@ void lookThrough(const Array3f& field, float threshold, CellBounds& bounds,
                 if (value > 0.0f) histogram.add(value);
                 if (value <= threshold) continue;
                 bounds.lower = glm::min(bounds.lower, glm::ivec3(x, y, z));
-                bounds.upper = glm::max(bounds.upper, glm::ivec3(x, y, z));
+                bounds.upper = glm::max(bounds.upper, glm::ivec3(x, y, z) + 1);
             }
         }
     }
@@ -92,7 +89,7 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
     VolumeSummary summary;
     summary.grid = volume.grid;
     summary.timeLabel = volume.timeLabel;
-    CellBounds bounds;
+    CellBox bounds = kNoCells;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         FieldHistogram& histogram = summary.histograms[s];
         histogram.holding = volume.holding(static_cast<Species>(s));
@@ -101,10 +98,10 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
         summary.present[s] = histogram.holding != Holding::absent;
         summary.anything[s] = histogram.most > 0.0f;
     }
-    if (!bounds.empty()) {
+    if (bounds != kNoCells) {
         const RegularGrid& grid = volume.grid;
-        summary.clouds = Region{grid.originM + glm::dvec3(bounds.lower) * grid.spacingM,
-                                grid.originM + glm::dvec3(bounds.upper + 1) * grid.spacingM};
+        summary.clouds = BoxM{grid.originM + glm::dvec3(bounds.lower) * grid.spacingM,
+                              grid.originM + glm::dvec3(bounds.upper) * grid.spacingM};
     }
     return summary;
 }
@@ -131,8 +128,8 @@ HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
     return held;
 }
 
-Region withMargin(const Region& region) {
-    const glm::dvec3 margin = kMarginShare * (region.upperM - region.lowerM);
+BoxM withMargin(const BoxM& region) {
+    const glm::dvec3 margin = kMarginShare * region.sizeM();
     return {region.lowerM - margin, region.upperM + margin};
 }
 

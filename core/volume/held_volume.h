@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/dataset/dataset.h"
+#include "core/grid/boxes.h"
 #include "core/grid/species.h"
 #include "core/volume/radius_plan.h"
 #include "core/volume/read_plan.h"
@@ -17,7 +18,7 @@ namespace neph {
 
 /// Everything that determines a volume besides the time.
 struct VolumeRequest {
-    std::optional<Region> region;  ///< empty: the whole domain
+    std::optional<BoxM> region;  ///< empty: the whole domain
     MemoryBudget budget;
     RadiusPlan radii;  ///< as the look requires
     bool operator==(const VolumeRequest&) const = default;
@@ -46,7 +47,7 @@ struct VolumeSummary {
     std::array<bool, kSpeciesCount> present{};   ///< the model has the species
     std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
     std::array<FieldHistogram, kSpeciesCount> histograms{};
-    std::optional<Region> clouds;  ///< bounding box of what is dense enough to be seen
+    std::optional<BoxM> clouds;  ///< bounding box of what is dense enough to be seen
     std::string timeLabel;
     bool empty() const;  ///< no hydrometeor anywhere
 };
@@ -64,6 +65,6 @@ HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress = {});
 
 /// `region` extended by a tenth of its extent on every side.
-Region withMargin(const Region& region);
+BoxM withMargin(const BoxM& region);
 
 }  // namespace neph

@@ -31,7 +31,7 @@ struct BadCell {
 };
 
 /// Names the file, variable, time and cell of an unusable value.
-Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, const Box& band,
+Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, const CellBox& band,
               const ColumnField& field, const BadCell& bad) {
     const TimeInfo& when = dataset.info().times.at(static_cast<std::size_t>(time));
     const auto width = static_cast<std::size_t>(field.values.size.x);
@@ -50,18 +50,18 @@ Error errorOf(const Dataset& dataset, int time, const VariableInfo& variable, co
 
 }  // namespace
 
-Box wholeBox(const DatasetInfo& info) {
+CellBox wholeBox(const DatasetInfo& info) {
     return {glm::ivec3(0), info.size};
 }
 
-std::vector<Box> bandsOf(const Box& box, int coarsening) {
+std::vector<CellBox> bandsOf(const CellBox& box, int coarsening) {
     const std::size_t row = static_cast<std::size_t>(box.size().x) *
                             static_cast<std::size_t>(box.size().z) * sizeof(float);
     const int blocks =
         std::max(static_cast<int>(kBandBytes / row / static_cast<std::size_t>(coarsening)), 1);
-    std::vector<Box> bands;
+    std::vector<CellBox> bands;
     for (int y = box.lower.y; y < box.upper.y;) {
-        Box band = box;
+        CellBox band = box;
         band.lower.y = y;
         band.upper.y = std::min(y + blocks * coarsening, box.upper.y);
         y = band.upper.y;
@@ -94,9 +94,9 @@ const VariableInfo& requiredVariable(const Dataset& dataset, VariableRole role,
                  .expected = "a variable of that role from the reader"});
 }
 
-ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
-                        const Progress& progress) {
-    Box box = band;
+ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time,
+                        const CellBox& band, const Progress& progress) {
+    CellBox box = band;
     box.upper.z += variable.size.z - dataset.info().size.z;
     ColumnField field;
     field.profile = isProfile(variable, dataset.info());
@@ -108,7 +108,7 @@ ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time
     return field;
 }
 
-ColumnField readHeights(Dataset& dataset, int time, const Box& band, const Progress& progress) {
+ColumnField readHeights(Dataset& dataset, int time, const CellBox& band, const Progress& progress) {
     const VariableInfo& variable =
         requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
     ColumnField heights = readColumns(dataset, variable, time, band, progress);
@@ -127,7 +127,7 @@ ColumnField readHeights(Dataset& dataset, int time, const Box& band, const Progr
     return heights;
 }
 
-ColumnField readDensity(Dataset& dataset, int time, const Box& band, const Progress& progress) {
+ColumnField readDensity(Dataset& dataset, int time, const CellBox& band, const Progress& progress) {
     const VariableInfo& variable =
         requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
     ColumnField density = readColumns(dataset, variable, time, band, progress);
@@ -141,7 +141,7 @@ ColumnField readDensity(Dataset& dataset, int time, const Box& band, const Progr
     return density;
 }
 
-Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
+Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const CellBox& band,
                   Repairs& repairs, const Progress& progress) {
     Array3f ratio = dataset.read(variable.name, time, band, progress);
     repairs += repair(ratio);

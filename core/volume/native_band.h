@@ -11,6 +11,7 @@
 
 #include "core/base/progress.h"
 #include "core/dataset/dataset.h"
+#include "core/grid/boxes.h"
 #include "core/volume/repair.h"
 
 namespace neph {
@@ -28,11 +29,11 @@ struct ColumnField {
 };
 
 /// All native columns of the data set.
-Box wholeBox(const DatasetInfo& info);
+CellBox wholeBox(const DatasetInfo& info);
 
 /// Cuts `box` into bands from south to north, each of a multiple of `coarsening` rows (except the
 /// last) and about a megabyte per field.
-std::vector<Box> bandsOf(const Box& box, int coarsening);
+std::vector<CellBox> bandsOf(const CellBox& box, int coarsening);
 
 /// The variable with a role. Throws Error if there is none or it does not lie on the grid;
 /// `meaning` names it in the message.
@@ -45,17 +46,19 @@ void requireOnGrid(const Dataset& dataset, const VariableInfo& variable, bool pr
 
 /// One variable in the columns of `band`; variables on interfaces have one level more than there
 /// are layers. Throws Error or Cancelled, as the functions below do.
-ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
-                        const Progress& progress = {});
+ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time,
+                        const CellBox& band, const Progress& progress = {});
 
 /// Heights of interfaces, m. Throws Error unless they increase with height in every column.
-ColumnField readHeights(Dataset& dataset, int time, const Box& band, const Progress& progress = {});
+ColumnField readHeights(Dataset& dataset, int time, const CellBox& band,
+                        const Progress& progress = {});
 
 /// Density of dry air, kg/m³. Throws Error unless it is above zero everywhere.
-ColumnField readDensity(Dataset& dataset, int time, const Box& band, const Progress& progress = {});
+ColumnField readDensity(Dataset& dataset, int time, const CellBox& band,
+                        const Progress& progress = {});
 
 /// Mixing ratio, kg/kg; impossible values are set to zero and counted in `repairs`.
-Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const Box& band,
+Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const CellBox& band,
                   Repairs& repairs, const Progress& progress = {});
 
 /// Called with a handle of the data set that no other thread uses at the same time.

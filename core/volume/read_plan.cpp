@@ -51,7 +51,7 @@ double median(std::vector<float>& values) {
 /// Lowest and highest height of one interface.
 std::ranges::minmax_result<float> extremes(Dataset& dataset, const VariableInfo& variable, int time,
                                            int level, const Progress& progress) {
-    Box plane{{0, 0, level}, variable.size};
+    CellBox plane{{0, 0, level}, variable.size};
     plane.upper.z = level + 1;
     return std::ranges::minmax(dataset.read(variable.name, time, plane, progress).values);
 }
@@ -66,7 +66,7 @@ NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
                                 std::min(kFewestSampleRows, size.y), variable.size.y);
     std::vector<float> depths;
     for (int i = 0; i < rows; ++i) {
-        Box row = wholeBox(dataset.info());
+        CellBox row = wholeBox(dataset.info());
         row.lower.y = static_cast<int>((i + 0.5) * size.y / rows);
         row.upper.y = row.lower.y + 1;
         addDepths(readHeights(dataset, time, row, progress), depths);
@@ -80,8 +80,7 @@ NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
 
 /// Sets `z` of origin, spacing and size. Spacing and offsets are chosen for the whole depth, so
 /// that the levels of a region are a subset of those of the whole domain.
-void placeLevels(const NativeLevels& native, const std::optional<Region>& region,
-                 RegularGrid& grid) {
+void placeLevels(const NativeLevels& native, const std::optional<BoxM>& region, RegularGrid& grid) {
     double spacing = roundedDown(native.medianDepth);
     const auto below = [&](double z) { return std::floor(z / spacing + 1e-6); };
     const auto above = [&](double z) { return std::ceil(z / spacing - 1e-6); };
@@ -100,8 +99,8 @@ void placeLevels(const NativeLevels& native, const std::optional<Region>& region
 }
 
 /// Native cells that a region touches.
-Box boxOf(const DatasetInfo& info, const std::optional<Region>& region) {
-    Box box = wholeBox(info);
+CellBox boxOf(const DatasetInfo& info, const std::optional<BoxM>& region) {
+    CellBox box = wholeBox(info);
     if (!region) return box;
     for (int axis = 0; axis < 2; ++axis) {
         const double cell = info.spacingM[axis];
@@ -117,7 +116,7 @@ Box boxOf(const DatasetInfo& info, const std::optional<Region>& region) {
 /// An empty plan would give a volume without cells; the region is at fault, and the message shows
 /// its limits.
 void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLevels& native,
-                  const std::optional<Region>& region) {
+                  const std::optional<BoxM>& region) {
     if (glm::all(glm::greaterThan(plan.box.size(), glm::ivec3(0))) && plan.grid.size.z > 0) return;
     const DatasetInfo& info = dataset.info();
     const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
@@ -168,7 +167,7 @@ std::string lengthText(double metres) {
 
 }  // namespace
 
-ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region,
+ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
                   const MemoryBudget& budget, const Progress& progress) {
     const DatasetInfo& info = dataset.info();
     const NativeLevels native = readLevels(dataset, time, progress);
@@ -185,7 +184,7 @@ ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& regio
 }
 
 std::string describe(const ReadPlan& plan, const DatasetInfo& info) {
-    const Box whole = wholeBox(info);
+    const CellBox whole = wholeBox(info);
     std::string text;
     if (plan.box != whole) {
         const auto corner = [&](glm::ivec3 cell, int axis) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/dataset/dataset.h"
+#include "core/grid/boxes.h"
 #include "core/grid/grid.h"
 
 namespace neph {
@@ -26,16 +27,9 @@ struct MemoryBudget {
 /// docs/measurements.md
 inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 
-/// Part of the domain, metres from its south-west corner; z above sea level.
-struct Region {
-    glm::dvec3 lowerM{0.0};
-    glm::dvec3 upperM{0.0};
-    bool operator==(const Region&) const = default;
-};
-
 /// What to read, and the grid that results.
 struct ReadPlan {
-    Box box;             ///< native columns that are read, all levels
+    CellBox box;         ///< native columns that are read, all levels
     int coarsening = 1;  ///< native columns along each edge of a block
     RegularGrid grid;    ///< resulting grid; its levels cover the requested region
     std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< expected memory
@@ -46,7 +40,7 @@ struct ReadPlan {
 /// possible. Cells that the region touches are read whole. The level spacing is the median native
 /// layer depth, rounded so that the times of a series share it. Reads the lowest and the highest
 /// interface and some rows of heights. Throws Error if the region contains no cell.
-ReadPlan planRead(Dataset& dataset, int time, const std::optional<Region>& region = {},
+ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
                   const MemoryBudget& budget = {}, const Progress& progress = {});
 
 /// One or two sentences for the screen and for `info`, for example "Every 2 x 2 columns are

@@ -55,7 +55,7 @@ struct Blocks {
     }
 };
 
-Blocks blocksOf(const Box& band, int coarsening) {
+Blocks blocksOf(const CellBox& band, int coarsening) {
     const glm::ivec2 native(band.size());
     return {native, (native + coarsening - 1) / coarsening, coarsening};
 }
@@ -164,7 +164,7 @@ class BandResampler {
 
   private:
     /// Reads heights and density only for bands with condensate.
-    void take(Dataset& dataset, const Box& band, const Progress& progress) {
+    void take(Dataset& dataset, const CellBox& band, const Progress& progress) {
         const Blocks blocks = blocksOf(band, plan_.coarsening);
         const int firstRow = (band.lower.y - plan_.box.lower.y) / plan_.coarsening;
         BandAir air;
@@ -186,7 +186,7 @@ class BandResampler {
         }
     }
 
-    BandAir readAir(Dataset& dataset, const Box& band, const Blocks& blocks,
+    BandAir readAir(Dataset& dataset, const CellBox& band, const Blocks& blocks,
                     const Progress& progress) const {
         BandAir air;
         air.heights = readHeights(dataset, time_, band, progress);
@@ -217,7 +217,7 @@ class BandResampler {
 
     /// Converts in place from content to extinction, on native cells: extinction does not follow
     /// from mean content.
-    void toExtinction(Dataset& dataset, const Box& band, const ColumnField& density,
+    void toExtinction(Dataset& dataset, const CellBox& band, const ColumnField& density,
                       SpeciesWork& work, Array3f& quantity, const Progress& progress) {
         const RadiusRule& rule = radii_.of(work.species());
         const auto readExtra = [&](const std::string& name) {
@@ -240,7 +240,7 @@ class BandResampler {
     const RadiusPlan& radii_;
     const int time_;
     std::vector<SpeciesWork>& species_;
-    const std::vector<Box> bands_;
+    const std::vector<CellBox> bands_;
     std::mutex mutex_;  // guards repairs and gaps; each band writes its own rows of the result
 };
 

@@ -29,7 +29,7 @@ struct BandSummary {
 /// Summarises one band of rows. Each species is read, used and dropped.
 class BandLook {
   public:
-    BandLook(Dataset& dataset, int time, const Box& band, const Progress& progress)
+    BandLook(Dataset& dataset, int time, const CellBox& band, const Progress& progress)
         : dataset_(dataset), time_(time), band_(band), progress_(progress) {}
 
     BandSummary run(const std::vector<const VariableInfo*>& ratios, std::size_t depthStride) {
@@ -150,7 +150,7 @@ class BandLook {
 
     Dataset& dataset_;
     const int time_;
-    const Box band_;
+    const CellBox band_;
     const Progress& progress_;
     std::size_t columns_ = 0, layers_ = 0;
     ColumnField heights_;
@@ -211,7 +211,7 @@ std::vector<const VariableInfo*> hydrometeorsOf(const DatasetInfo& info) {
 TimeSummary summarise(Dataset& dataset, int time, const Progress& progress) {
     const DatasetInfo& info = dataset.info();
     const std::vector<const VariableInfo*> ratios = hydrometeorsOf(info);
-    const std::vector<Box> bands = bandsOf(wholeBox(info), 1);
+    const std::vector<CellBox> bands = bandsOf(wholeBox(info), 1);
     const glm::i64vec3 size = info.size;
     const auto cells = static_cast<std::size_t>(size.x * size.y * size.z);
     const std::size_t stride = (cells / kDepthsOfAll) | 1U;  // odd: does not align with rows

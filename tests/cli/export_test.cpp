@@ -109,6 +109,15 @@ TEST_CASE("Progress is a line of JSON an image, and images of all times are numb
     CHECK(std::filesystem::exists(folder / "c_0002.png"));
 }
 
+TEST_CASE("Progress ends with the error where there is one, be it in the options or in the work") {
+    for (const char* arguments : {"--progress --fps 5", "--progress none-such"}) {
+        const Outcome outcome = runProgram(std::string("render ") + arguments);
+        CHECK(outcome.status != 0);
+        const auto told = nlohmann::json::parse(outcome.out);
+        CHECK(outcome.err == "error: " + told["error"].get<std::string>() + "\n");
+    }
+}
+
 TEST_CASE("A video's frames go to ffmpeg, whole and in order, with even sides") {
     const TemporaryFolder folder;
     makeFfmpeg(folder.path());

@@ -64,10 +64,9 @@ const std::string kImgui = "^imgui";
 using Floors = std::vector<std::vector<std::string>>;
 
 const Floors kCore{{"core/base", "core/grid"},
-                   {"core/image", "core/plugin", "core/optics"},
+                   {"core/image", "core/plugin", "core/optics", "core/camera"},
                    {"core/dataset", "core/look"},
                    {"core/volume"},
-                   {"core/camera"},
                    {"core/preset"},
                    {"core/session"}};
 

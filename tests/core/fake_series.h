@@ -43,10 +43,10 @@ class FakeDataset : public neph::Dataset {
         add("qc", VariableRole::mixingRatio, neph::Species::cloud, {8, 8, 4});
     }
 
-    neph::Array3f read(std::string_view variable, int time, std::optional<neph::Box> box,
+    neph::Array3f read(std::string_view variable, int time, std::optional<neph::CellBox> box,
                        const neph::Progress& progress) override {
         const neph::VariableInfo& known = *info_.find(variable);
-        const neph::Box part = box.value_or(neph::Box{glm::ivec3(0), known.size});
+        const neph::CellBox part = box.value_or(neph::CellBox{glm::ivec3(0), known.size});
         if (variable == "qc") count(time, part, progress);
         neph::Array3f field(part.size());
         for (int z = 0; z < field.size.z; ++z) {
@@ -66,7 +66,7 @@ class FakeDataset : public neph::Dataset {
         return cell.x >= 2 && cell.x <= 4 && cell.z == 0 ? 1e-3f : 0.0f;
     }
 
-    void count(int time, const neph::Box& part, const neph::Progress& progress) {
+    void count(int time, const neph::CellBox& part, const neph::Progress& progress) {
         if (time == series_->failing) throw neph::Error({"fake", "is half written", "", "", ""});
         const auto until =
             std::chrono::steady_clock::now() + std::chrono::milliseconds(series_->slowMs);

@@ -26,7 +26,7 @@ class MemoryDataset : public neph::Dataset {
             info_.size, value);
     }
 
-    neph::Array3f read(std::string_view variable, int, std::optional<neph::Box> box,
+    neph::Array3f read(std::string_view variable, int, std::optional<neph::CellBox> box,
                        const neph::Progress&) override {
         const neph::Array3f& field = fields_.at(std::string(variable));
         if (!box) return field;

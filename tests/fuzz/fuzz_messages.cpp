@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const std::string_view rest = fuzz::asText({bytes + 1, count - 1});
     switch (bytes[0] % 3) {
         case 0:
-            read(rest, neph::wire::unpackDescription);
+            read(rest, neph::wire::unpackInfo);
             break;
         case 1:
             read(rest, neph::wire::unpackIdentity);

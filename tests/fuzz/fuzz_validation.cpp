@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         for (const neph::validate::Trial& trial : neph::validate::trialsOf(file, "fuzz")) {
             const glm::dvec3 extentM = glm::dvec3(trial.scene.size) * trial.scene.spacingM;
             for (const auto& detector : trial.detectors) {
-                const glm::bvec3 inside = glm::lessThanEqual(detector.upperM, extentM * 1.000001);
+                const glm::bvec3 inside =
+                    glm::lessThanEqual(detector.box.upperM, extentM * 1.000001);
                 if (!glm::all(inside)) std::abort();
             }
             for (const neph::validate::Quantity& quantity : trial.quantities) {

@@ -126,22 +126,22 @@ void seedSessions() {
     seed("session", "plain", neph::formatSession(state, "/runs/sessions"));
     neph::SlotState& slot = state.slots.front();
     slot.data = {"/runs/wrf/wrfout_d01", "/far/away", "cumulus"};
-    slot.region = neph::Region{{0.0, 0.0, 0.0}, {1e4, 2e4, 1e4}};
+    slot.region = neph::BoxM{{0.0, 0.0, 0.0}, {1e4, 2e4, 1e4}};
     slot.document.sampling = {.quality = 2.0f, .targetError = 0.01f, .seed = 7};
     slot.document.bookmarks = {{"south", {}}};
     slot.document.path.keys = {{0.0, {}}, {2.5, {}}};
     seed("session", "full", neph::formatSession(state, "/runs/sessions"));
 }
 
-neph::FileDescription description() {
-    neph::FileDescription of;
+neph::DatasetInfo description() {
+    neph::DatasetInfo of;
     of.model = "WRF V4.2.2";
     of.scheme = "Thompson";
     of.size = {3, 4, 5};
     of.spacingM = {1000.0, 2000.0};
     of.times = {{"0001-01-01_00:00:00", 60.0}};
-    of.variables = {{"QCLOUD", "cloud", "kg kg-1", "text", NEPH_ROLE_MIXING_RATIO,
-                     NEPH_SPECIES_CLOUD, of.size}};
+    of.variables = {{"QCLOUD", "cloud", "kg kg-1", "text", neph::VariableRole::mixingRatio,
+                     neph::Species::cloud, of.size}};
     of.notes = {"a note"};
     of.attributes = {{"DX", "1000"}};
     return of;
@@ -160,8 +160,9 @@ void seedMessages() {
     seed("messages", "identity", '\1' + packed(neph::wire::Identity{"id", "1", "title", "nc", 1}));
     seed("messages", "error", '\2' + packed(neph::ErrorParts{"file", "is short", "1", "2", "no"}));
     // One description and one entry with one time that uses it, as HeaderCache::save writes them.
-    neph::wire::Packer cache;
-    cache.number(std::uint64_t{1}).text(described).number(std::uint64_t{1}).text("wrfout");
+    neph::wire::Packer common, cache;
+    neph::wire::packBesidesTimes(common, description());
+    cache.number(std::uint64_t{1}).text(common.take()).number(std::uint64_t{1}).text("wrfout");
     cache.number(std::uint64_t{60}).number(std::int64_t{7}).number(std::uint64_t{0});
     cache.number(std::uint64_t{1}).text("a minute").number(60.0);
     seed("header_cache", "one", cache.take());

@@ -17,7 +17,7 @@ inline void readEverything(const std::filesystem::path& path) {
     if (score < 0 || score > 100) std::abort();
     if (score == 0) return;
     neph::PluginFile file(calls, calls.id, path);
-    const neph::FileDescription& description = file.description();
+    const neph::DatasetInfo& description = file.description();
     for (std::size_t v = 0; v < description.variables.size(); ++v) {
         // Boxes are small, to keep reads quick.
         const glm::ivec3 size = description.variables[v].size;
@@ -30,7 +30,7 @@ inline void readEverything(const std::filesystem::path& path) {
                                   neph::PluginFile::kGuardValues);
         for (const std::size_t time : {std::size_t{0}, description.times.size() - 1}) {
             try {
-                file.read(v, time, lower, upper, buffer, {});
+                file.read(v, time, {lower, upper}, buffer, {});
             } catch (const neph::Error&) {  // the next one may be readable
             }
         }

@@ -179,10 +179,8 @@ TEST_CASE("Five species with detail take at most sixteen bytes per voxel on the 
     renderer().render(inputs);
     double bytes = 0.0;
     for (const render::MemoryUse& part : renderer().memory()) {
-        const bool ofVoxels =
-            part.name == "species" || part.name == "medium" || part.name == "light";
         INFO(std::string(part.name), " ", part.bytes);
-        if (ofVoxels) bytes += static_cast<double>(part.bytes);
+        if (part.ofVoxels) bytes += static_cast<double>(part.bytes);
     }
     CHECK(bytes / static_cast<double>(volume.grid.cellCount()) <= 16.0);
     CHECK(bytes / static_cast<double>(volume.grid.cellCount()) > 10.0);  // the species alone

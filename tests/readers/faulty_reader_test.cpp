@@ -97,7 +97,7 @@ std::string openFault() {
 
 std::string readFault() {
     std::vector<float> buffer(8 + PluginFile::kGuardValues);
-    return errorOf([&] { open().read(0, 0, {0, 0, 0}, {2, 2, 2}, buffer, {}); }).what;
+    return errorOf([&] { open().read(0, 0, {{0, 0, 0}, {2, 2, 2}}, buffer, {}); }).what;
 }
 
 }  // namespace

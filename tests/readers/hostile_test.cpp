@@ -55,7 +55,7 @@ struct Hostile {
     std::vector<float> read(const std::string& instruction, const Progress& progress = {}) const {
         const fs::path path = file(instruction);
         ReaderFile open(host.pick(path, progress), path, progress);
-        return open.read(0, 0, glm::ivec3(0), glm::ivec3(4), progress);
+        return open.read(0, 0, {glm::ivec3(0), glm::ivec3(4)}, progress);
     }
     /// The error as one text. Checks that it names the file.
     std::string fault(const std::string& instruction) const {
@@ -284,12 +284,12 @@ TEST_CASE("The description at opening is used throughout, and optional parts may
         const fs::path path = hostile.file("describe " + lie);
         ReaderFile file(hostile.host.pick(path), path);
         CHECK(file.description().size == glm::ivec3(4));
-        CHECK(file.description().microphysics == NEPH_MICROPHYSICS_UNKNOWN);
-        CHECK(file.read(0, 0, glm::ivec3(0), glm::ivec3(4), {}).size() == 64);
+        CHECK(file.description().microphysics == Microphysics::unknown);
+        CHECK(file.read(0, 0, {glm::ivec3(0), glm::ivec3(4)}, {}).size() == 64);
     }
     const fs::path path = hostile.file("describe otherGrid");
     const ReaderFile file(hostile.host.pick(path), path);
-    CHECK(file.description().variables[0].role == NEPH_ROLE_OTHER);
+    CHECK(file.description().variables[0].role == VariableRole::other);
     REQUIRE(file.description().notes.size() == 2);
     CHECK(contains(file.description().notes[1], "q is not used"));
 }

@@ -59,7 +59,7 @@ TEST_CASE("Every layout of a GrADS file reads the same numbers") {
         const TemporaryFolder folder;
         const auto dataset = openFiles({writeGrads(folder.path(), spec)});
         checkValues(*dataset, spec);
-        const Array3f part = dataset->read("qc", 1, Box{{1, 1, 1}, {3, 4, 2}});
+        const Array3f part = dataset->read("qc", 1, CellBox{{1, 1, 1}, {3, 4, 2}});
         CHECK(part.size == glm::ivec3(2, 3, 1));
         CHECK(part.at(1, 2, 0) == gradsValue(4, 2, 3, 1, 1));
     }
@@ -245,7 +245,7 @@ TEST_CASE("A hydrometeor with fewer levels is zero above them, with a note") {
     CHECK(qc.size.z == 4);
     CHECK(qc.at(3, 2, 1) == gradsValue(4, 3, 2, 1, 0));
     CHECK(qc.at(3, 2, 2) == 0.0f);
-    CHECK(dataset->read("qc", 0, Box{{0, 0, 2}, {5, 4, 4}}).at(4, 3, 1) == 0.0f);
+    CHECK(dataset->read("qc", 0, CellBox{{0, 0, 2}, {5, 4, 4}}).at(4, 3, 1) == 0.0f);
     CHECK(contains(dataset->info().notes.at(0), "qc has 2 of 4 levels"));
     // Temperature and pressure on two levels are not enough: the standard atmosphere is used.
     CHECK(dataset->info().find("dry_air_density")->size == glm::ivec3(1, 1, 4));

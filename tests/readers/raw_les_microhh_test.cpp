@@ -30,7 +30,7 @@ TEST_CASE("A MicroHH case can be opened by its folder, .ini or grid, in float an
             CHECK(info.find("thl_bot") == nullptr);
             CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
             CHECK(dataset->read("rhoref", 0).values == std::vector<float>{1.2f, 1.1f});
-            const Array3f ql = dataset->read("ql", 1, Box{{1, 1, 0}, {3, 3, 2}});
+            const Array3f ql = dataset->read("ql", 1, CellBox{{1, 1, 0}, {3, 3, 2}});
             CHECK(ql.at(0, 0, 0) == 0.0f);
             CHECK(ql.at(1, 1, 1) == 1e-3f);
         }

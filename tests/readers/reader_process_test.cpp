@@ -35,21 +35,21 @@ TEST_CASE("Values through shared memory equal those that the library returns dir
     PluginFile within(*library.calls, library.identity.id, kFile);
     ReaderProcess process(kLibrary);
     const ReaderProcess::Opened opened = process.open(kFile, {});
-    const FileDescription& there = opened.description;
+    const DatasetInfo& there = opened.description;
     REQUIRE(there.variables.size() == within.description().variables.size());
     CHECK(there.size == within.description().size);
     CHECK(there.attributes == within.description().attributes);
     for (const char* name : {"QCLOUD", "interface_height"}) {
-        const auto found = std::ranges::find(there.variables, name, &FileVariable::name);
+        const auto found = std::ranges::find(there.variables, name, &VariableInfo::name);
         REQUIRE(found != there.variables.end());
         const auto index = static_cast<std::size_t>(found - there.variables.begin());
         const glm::ivec3 lower(3, 5, 7), upper(60, 71, found->size.z);
         const glm::ivec3 size = upper - lower;
         const auto count = static_cast<std::size_t>(size.x * size.y * size.z);
         std::vector<float> expected(count + PluginFile::kGuardValues);
-        within.read(index, 0, lower, upper, expected, {});
+        within.read(index, 0, {lower, upper}, expected, {});
         expected.resize(count);
-        wire::ReadRequest request{opened.handle, index, 0, lower, upper};
+        wire::ReadRequest request{opened.handle, index, 0, {lower, upper}};
         CHECK(process.read(request, kFile, name, {}) == expected);
     }
 }

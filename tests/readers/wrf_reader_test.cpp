@@ -68,12 +68,12 @@ TEST_CASE("A box of a variable equals that part of the whole field") {
     spec.fields["QCLOUD"] = tagged;
     writeWrf(folder / "a", spec);
     const auto dataset = openFiles({folder / "a"});
-    const Array3f part = dataset->read("QCLOUD", 0, Box{{1, 1, 2}, {3, 3, 5}});
+    const Array3f part = dataset->read("QCLOUD", 0, CellBox{{1, 1, 2}, {3, 3, 5}});
     REQUIRE(part.size == glm::ivec3(2, 2, 3));
     CHECK(part.at(0, 0, 0) == tagged(1, 1, 2, 0));
     CHECK(part.at(1, 1, 2) == tagged(2, 2, 4, 0));
-    for (const Box& box :
-         {Box{{0, 0, 0}, {5, 3, 5}}, Box{{-1, 0, 0}, {1, 1, 1}}, Box{{2, 0, 0}, {2, 1, 1}}}) {
+    for (const CellBox& box : {CellBox{{0, 0, 0}, {5, 3, 5}}, CellBox{{-1, 0, 0}, {1, 1, 1}},
+                               CellBox{{2, 0, 0}, {2, 1, 1}}}) {
         CHECK(contains(errorOf([&] { dataset->read("QCLOUD", 0, box); }).what, "box"));
     }
 }

@@ -135,8 +135,8 @@ TEST_CASE("With per_column each column has detectors of its own") {
     CHECK(last.expected->tolerance == Approx(0.003));
     CHECK(last.terms.front().factor == Approx(1.0));  // of mu0 F0 = 0.5 times 2
     const render::Detector& plane = trials[0].detectors[last.terms.front().detector];
-    CHECK(plane.lowerM == glm::dvec3(100.0, 0.0, 100.0));
-    CHECK(plane.upperM.x == 150.0);
+    CHECK(plane.box.lowerM == glm::dvec3(100.0, 0.0, 100.0));
+    CHECK(plane.box.upperM.x == 150.0);
     const render::Detector& view = trials[0].detectors[1];
     CHECK(view.direction.x == Approx(-std::sqrt(0.75)));  // looks back along the light
     CHECK(view.direction.z == Approx(-0.5));

@@ -20,8 +20,7 @@ int longestOf(glm::ivec3 size) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// Of an image with noise, which holds all that any mode needs. Images and the noise itself do
-/// not grow with the grid.
+/// Of an image with noise, which holds all that any mode needs.
 Json memoryOf(const Run& run, const OrbitPlan& plan, render::Renderer& renderer, Engine engine) {
     render::FrameInputs inputs = run.inputs(plan.grid, plan.sizePx, 0.0);
     setMode(inputs.look, kModes.back(), engine);
@@ -31,7 +30,7 @@ Json memoryOf(const Run& run, const OrbitPlan& plan, render::Renderer& renderer,
     std::size_t growing = 0;
     for (const render::MemoryUse& part : renderer.memory()) {
         parts[std::string(part.name)] = part.bytes;
-        if (part.name != "images" && part.name != "noise") growing += part.bytes;
+        if (part.ofVoxels) growing += part.bytes;
     }
     const auto voxels = static_cast<double>(plan.grid.cellCount());
     return {{"gpu_bytes", parts}, {"gpu_bytes_per_voxel", static_cast<double>(growing) / voxels}};

@@ -4,7 +4,6 @@
 // The first pass, which compiles shaders and prepares the medium, is left out of the rates.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "app/cli/bench/bench_sections.h"
@@ -22,15 +21,14 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
     render::FrameInputs inputs = run.inputs(run.volume.grid, sizePx, 0.0);
     inputs.look.engine = groundTruth();
     render::Accumulation image;
-    const render::ReferenceProgress first = renderer.render(inputs, image).reference;
-    render::ReferenceProgress last;
+    const ReferenceProgress first = renderer.render(inputs, image).reference;
+    ReferenceProgress last;
     while (image.samples() <= run.request.frames) last = renderer.render(inputs, image).reference;
     const double seconds = last.seconds - first.seconds;
     const double paths = static_cast<double>(sizePx.x) * sizePx.y * (last.samples - first.samples);
     const auto collisions = static_cast<double>(last.collisions - first.collisions);
     const auto scatterings = static_cast<double>(last.scatterings - first.scatterings);
-    // The error falls with the root of the time.
-    const double toTarget = last.seconds * std::pow(last.relativeError / kTargetError, 2.0);
+    const double toTarget = last.seconds * workTo(kTargetError, last);
     fmt::print(stderr, "{:<12} {:>6} {:>10.0f} {:>12.2f} {:>12.1f} {:>10.1f} {:>10.0f}\n",
                textOf(sizePx), last.samples, paths / seconds, 1e-6 * collisions / seconds,
                scatterings / paths, 100.0 * last.relativeError, toTarget);
@@ -50,7 +48,7 @@ Json measureSize(const Run& run, glm::ivec2 sizePx) {
 
 Json measureReference(const Run& run) {
     fmt::print(stderr, "\nreference: {} passes after the first\n", run.request.frames);
-    fmt::print(stderr, "{:<12} {:>6} {:>10} {:>12} {:>12} {:>10} {:>10}\n", "size", "paths/px",
+    fmt::print(stderr, "{:<12} {:>6} {:>10} {:>12} {:>12} {:>10} {:>10}\n", "size", "samples",
                "paths/s", "Mcollisions/s", "scatt./path", "error %", "s to 2 %");
     Json rows = Json::array();
     for (const glm::ivec2 size : run.sizesOr(kSizePx)) rows.push_back(measureSize(run, size));

@@ -87,7 +87,7 @@ std::string cell(const Json& number, int decimals) {
 
 std::optional<double> eyeMilliseconds(const render::FrameStats& stats) {
     for (const render::PassTime& pass : stats.passes) {
-        if (pass.name == "eye") return pass.milliseconds;
+        if (pass.name == render::kEyePass) return pass.milliseconds;
     }
     return {};
 }

@@ -36,4 +36,8 @@ void ProgressLines::done(const std::filesystem::path& file) {
     say({{"done", done_}, {"of", of_}, {"seconds", secondsSince(start_)}, {"file", file.string()}});
 }
 
+void ProgressLines::failed(const std::string& message) {
+    say({{"error", message}});
+}
+
 }  // namespace neph

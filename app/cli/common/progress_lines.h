@@ -3,7 +3,7 @@
 //
 // {"done": 3, "of": 40, "seconds": 12.5, "file": "storm_0002.png"} after each image, and within
 // long ones, at most twice a second, the same without the file and with "part", the share of the
-// next image that is there.
+// next image that is there. {"error": "..."} if it fails.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -19,6 +19,7 @@ class ProgressLines {
 
     void part(double share);
     void done(const std::filesystem::path& file);
+    static void failed(const std::string& message);
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -140,9 +140,9 @@ TimeRange parseTimeRange(const std::string& option, const std::string& text) {
     throw UsageError({option, "cannot be read", text, "INDEX, a:b or all", ""});
 }
 
-Region parseRegion(const std::string& text) {
+BoxM parseRegion(const std::string& text) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    Region region{{0.0, 0.0, -kFar}, {0.0, 0.0, kFar}};
+    BoxM region{{0.0, 0.0, -kFar}, {0.0, 0.0, kFar}};
     std::string_view rest = text;
     int axis = 0;
     for (; axis < 3 && !rest.empty(); ++axis) {

@@ -8,6 +8,7 @@
 #include "app/cli/common/usage.h"
 #include "app/gl/context.h"
 #include "core/dataset/dataset.h"
+#include "core/grid/boxes.h"
 #include "core/preset/preset_difference.h"
 #include "core/session/history.h"
 #include "core/volume/read_plan.h"
@@ -38,7 +39,7 @@ struct SceneRequest {
     std::vector<Setting> engineSettings;  ///< of options of their own, after those; see checkActing
     std::string camera;                   ///< preset name or file
     std::optional<TimeRange> times;       ///< none: the default time
-    std::optional<Region> region;         ///< none: the whole domain
+    std::optional<BoxM> region;           ///< none: the whole domain
     std::string memory;                   ///< as parseMemory; empty: as remembered
 };
 
@@ -80,7 +81,7 @@ std::vector<int> timesOf(const std::optional<TimeRange>& range, const DatasetInf
 
 /// Part of the domain from "x0:x1,y0:y1[,z0:z1]" in km; all levels without the last pair. Throws
 /// UsageError.
-Region parseRegion(const std::string& text);
+BoxM parseRegion(const std::string& text);
 
 /// What a renderer may take for volumes on this device.
 std::uint64_t rendererBytes(const gl::DeviceMemory& device);

@@ -49,18 +49,6 @@ void paste(const std::vector<float>& tile, glm::ivec2 tilePx, int x, std::vector
     }
 }
 
-/// Of two tiles: the worse, and the work of both.
-render::ReferenceProgress together(const render::ReferenceProgress& a,
-                                   const render::ReferenceProgress& b) {
-    if (a.samples == 0) return b;
-    return {.samples = std::min(a.samples, b.samples),
-            .relativeError = std::max(a.relativeError, b.relativeError),
-            .collisions = a.collisions + b.collisions,
-            .scatterings = a.scatterings + b.scatterings,
-            .faults = a.faults + b.faults,
-            .seconds = a.seconds + b.seconds};
-}
-
 /// Puts what the engine knows of a tile into a band.
 void pasteLayers(const render::FrameLayers& known, int x, int widthPx,
                  std::vector<ImageLayer>& band) {
@@ -106,7 +94,7 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     const double tileShare =
         static_cast<double>(count(tilePx)) / static_cast<double>(count(sizePx_));
     const double before = static_cast<double>(donePx_) / static_cast<double>(count(sizePx_));
-    const render::ReferenceProgress others = stats_.reference;
+    const ReferenceProgress others = stats_.reference;
     double needed = side.samples;
     render::Accumulation image;
     while (image.samples() < side.samples) {
@@ -120,12 +108,11 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
         } else {
             addSample(stats_, stats);
         }
-        const render::ReferenceProgress& traced = stats.reference;
+        const ReferenceProgress& traced = stats.reference;
         stats_.reference = together(others, traced);
         if (traced.samples < 2 || side.targetError <= 0.0) continue;
         if (traced.relativeError <= side.targetError) break;
-        const double ratio = traced.relativeError / side.targetError;
-        needed = std::min(1.0 * side.samples, traced.samples * ratio * ratio);
+        needed = std::min(1.0 * side.samples, traced.samples * workTo(side.targetError, traced));
     }
     donePx_ += count(tilePx);
     ++tiles_;

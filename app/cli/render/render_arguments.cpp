@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/cli/common/progress_lines.h"
 #include "app/cli/render/render_command.h"
 #include "app/cli/render/video.h"
 #include "core/base/atomic_file.h"
@@ -120,6 +121,14 @@ void checkOutput(const CLI::App& command, const RenderRequest& request) {
     checkReplaceable(request.out);  // now rather than after the work
 }
 
+void check(const CLI::App& command, const RenderRequest& request) {
+    const bool anyPreset = !request.scene.preset.empty() || !request.beside.preset.empty();
+    checkScene(command, request.scene, anyPreset);
+    checkSession(command, request);
+    checkPath(command, request);
+    checkOutput(command, request);
+}
+
 }  // namespace
 
 void addViewOptions(CLI::App& command, RenderView& from) {
@@ -163,12 +172,13 @@ Command addRender(CLI::App& app) {
     addBesideOptions(command, request->beside);
     return {&command, [&command, request] {
                 request->sampling.error = command.count("--error") > 0;
-                checkScene(command, request->scene,
-                           !request->scene.preset.empty() || !request->beside.preset.empty());
-                checkSession(command, *request);
-                checkPath(command, *request);
-                checkOutput(command, *request);
-                return runRender(*request);
+                try {
+                    check(command, *request);
+                    return runRender(*request);
+                } catch (const Error& error) {
+                    if (request->progress) ProgressLines::failed(error.message());
+                    throw;
+                }
             }};
 }
 

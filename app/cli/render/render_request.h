@@ -22,8 +22,8 @@ struct BesideRequest {
     bool slots = false;             ///< the two slots of the session
     std::string preset;             ///< of B, name or file; empty: A's
     std::optional<TimeRange> time;  ///< of B, one; none: A's
-    std::optional<double>
-        splitAt;  ///< share of the width that A takes; none: the session's, or half
+    /// Share of the width that A takes; none: the session's, or half.
+    std::optional<double> splitAt;
     bool wanted() const { return slots || !preset.empty() || time; }
 };
 

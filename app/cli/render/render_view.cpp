@@ -75,7 +75,7 @@ View parseView(const std::string& name) {
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
                   double aspect) {
     if (from.view) {
-        const Region whole{shown.grid.originM, shown.grid.upperM()};
+        const BoxM whole{shown.grid.originM, shown.grid.upperM()};
         return viewOf(*from.view, pose, shown.grid, shown.clouds.value_or(whole), aspect);
     }
     if (!from.observer) return pose;

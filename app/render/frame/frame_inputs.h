@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/camera/camera.h"
+#include "core/image/reference_progress.h"
 #include "core/look/parameter.h"
 
 namespace neph::render {
@@ -35,6 +36,9 @@ struct FrameInputs : ParameterSet {
     bool profile = false;  ///< fill in what FrameStats has for it alone, which costs a little
 };
 
+/// The pass that integrates the light along the rays of the image; `bench` reports its time.
+inline constexpr std::string_view kEyePass = "eye";
+
 /// Time of one pass on the GPU.
 struct PassTime {
     std::string_view name;  ///< a literal, as "bake medium"
@@ -45,6 +49,7 @@ struct PassTime {
 struct MemoryUse {
     std::string_view name;  ///< a literal: "species", "medium", "light", "images", "noise"
     std::size_t bytes = 0;
+    bool ofVoxels = false;  ///< grows with the grid
 };
 
 /// What the eye pass did, over all pixels.
@@ -53,18 +58,6 @@ struct SampleCounts {
     std::uint64_t taken = 0;       ///< samples of the medium
     std::uint64_t skipped = 0;     ///< skips empty bricks
     std::uint64_t terminated = 0;  ///< rays that ended because nothing behind shows
-};
-
-/// How far an engine that converges has come with an image.
-struct ReferenceProgress {
-    int samples = 0;  ///< paths per pixel
-    /// Relative standard error: root mean variance of the pixels over their mean; infinite before
-    /// there are two samples.
-    double relativeError = 0.0;
-    std::uint64_t collisions = 0;   ///< collisions, real and null
-    std::uint64_t scatterings = 0;  ///< particles that scattered
-    std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
-    double seconds = 0.0;           ///< of work
 };
 
 /// What the last frame did, for the status line, the profile and `bench`.

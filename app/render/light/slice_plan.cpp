@@ -22,7 +22,7 @@ struct Extent {
     double length() const { return hi - lo; }
 };
 
-Extent along(glm::dvec3 axis, const SliceBox& box) {
+Extent along(glm::dvec3 axis, const BoxM& box) {
     Extent extent;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p{(corner & 1) ? box.upperM.x : box.lowerM.x,
@@ -48,7 +48,7 @@ int lightSize(double extentM, double texelM) {
 }
 
 /// Spreads `count` slices along plan.normal over the box.
-void layOut(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, int count) {
+void layOut(SlicePlan& plan, glm::dvec3 towardsSun, const BoxM& box, int count) {
     const Extent depth = along(plan.normal, box);
     plan.count = count;
     plan.firstM = depth.lo;
@@ -57,7 +57,7 @@ void layOut(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, int cou
 }
 
 /// The light buffer: the box as the sun sees it.
-void layLight(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, double texelM) {
+void layLight(SlicePlan& plan, glm::dvec3 towardsSun, const BoxM& box, double texelM) {
     const glm::dvec3 helper =
         std::abs(towardsSun.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     plan.lightU = glm::normalize(glm::cross(helper, towardsSun));
@@ -70,7 +70,7 @@ void layLight(SlicePlan& plan, glm::dvec3 towardsSun, const SliceBox& box, doubl
 
 }  // namespace
 
-SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox& box, int planes,
+SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const BoxM& box, int planes,
                      double texelM) {
     SlicePlan plan;
     const glm::dvec3 travel = -towardsSun;
@@ -88,7 +88,7 @@ SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox
     return plan;
 }
 
-SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM) {
+SlicePlan planSunSlices(glm::dvec3 towardsSun, const BoxM& box, double stepM) {
     SlicePlan plan;
     plan.normal = -towardsSun;
     const double depthM = along(plan.normal, box).length();

@@ -9,13 +9,9 @@
 #include <glm/glm.hpp>
 
 #include "core/camera/camera.h"
+#include "core/grid/boxes.h"
 
 namespace neph::render {
-
-struct SliceBox {
-    glm::dvec3 lowerM{0.0};
-    glm::dvec3 upperM{0.0};
-};
 
 struct SlicePlan {
     glm::dvec3 normal{0.0, 0.0, -1.0};
@@ -35,11 +31,11 @@ struct SlicePlan {
 
 /// Slices that face the sun, `stepM` apart, with light texels as large: for light alone, whatever
 /// the camera. Count at least 1.
-SlicePlan planSunSlices(glm::dvec3 towardsSun, const SliceBox& box, double stepM);
+SlicePlan planSunSlices(glm::dvec3 towardsSun, const BoxM& box, double stepM);
 
 /// `texelM`: wanted size of a light texel. The buffer covers the box as the sun sees it, 16 to 1024
 /// texels per side.
-SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const SliceBox& box, int planes,
+SlicePlan planSlices(const Camera& camera, glm::dvec3 towardsSun, const BoxM& box, int planes,
                      double texelM);
 
 }  // namespace neph::render

@@ -44,7 +44,7 @@ Bytes levelsOf(const Array3f& maximumPerM) {
     return levels;
 }
 
-SliceBox boundsOf(const Bytes& distance, glm::dvec3 brickM, glm::dvec3 extentM) {
+BoxM boundsOf(const Bytes& distance, glm::dvec3 brickM, glm::dvec3 extentM) {
     glm::ivec3 lower = distance.size, upper{0};
     for (int z = 0; z < distance.size.z; ++z)
         for (int y = 0; y < distance.size.y; ++y)

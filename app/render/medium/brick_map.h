@@ -2,7 +2,7 @@
 // dense it is around.
 #pragma once
 #include "app/gl/objects.h"
-#include "app/render/light/slice_plan.h"
+#include "core/grid/boxes.h"
 #include "core/grid/grid.h"
 #include "core/grid/species.h"
 
@@ -14,7 +14,7 @@ struct BrickMap {
     /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level
     /// (kLevelOfOne) of the largest extinction in the brick and its neighbours.
     gl::Texture map;
-    SliceBox occupied;  ///< in grid space; empty (lower == upper) when nothing is there
+    BoxM occupied;  ///< in grid space; empty (lower == upper) when nothing is there
     glm::dvec3 brickM{1.0};
 
     bool empty() const { return occupied.lowerM == occupied.upperM; }

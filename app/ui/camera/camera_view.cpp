@@ -36,7 +36,7 @@ double aspectOf(const Layout& layout) {
     return size.x / size.y;
 }
 
-Region framedBox(const Session& session) {
+BoxM framedBox(const Session& session) {
     const RegularGrid grid = gridOf(session);
     if (session.shown() && session.shown()->clouds) return *session.shown()->clouds;
     return {grid.originM, grid.upperM()};

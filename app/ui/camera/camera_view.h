@@ -4,6 +4,7 @@
 #include "app/ui/panel/layout.h"
 #include "app/ui/time/playback.h"
 #include "core/camera/camera_moves.h"
+#include "core/grid/boxes.h"
 #include "core/session/session.h"
 
 namespace neph::ui {
@@ -15,7 +16,7 @@ RegularGrid gridOf(const Session& session);
 double aspectOf(const Layout& layout);
 
 /// What views frame: the clouds that are seen, or the whole of what is shown where there are none.
-Region framedBox(const Session& session);
+BoxM framedBox(const Session& session);
 
 /// Turns the camera to a side, with all that is framed in an image of `aspect`.
 void look(Session& session, View view, double aspect);

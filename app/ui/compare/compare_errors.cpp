@@ -56,7 +56,7 @@ bool CompareErrors::wants(const PairState& now, Clock::time_point at) {
     if (now.settled) return true;
     if (busy()) return false;
     // The halves of an odd number of paths are not equally good.
-    if (now.traced && now.traced->paths % 2 != 0) return false;
+    if (now.traced && now.traced->samples % 2 != 0) return false;
     const Seconds took = ended_ - begun_;
     return !figures_ || at - ended_ >= std::max(kEvery, took * (1.0 / kShareOfTime - 1.0));
 }

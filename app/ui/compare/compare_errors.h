@@ -10,20 +10,20 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/widgets/reference_report.h"
 #include "core/base/jobs.h"
 #include "core/image/error_image.h"
 #include "core/image/image.h"
 #include "core/image/image_error.h"
+#include "core/image/reference_progress.h"
 
 namespace neph::ui {
 
 /// Which images the slots have, and how good they are.
 struct PairState {
-    std::uint64_t a = 0, b = 0;             ///< count the images that a slot has drawn
-    bool whole = false;                     ///< both in full and of the same size
-    bool settled = false;                   ///< and neither gets better by itself
-    std::optional<ReferenceReport> traced;  ///< of B, where the reference draws it
+    std::uint64_t a = 0, b = 0;               ///< count the images that a slot has drawn
+    bool whole = false;                       ///< both in full and of the same size
+    bool settled = false;                     ///< and neither gets better by itself
+    std::optional<ReferenceProgress> traced;  ///< of B, where the reference draws it
     bool shows(const PairState& other) const { return a == other.a && b == other.b; }
 };
 

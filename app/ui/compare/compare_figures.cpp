@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/reference_text.h"
 #include "core/base/number_text.h"
 
 namespace neph::ui {
@@ -60,7 +61,7 @@ void drawState(const CompareErrors& errors) {
         ImGui::TextDisabled("Computing ...");
     }
     if (const auto& traced = errors.seen().traced) {
-        ImGui::TextDisabled("B: %s", pathsText(*traced).c_str());
+        ImGui::TextDisabled("B: %s", referenceText(*traced).c_str());
     }
     ImGui::PopTextWrapPos();
 }

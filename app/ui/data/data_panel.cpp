@@ -95,7 +95,7 @@ void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryB
 }
 
 /// The whole domain, metres.
-Region domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
+BoxM domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
     const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
     return {{0.0, 0.0, shown.domainHeightsM.x}, {extent.x, extent.y, shown.domainHeightsM.y}};
 }
@@ -120,8 +120,8 @@ bool editAxis(const char* name, float& lowKm, float& highKm, double leastM, doub
 
 void editRegion(Session& session, DataEdits& edits, const DatasetInfo& info,
                 const VolumeSummary& shown) {
-    const Region domain = domainOf(info, shown);
-    Region chosen = session.region().value_or(domain);
+    const BoxM domain = domainOf(info, shown);
+    BoxM chosen = session.region().value_or(domain);
     chosen.lowerM = glm::max(chosen.lowerM, domain.lowerM);
     chosen.upperM = glm::min(chosen.upperM, domain.upperM);
     // While the mouse is on it the draft is shown; else what is chosen.
@@ -137,7 +137,7 @@ void editRegion(Session& session, DataEdits& edits, const DatasetInfo& info,
     }
     edits.holdsRegion = active;
     if (!done) return;
-    Region region{glm::dvec3(edits.regionKm[0]) * kMPerKm, glm::dvec3(edits.regionKm[1]) * kMPerKm};
+    BoxM region{glm::dvec3(edits.regionKm[0]) * kMPerKm, glm::dvec3(edits.regionKm[1]) * kMPerKm};
     const glm::dvec3 least = glm::dvec3(info.spacingM, shown.grid.spacingM.z);
     region.upperM = glm::max(region.upperM, region.lowerM + least);
     session.setRegion(region);
@@ -180,8 +180,8 @@ void drawCache(const Session& session) {
 void showAroundClouds(Session& session) {
     const VolumeSummary* shown = session.shown();
     if (shown == nullptr || !shown->clouds) return;
-    Region region = withMargin(*shown->clouds);
-    const Region domain = domainOf(*session.info(), *shown);
+    BoxM region = withMargin(*shown->clouds);
+    const BoxM domain = domainOf(*session.info(), *shown);
     region.lowerM = glm::max(region.lowerM, domain.lowerM);
     region.upperM = glm::min(region.upperM, domain.upperM);
     session.setRegion(region);

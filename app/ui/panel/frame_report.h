@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/ui/widgets/reference_report.h"
+#include "core/image/reference_progress.h"
 #include "core/look/look.h"
 
 namespace neph::ui {
@@ -20,7 +20,7 @@ struct FrameReport {
     std::string device;
     std::size_t gpuBytes = 0;     ///< held for this slot's images
     int time = -1;                ///< of the data in it; -1: not told
-    ReferenceReport reference{};  ///< of that engine alone
+    ReferenceProgress reference;  ///< of that engine alone
 };
 
 }  // namespace neph::ui

@@ -5,8 +5,8 @@
 // the scale. Where the window is too narrow for both columns and an image, the one opened last has
 // the place.
 #pragma once
-#include <glm/glm.hpp>
-
+#include "app/ui/widgets/area.h"
+#include "core/grid/boxes.h"
 #include "core/session/session.h"
 #include "core/session/settings.h"
 
@@ -17,12 +17,6 @@ struct Columns {
     bool shown = true;  ///< with menus, time bar and status line; else the image has all the window
     float leftEms = 20.0f, rightEms = 20.0f;
     bool leftLast = false;  ///< the left one was opened after the right one
-};
-
-struct Area {
-    glm::vec2 lower{0.0f}, upper{0.0f};  ///< corners; `upper` is outside
-    glm::vec2 size() const { return upper - lower; }
-    bool empty() const { return upper.x <= lower.x || upper.y <= lower.y; }
 };
 
 struct Layout {
@@ -39,12 +33,7 @@ void openColumn(Settings& settings, Columns& columns, bool left, bool open);
 /// Whether there is anything to play: times or a camera path.
 bool hasTimeBar(const Session& session);
 
-/// A part of the window, pixels of its framebuffer, row 0 at the bottom.
-struct PixelBox {
-    glm::ivec2 lower{0}, upper{1};  ///< corners; `upper` is outside
-    glm::ivec2 size() const { return upper - lower; }
-};
-/// Where the image is: all that the panels leave. At least a pixel.
+/// Where the image is in the window's framebuffer: all that the panels leave. At least a pixel.
 PixelBox imageBox(const Layout& layout);
 
 }  // namespace neph::ui

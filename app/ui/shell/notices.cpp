@@ -142,8 +142,7 @@ void drawState(const PanelContext& context, SessionDialogs& dialogs) {
     Session& session = context.session();
     const Area image = context.layout().image;
     const VolumeSummary* shown = session.shown();
-    const bool opening = session.loading() && session.loadingLabel().starts_with("Opening");
-    if (opening || (session.loading() && shown == nullptr)) {
+    if (session.loading() && (session.opening() || shown == nullptr)) {
         drawLoading(image, session);
     } else if (shown == nullptr) {
         drawStart(context, dialogs);

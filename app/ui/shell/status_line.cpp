@@ -7,6 +7,7 @@
 
 #include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/reference_text.h"
 #include "app/ui/widgets/theme.h"
 #include "core/volume/memory_setting.h"
 
@@ -20,7 +21,7 @@ std::string workText(const FrameReport& report) {
     const EngineTraits& engine = traitsOf(report.engine);
     std::string work;
     if (engine.refinement == Refinement::converges) {
-        work = fmt::format("{}, {}", engine.label, pathsText(report.reference));
+        work = fmt::format("{}, {}", engine.label, referenceText(report.reference));
     } else {
         work = fmt::format("{}, {}", engine.id, countText(report.planes, engine.unit));
     }

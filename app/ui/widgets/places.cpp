@@ -10,8 +10,8 @@ namespace {
 
 bool wantedNow = false;
 
-std::map<std::string, Place, std::less<>>& places() {
-    static std::map<std::string, Place, std::less<>> known;
+std::map<std::string, Area, std::less<>>& places() {
+    static std::map<std::string, Area, std::less<>> known;
     return known;
 }
 
@@ -28,10 +28,10 @@ void clearPlaces() {
 void place(std::string_view name) {
     if (!wantedNow) return;
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
-    places().insert_or_assign(std::string(name), Place{{lower.x, lower.y}, {upper.x, upper.y}});
+    places().insert_or_assign(std::string(name), Area{{lower.x, lower.y}, {upper.x, upper.y}});
 }
 
-std::optional<Place> placeOf(std::string_view name) {
+std::optional<Area> placeOf(std::string_view name) {
     const auto found = places().find(name);
     if (found == places().end()) return {};
     return found->second;

@@ -4,23 +4,20 @@
 // nothing. Names are ids of parameters and actions ("cloud.mixing_scale", "file.open"), or say what
 // the thing is ("preset:fig06-physical", "time.slider").
 #pragma once
-#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace neph::ui {
+#include "app/ui/widgets/area.h"
 
-struct Place {
-    glm::vec2 lower{0.0f}, upper{0.0f};  ///< pixels of the window, row 0 on top
-};
+namespace neph::ui {
 
 void wantPlaces(bool wanted);
 /// Forgets all: at the start of each frame.
 void clearPlaces();
 void place(std::string_view name);
-std::optional<Place> placeOf(std::string_view name);
+std::optional<Area> placeOf(std::string_view name);
 std::vector<std::string> knownPlaces();
 
 }  // namespace neph::ui

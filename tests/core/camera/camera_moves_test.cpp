@@ -14,11 +14,11 @@ namespace {
 
 // 100 km x 50 km x 20 km, away from the origin.
 const RegularGrid kGrid{{100, 50, 40}, {1000.0, 2000.0, 500.0}, {1000.0, 1000.0, 500.0}};
-const Region kAll{{1000.0, 2000.0, 500.0}, {101e3, 52e3, 20500.0}};
-const Region kClouds{{30e3, 10e3, 2000.0}, {60e3, 20e3, 14e3}};
+const BoxM kAll{{1000.0, 2000.0, 500.0}, {101e3, 52e3, 20500.0}};
+const BoxM kClouds{{30e3, 10e3, 2000.0}, {60e3, 20e3, 14e3}};
 
 /// Largest coordinates in the image that a corner of the box has, sideways and upwards.
-glm::dvec2 reach(const Camera& camera, const Region& box) {
+glm::dvec2 reach(const Camera& camera, const BoxM& box) {
     glm::dvec2 most{0.0};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p{(corner & 1) != 0 ? box.upperM.x : box.lowerM.x,
@@ -119,7 +119,7 @@ TEST_CASE("An observer becomes a pose and the same observer again, within centim
 
 TEST_CASE("From every side all of the box is in the image, and fills it but for the margin") {
     for (const double aspect : {0.3, 1.0, 16.0 / 9.0, 4.0}) {
-        for (const Region& box : {kAll, kClouds}) {
+        for (const BoxM& box : {kAll, kClouds}) {
             for (std::size_t i = 0; i < kViewNames.size(); ++i) {
                 CAPTURE(aspect);
                 CAPTURE(kViewNames[i]);

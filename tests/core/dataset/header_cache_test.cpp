@@ -13,11 +13,11 @@ using namespace neph;
 
 namespace {
 
-FileDescription described(double seconds) {
-    FileDescription description;
+DatasetInfo described(double seconds) {
+    DatasetInfo description;
     description.model = "WRF V4.2.2";
     description.scheme = "Thompson";
-    description.microphysics = NEPH_MICROPHYSICS_THOMPSON;
+    description.microphysics = Microphysics::thompson;
     description.cloudDropletsPerM3 = 1.0 / 3.0;
     description.size = {3, 4, 5};
     description.spacingM = {1000.0, 0.1};
@@ -26,15 +26,15 @@ FileDescription described(double seconds) {
                               "cloud",
                               "kg kg-1",
                               "text",
-                              NEPH_ROLE_MIXING_RATIO,
-                              NEPH_SPECIES_CLOUD,
+                              VariableRole::mixingRatio,
+                              Species::cloud,
                               {3, 4, 5}}};
     description.notes = {"a note"};
     description.attributes = {{"DX", "1000"}};
     return description;
 }
 
-void checkSame(const FileDescription& a, const FileDescription& b) {
+void checkSame(const DatasetInfo& a, const DatasetInfo& b) {
     CHECK(a.model == b.model);
     CHECK(a.scheme == b.scheme);
     CHECK(a.microphysics == b.microphysics);

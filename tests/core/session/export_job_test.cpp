@@ -45,9 +45,14 @@ TEST_CASE("Of a single image the share tells") {
 }
 
 TEST_CASE("An export that fails is told in its own words, without the notes before") {
-    ExportJob job = pretend("echo 'note: a b' >&2; echo 'error: the disk is full' >&2; exit 1");
+    ExportJob job = pretend(
+        "echo 'note: a b' >&2; echo '{\"error\": \"the disk is full\"}'; echo 'error: the disk is "
+        "full' >&2; exit 1");
     CHECK(ended(job) == ExportJob::State::failed);
     CHECK(job.fault() == "the disk is full");
+    ExportJob wordy = pretend("echo 'no JSON yet' >&2; exit 1");
+    CHECK(ended(wordy) == ExportJob::State::failed);
+    CHECK(wordy.fault() == "no JSON yet");
     ExportJob crashed = pretend("kill -SEGV $$");
     CHECK(ended(crashed) == ExportJob::State::failed);
     CHECK(contains(crashed.fault(), "139"));

@@ -24,7 +24,7 @@ SessionState full(const fs::path& folder) {
     SlotState a;
     a.data = {(folder / "run").string(), "/elsewhere/wrfout_d01"};
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    a.region = Region{{1000.0 / 3.0, 2.5e-9, -kFar}, {1e5, 2e5 + 0.1, kFar}};
+    a.region = BoxM{{1000.0 / 3.0, 2.5e-9, -kFar}, {1e5, 2e5 + 0.1, kFar}};
     a.presetName = "Größe \"7\"\n";
     a.document.look.of(Species::rain).mixingScale = 1.0f / 3.0f;
     a.document.look.of(Species::snow).visible = false;

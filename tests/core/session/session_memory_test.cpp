@@ -130,7 +130,7 @@ TEST_CASE("A part of the domain is read alone, and undo and the eye's place stay
     session.document.look.exposureEv = 1.0f;
     session.history.commit(session.document);
     const Camera before = placeCamera(session.document.camera, session.shown()->grid, 1.0);
-    session.setRegion(Region{{2000.0, 1000.0, -1e9}, {6000.0, 5000.0, 1e9}});
+    session.setRegion(BoxM{{2000.0, 1000.0, -1e9}, {6000.0, 5000.0, 1e9}});
     REQUIRE(pollUntil(session, [&] { return session.shown()->grid.size.x == 4; }));
     CHECK(session.shown()->grid.originM == glm::dvec3(2000.0, 1000.0, 0.0));
     const Camera now = placeCamera(session.document.camera, session.shown()->grid, 1.0);
@@ -146,7 +146,7 @@ TEST_CASE("A part of the domain is read alone, and undo and the eye's place stay
 TEST_CASE("The clouds' place is known: columns 2 to 4 of the lowest layer") {
     Opened opened;
     REQUIRE(opened.session.shown()->clouds.has_value());
-    const Region clouds = *opened.session.shown()->clouds;
+    const BoxM clouds = *opened.session.shown()->clouds;
     CHECK(clouds.lowerM == glm::dvec3(2000.0, 0.0, 0.0));
     CHECK(clouds.upperM == glm::dvec3(5000.0, 8000.0, 500.0));
     CHECK(withMargin(clouds).upperM.x == doctest::Approx(5300.0));
@@ -184,7 +184,7 @@ TEST_CASE("A histogram counts each cell that holds something, in the decade of i
 TEST_CASE("A region without a cell is an error, and what was shown stays") {
     Opened opened;
     Session& session = opened.session;
-    session.setRegion(Region{{90e3, 90e3, 0.0}, {95e3, 95e3, 1e3}});
+    session.setRegion(BoxM{{90e3, 90e3, 0.0}, {95e3, 95e3, 1e3}});
     REQUIRE(pollUntil(session, [&] { return opened.says("holds no cell"); }));
     CHECK_FALSE(session.region().has_value());
     CHECK(session.shown()->grid.size.x == 8);

@@ -34,7 +34,7 @@ MemoryDataset storm() {
 }
 
 /// kg of a species in the native columns of `box`.
-double nativeMass(Dataset& dataset, const std::string& ratio, const Box& box) {
+double nativeMass(Dataset& dataset, const std::string& ratio, const CellBox& box) {
     const Array3f z = dataset.read("z", 0), rho = dataset.read("rho", 0),
                   q = dataset.read(ratio, 0);
     double mass = 0.0;
@@ -70,7 +70,7 @@ ReadPlan coarsenedBy(Dataset& dataset, int coarsening) {
 TEST_CASE("Without a bound everything is read at full resolution, and nothing is said") {
     MemoryDataset dataset = storm();
     const ReadPlan plan = planRead(dataset, 0);
-    CHECK(plan.box == Box{{0, 0, 0}, kSize});
+    CHECK(plan.box == CellBox{{0, 0, 0}, kSize});
     CHECK(plan.coarsening == 1);
     CHECK(plan.grid.size.x == 23);
     CHECK(plan.machineBytes == plan.grid.cellCount() * 8);
@@ -125,9 +125,9 @@ TEST_CASE("A block of like columns is one of them") {
 
 TEST_CASE("A region gives the cells that it touches, as they are in the whole") {
     MemoryDataset dataset = storm();
-    const Region region{{2600.0, 1000.0, 1500.0}, {5100.0, 2250.0, 3000.0}};
+    const BoxM region{{2600.0, 1000.0, 1500.0}, {5100.0, 2250.0, 3000.0}};
     const ReadPlan plan = planRead(dataset, 0, region);
-    CHECK(plan.box == Box{{5, 4, 0}, {11, 9, kSize.z}});
+    CHECK(plan.box == CellBox{{5, 4, 0}, {11, 9, kSize.z}});
     CHECK(plan.grid.originM.x == 2500.0);
     CHECK(plan.grid.originM.y == 1000.0);
     CHECK(plan.grid.originM.z <= 1500.0);
@@ -151,9 +151,9 @@ TEST_CASE("A region gives the cells that it touches, as they are in the whole") 
 
 TEST_CASE("A region outside the domain is an error that tells where the domain is") {
     MemoryDataset dataset = storm();
-    for (const Region& region : {Region{{20'000.0, 0.0, 0.0}, {30'000.0, 1000.0, 5000.0}},
-                                 Region{{0.0, 0.0, 9000.0}, {5000.0, 1000.0, 12'000.0}},
-                                 Region{{3000.0, 0.0, 0.0}, {2000.0, 1000.0, 5000.0}}}) {
+    for (const BoxM& region : {BoxM{{20'000.0, 0.0, 0.0}, {30'000.0, 1000.0, 5000.0}},
+                               BoxM{{0.0, 0.0, 9000.0}, {5000.0, 1000.0, 12'000.0}},
+                               BoxM{{3000.0, 0.0, 0.0}, {2000.0, 1000.0, 5000.0}}}) {
         try {
             planRead(dataset, 0, region);
             FAIL("no error");

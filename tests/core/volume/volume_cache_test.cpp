@@ -59,7 +59,7 @@ TEST_CASE("Another region, budget or sizing of particles is another volume") {
     VolumeCache cache;
     cache.put(keyOf(0), volumeOf(1));
     VolumeKey key = keyOf(0);
-    key.request.region = Region{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+    key.request.region = BoxM{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
     CHECK_FALSE(cache.holds(key));
     key = keyOf(0);
     key.request.budget.machine = 1;

@@ -21,7 +21,7 @@ using Tile = std::tuple<int, int, int>;  // slice, x, y
 constexpr glm::ivec3 kBlocks{5, 4, 3};
 constexpr glm::dvec3 kBlockM{4000.0, 4000.0, 3000.0};
 
-SliceBox box() {
+BoxM box() {
     return {glm::dvec3(0.0), glm::dvec3(kBlocks) * kBlockM - 700.0};  // a grid ends within a block
 }
 

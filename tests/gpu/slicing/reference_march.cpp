@@ -135,7 +135,7 @@ Classes sample(const Medium& m, dvec3 pM) {
 
 /// The part of the volume that slices go through: bricks whose voxels, with one more around, hold
 /// anything.
-std::optional<render::SliceBox> occupied(const Medium& m) {
+std::optional<BoxM> occupied(const Medium& m) {
     const double threshold = kNothing / glm::length(m.grid.extentM());
     const ivec3 bricks = (m.grid.size + kBrick - 1) / kBrick;
     ivec3 lower = bricks, upper{0};
@@ -150,8 +150,7 @@ std::optional<render::SliceBox> occupied(const Medium& m) {
             }
     if (upper == ivec3(0)) return {};
     const dvec3 brickM = m.grid.spacingM * static_cast<double>(kBrick);
-    return render::SliceBox{dvec3(lower) * brickM,
-                            glm::min(dvec3(upper) * brickM, m.grid.extentM())};
+    return BoxM{dvec3(lower) * brickM, glm::min(dvec3(upper) * brickM, m.grid.extentM())};
 }
 
 struct LightBuffer {
@@ -174,12 +173,12 @@ struct Scene {
     const Look& look;
     Medium medium;
     render::SlicePlan plan;
-    render::SliceBox box;
+    BoxM box;
     dvec3 sun;
     std::vector<LightBuffer> light;  // light[i] meets slice i
 };
 
-bool inside(const render::SliceBox& box, dvec3 p) {
+bool inside(const BoxM& box, dvec3 p) {
     return glm::all(glm::greaterThanEqual(p, box.lowerM)) &&
            glm::all(glm::lessThanEqual(p, box.upperM));
 }
@@ -309,7 +308,7 @@ dvec4 marchEye(const Scene& s, const std::vector<PhaseTable>& phases, dvec3 eye,
 ImageF referenceMarch(const SpeciesVolume& volume, const render::FrameInputs& inputs) {
     Scene s{inputs.look, makeMedium(volume, inputs.look), {}, {}, sunDirWorld(inputs.look), {}};
     const auto box = occupied(s.medium);
-    s.box = box.value_or(render::SliceBox{dvec3(0.0), volume.grid.extentM()});
+    s.box = box.value_or(BoxM{dvec3(0.0), volume.grid.extentM()});
     const double texelM =
         std::cbrt(volume.grid.spacingM.x * volume.grid.spacingM.y * volume.grid.spacingM.z);
     s.plan = render::planSlices(inputs.camera, s.sun, s.box, inputs.planes, texelM);

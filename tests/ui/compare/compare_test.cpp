@@ -33,7 +33,7 @@ ui::PairState images(std::uint64_t a, std::uint64_t b, int pathsOfB, bool settle
     state.b = b;
     state.whole = true;
     state.settled = settled;
-    state.traced = ui::ReferenceReport{.paths = pathsOfB};
+    state.traced = ReferenceProgress{.samples = pathsOfB};
     return state;
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
         CHECK(ui.output.job->state() == ExportJob::State::cancelled);
     }
     SUBCASE("failing") {
-        makeProgram(ui.output.program, "echo 'error: no room' >&2; exit 1");
+        makeProgram(ui.output.program, "echo '{\"error\": \"no room\"}'; exit 1");
         start();
         ui.output.open = true;
         finish();

@@ -172,7 +172,7 @@ TEST_CASE("Every action stands in the menu that it names, once, and can be reach
         const auto menu = static_cast<ui::Menu>(i);
         const std::string name = "menu:" + std::string(ui::menuName(menu));
         CAPTURE(name);
-        const std::optional<ui::Place> bar = ui::placeOf(name);
+        const std::optional<ui::Area> bar = ui::placeOf(name);
         REQUIRE(bar.has_value());
         io.MousePos = {(bar->lower.x + bar->upper.x) / 2.0f, (bar->lower.y + bar->upper.y) / 2.0f};
         scene.frames(2);

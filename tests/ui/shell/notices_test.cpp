@@ -95,7 +95,7 @@ TEST_CASE("A clear sky, fields switched off and data without hydrometeors are to
         Session session(openFake(std::make_shared<FakeSeries>()));
         openAndWait(session);
         ui::Ui state(session);
-        session.setRegion(Region{{5000.0, 0.0, 0.0}, {8000.0, 8000.0, 2000.0}});
+        session.setRegion(BoxM{{5000.0, 0.0, 0.0}, {8000.0, 8000.0, 2000.0}});
         for (int i = 0; i < 10000 && !session.shown()->empty(); ++i) {
             session.poll();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

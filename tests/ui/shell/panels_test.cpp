@@ -129,7 +129,7 @@ TEST_CASE("The image has what the panels leave of the window, and all of it with
     Session session(noReaders());
     ui::Ui state(session);
     gui.frame([&] { ui::draw(state); });
-    const ui::PixelBox box = ui::imageBox(state.layout());
+    const PixelBox box = ui::imageBox(state.layout());
     // Letters of 13 pixels: columns of 20, edges of 3/4; the status line of 7/4, and a line of
     // menus with 3 pixels above and below.
     CHECK(box.lower == glm::ivec2(260 + 10, 23));

@@ -44,9 +44,8 @@ double voxelM(const RegularGrid& grid) {
     return std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
 }
 
-SliceBox boxOf(const PackedMedium& medium, const RegularGrid& grid) {
-    return medium.bricks.empty() ? SliceBox{glm::dvec3(0.0), grid.extentM()}
-                                 : medium.bricks.occupied;
+BoxM boxOf(const PackedMedium& medium, const RegularGrid& grid) {
+    return medium.bricks.empty() ? BoxM{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
 }
 
 /// Slices that are marched before their light goes to the medium.
@@ -120,8 +119,8 @@ std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMediu
     return names;
 }
 
-double diagonalOf(const SliceBox& box) {
-    return glm::length(box.upperM - box.lowerM);
+double diagonalOf(const BoxM& box) {
+    return glm::length(box.sizeM());
 }
 
 double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium) {
@@ -190,7 +189,7 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
         context.stats.marchedLight = true;
     }
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
-    context.timer.pass("eye");
+    context.timer.pass(kEyePass);
     phases_.update(inputs.look, medium.plan);
     bind(frame, medium, context, {0, lastLayer_});
     if (inputs.profile) openCounts(inputs.sizePx);

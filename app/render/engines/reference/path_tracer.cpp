@@ -71,7 +71,7 @@ void PathTracer::restart(const TraceSetup& setup) {
     firstPass_ = 0;
     firstTicket_ = 0;
     counters_ = {};
-    counts_ = {};
+    progress_ = {};
 }
 
 bool PathTracer::isIn(const TraceSetup& setup) const {
@@ -140,13 +140,13 @@ void PathTracer::carry(const gl::Program& program) {
     program.dispatch({lanes_, 1, 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(countersBuffer_.name(), 0, sizeof(counters_), &counters_);
-    counts_.collisions += counters_.collisions;
-    counts_.scatterings += counters_.scatterings;
-    counts_.faults += counters_.faults;
+    progress_.collisions += counters_.collisions;
+    progress_.scatterings += counters_.scatterings;
+    progress_.faults += counters_.faults;
     counters_.collisions = counters_.scatterings = counters_.faults = 0;
     countersBuffer_.write(&counters_, sizeof(counters_));
     const double took = millisecondsSince(start);
-    counts_.seconds += 1e-3 * took;
+    progress_.seconds += 1e-3 * took;
     const double wanted = rounds_ * std::clamp(kDispatchMs / std::max(took, 0.01), 0.5, 2.0);
     rounds_ = std::clamp(static_cast<int>(wanted), kFewestRounds, kMostRounds);
 }
@@ -206,6 +206,13 @@ double PathTracer::relativeError(gl::ProgramCache& programs) {
     }
     const double values = 3.0 * pathsAPass();
     return mean > 0.0 ? std::sqrt(variance / values) / (mean / values) : 0.0;
+}
+
+ReferenceProgress PathTracer::progress(gl::ProgramCache& programs) {
+    ReferenceProgress all = progress_;
+    all.samples = firstPass_;
+    all.relativeError = relativeError(programs);
+    return all;
 }
 
 TraceSums PathTracer::readSums() const {

@@ -14,6 +14,7 @@
 #include "app/render/engines/reference/path_medium.h"
 #include "app/render/frame/frame_block.h"
 #include "core/base/progress.h"
+#include "core/image/reference_progress.h"
 
 namespace neph::render {
 namespace block {
@@ -30,14 +31,6 @@ struct TraceSetup {
     int seed = 0;
     int maxScatterings = 0;  ///< 0: no limit
     double sunRadiusRad = kSunRadiusRad;
-};
-
-/// What has been done since restart().
-struct TraceCounts {
-    std::uint64_t collisions = 0;   ///< collisions, real and null
-    std::uint64_t scatterings = 0;  ///< particles that scattered
-    std::uint64_t faults = 0;       ///< paths whose radiance was no number, counted as 0
-    double seconds = 0.0;
 };
 
 /// Sums over paths, a value per pixel, row 0 at the bottom. Halves: even and odd passes.
@@ -62,7 +55,9 @@ class PathTracer {
     /// Root mean variance of the mean over all pixels and channels, as a share of their mean: the
     /// relative standard error. Infinite before there are two passes.
     double relativeError(gl::ProgramCache& programs);
-    const TraceCounts& counts() const { return counts_; }
+    /// Since restart(); the error is read back from the GPU.
+    ReferenceProgress progress(gl::ProgramCache& programs);
+    std::uint64_t faults() const { return progress_.faults; }
     TraceSums readSums() const;
     std::size_t bytes() const;
 
@@ -81,7 +76,7 @@ class PathTracer {
     int firstPass_ = 0;  ///< the oldest that is not whole
     std::uint32_t firstTicket_ = 0;
     block::CounterBlock counters_{};
-    TraceCounts counts_;
+    ReferenceProgress progress_;  ///< without samples and error
     gl::Buffer block_, lanesBuffer_, countersBuffer_, results_, rows_;
     std::array<gl::Texture, 2> halves_;
     gl::Texture squares_, sunDepth_;

@@ -91,16 +91,10 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
 }
 
 void ReferenceEngine::describe(const FrameInputs&, RenderContext& context) {
-    const TraceCounts& counts = tracer_.counts();
-    context.stats.reference = {.samples = tracer_.passes(),
-                               .relativeError = tracer_.relativeError(context.programs),
-                               .collisions = counts.collisions,
-                               .scatterings = counts.scatterings,
-                               .faults = counts.faults,
-                               .seconds = counts.seconds};
-    if (tracer_.passes() == 1 && counts.faults > 0) {
+    context.stats.reference = tracer_.progress(context.programs);
+    if (tracer_.passes() == 1 && tracer_.faults() > 0) {
         context.messages.push_back(fmt::format(
-            "{} paths of the reference brought no number and count as dark", counts.faults));
+            "{} paths of the reference brought no number and count as dark", tracer_.faults()));
     }
 }
 

@@ -35,7 +35,7 @@ gl::Buffer listOf(const MeterScene& scene, std::span<const Detector> detectors) 
     std::vector<block::DetectorBlock> blocks;
     const double most = std::max(mostAbsorptionPerM(scene), 1e-30);
     for (const Detector& d : detectors) {
-        blocks.push_back({v4(d.lowerM, static_cast<int>(d.kind)), v4(d.upperM),
+        blocks.push_back({v4(d.box.lowerM, static_cast<int>(d.kind)), v4(d.box.upperM),
                           v4(glm::normalize(d.direction), most)});
     }
     gl::Buffer list;
@@ -159,7 +159,7 @@ std::vector<Measured> TraceMeter::measure(const MeterScene& scene,
         results.push_back(measured(sums, sizePx, i, tracer.passes(),
                                    scaleOf(scene, detectors[static_cast<std::size_t>(i)].kind)));
         // A path that brought no number would hide as a dark one.
-        if (tracer.counts().faults > 0) {
+        if (tracer.faults() > 0) {
             results.back().mean = std::numeric_limits<double>::quiet_NaN();
         }
     }

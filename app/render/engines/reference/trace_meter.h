@@ -15,6 +15,7 @@
 
 #include "app/render/engines/reference/path_tracer.h"
 #include "core/base/progress.h"
+#include "core/grid/boxes.h"
 #include "core/grid/grid.h"
 #include "core/optics/phase.h"
 
@@ -33,7 +34,7 @@ enum class DetectorKind : int {
 /// point.
 struct Detector {
     DetectorKind kind = DetectorKind::radiance;
-    glm::dvec3 lowerM{0.0}, upperM{0.0};
+    BoxM box;
     glm::dvec3 direction{0.0, 0.0, 1.0};  ///< unit
 };
 

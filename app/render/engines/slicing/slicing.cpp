@@ -82,7 +82,7 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
     gl::ProgramCache& programs = context.programs;
     const RegularGrid& grid = volume.grid;
     const bool empty = medium.bricks.empty();
-    const SliceBox box = empty ? SliceBox{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
+    const BoxM box = empty ? BoxM{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
     const double voxelM = std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
     plan_ = planSlices(inputs.camera, sunDirWorld(inputs.look), box, planesOf(inputs), voxelM);
     if (empty) plan_.count = 0;
@@ -122,7 +122,7 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
                         plan_, first, slices),
                 context.progress);
         }
-        context.timer.pass("eye");
+        context.timer.pass(kEyePass);
         marchEye(inputs, programs.get("slicing/eye.comp", names), context.progress);
         lastLayer = slices;
     }

@@ -1,0 +1,82 @@
+// dataset_info.h: everything about a data set, or one of its files, that is known without reading a
+// field.
+//
+// A reader states it about one file, as if the file were a data set of its own; a series makes one
+// of all its files. The same struct comes through the reader ABI, from process to process, out of
+// the header cache and to the screen. It is validated where it enters, in plugin_file.cpp.
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grid/species.h"
+
+namespace neph {
+
+/// What a variable means to the host; anything else is `other` and can still be read by name. The
+/// values are those of NephRole.
+enum class VariableRole : int {
+    other,
+    mixingRatio,         ///< of `species`, kg per kg of dry air
+    dryAirDensity,       ///< kg/m³ at cell centres
+    interfaceHeight,     ///< m above sea level, nz + 1 levels, increasing
+    airPressure,         ///< Pa
+    airTemperature,      ///< K
+    effectiveRadius,     ///< of `species`, m
+    numberConcentration  ///< of `species`, per kg of dry air
+};
+inline constexpr int kVariableRoles = 8;
+
+/// The scheme whose particle size distributions the hydrometeors follow. The values are those of
+/// NephMicrophysics. docs/physics.md §7
+enum class Microphysics : int { unknown, lin, wsm6, thompson, morrison };
+inline constexpr int kMicrophysics = 5;
+
+/// One variable of a data set.
+struct VariableInfo {
+    std::string name;          ///< as in the file, or as the reader names a derived variable
+    std::string standardName;  ///< CF standard name, or empty
+    std::string units;         ///< SI, of the values that `read` returns
+    std::string description;
+    VariableRole role = VariableRole::other;
+    std::optional<Species> species;
+    glm::ivec3 size{0};  ///< x, y, z; 1 where the variable lacks the axis
+    bool operator==(const VariableInfo&) const = default;
+};
+
+/// One time of a data set, and where it is stored.
+struct TimeInfo {
+    std::string label;  ///< as the model writes it, for example 0001-01-01_01:00:00
+    /// Since the first time of the series; of one file: on the clock that the files of a series
+    /// share.
+    double seconds = 0.0;
+    std::filesystem::path file;  ///< filled in by the series
+    int indexInFile = 0;
+    bool operator==(const TimeInfo&) const = default;
+};
+
+/// Everything about a data set or a file that is known without reading a field.
+struct DatasetInfo {
+    std::string reader;  ///< plugin id; filled in by the series
+    std::string model;   ///< for example "WRF V4.2.2"
+    std::string scheme;  ///< for example "Thompson (MP_PHYSICS 8)"; empty when unknown
+    Microphysics microphysics = Microphysics::unknown;
+    double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 when unknown
+    glm::ivec3 size{0};               ///< cells in x, y, z on the native grid
+    glm::dvec2 spacingM{0.0};
+    std::vector<TimeInfo> times;  ///< sorted by time; of one file: in its order, at least one
+    std::vector<VariableInfo> variables;
+    std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
+    std::map<std::string, std::string> attributes;  ///< global attributes worth showing, as text
+    bool operator==(const DatasetInfo&) const = default;
+
+    /// The variable with a name, or with a role (and species); nullptr if there is none.
+    const VariableInfo* find(std::string_view name) const;
+    const VariableInfo* find(VariableRole role, std::optional<Species> species = {}) const;
+};
+
+}  // namespace neph
