@@ -73,16 +73,21 @@ TEST_CASE("A part of an image has the paths of the whole") {
 
 TEST_CASE("A pass that yielded goes on where it was") {
     const SpeciesVolume volume = blobs();
-    render::FrameInputs inputs = traced(volume, richLook());
+    const render::FrameInputs inputs = traced(volume, richLook());
     const ImageF wanted = tracedOn(volume, inputs, 4);
-    render::Accumulation image = trace(inputs, 3);
-    int asked = 0;
-    const auto yields = [&asked](double) { return ++asked < 2; };
-    try {
-        renderer().render(inputs, image, yields);
-    } catch (const Cancelled&) {
+    renderer().setVolume(volume);
+    render::Accumulation image;
+    int yielded = 0;
+    while (image.samples() < 4) {
+        int asked = 0;
+        try {
+            renderer().render(inputs, image, [&asked](double) { return ++asked < 2; });
+        } catch (const Cancelled&) {
+            ++yielded;
+        }
     }
-    CHECK(renderer().render(inputs, image).reference.samples == 4);
+    CHECK(yielded > 0);
+    CHECK(renderer().retone(inputs.look).reference.samples == 4);
     CHECK(worstDifference(renderer().readLinear(), wanted) == 0.0f);
 }
 
