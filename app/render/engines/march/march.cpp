@@ -201,11 +201,9 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
                        RenderContext& context, glm::ivec2 batch) {
     const FrameInputs& inputs = frame.inputs;
     const RegularGrid& grid = context.volume.grid;
-    const double diagonalM = diagonalOf(boxOf(medium, grid));
     const bool fixed = inputs.planes > 0;
-    const double stepM = fixed ? diagonalM / inputs.planes
-                               : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
-    steps_ = static_cast<int>(std::lround(diagonalM / stepM));
+    const double stepM = baseStepM(inputs, grid, medium);
+    steps_ = static_cast<int>(std::lround(diagonalOf(boxOf(medium, grid)) / stepM));
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
