@@ -67,7 +67,7 @@ bool samePixels(const FrameInputs& a, const FrameInputs& b) {
 
 /// Whether frames of the one can be added to an image of the other.
 [[maybe_unused]] bool sameImage(const FrameInputs& a, const FrameInputs& b) {
-    return firstDifference(a.look, b.look).value_or(Stage::resolve) == Stage::resolve &&
+    return firstDifference(a, b).value_or(Stage::resolve) == Stage::resolve &&
            sameView(a.camera, b.camera) && samePixels(a, b) && a.planes == b.planes;
 }
 
@@ -120,7 +120,7 @@ void Renderer::Impl::use(Engine wanted) {
 std::optional<Stage> Renderer::Impl::changeTo(const FrameInputs& inputs, int sample) const {
     if (!shown) return {};
     const FrameInputs& last = shown->inputs;
-    Stage first = firstDifference(last.look, inputs.look).value_or(Stage::resolve);
+    Stage first = firstDifference(last, inputs).value_or(Stage::resolve);
     const auto redo = [&first](Stage stage) { first = std::min(first, stage); };
     if (!sameView(last.camera, inputs.camera) || last.planes != inputs.planes) {
         redo(traitsOf(engine).lightFollowsCamera ? Stage::light : Stage::eye);
