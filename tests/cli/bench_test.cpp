@@ -159,7 +159,7 @@ TEST_CASE("Bench with bad usage exits with 2 and says what would be right") {
           Case{"--section reference --grid 16", "--section modes"},
           Case{"--section changes --steps 64", "modes or growth"}, Case{"--growth-to 64", "growth"},
           Case{"--section growth --size 3x3 --size 4x4", "the first alone"},
-          Case{"--section growth --engine both", "the first alone"},
+          Case{"--section growth --engine all", "the first alone"},
           Case{"--section changes --grid 8 --grid 16", "the first alone"},
           Case{"--open --section modes", "--open"}}) {
         CAPTURE(c.arguments);

@@ -188,14 +188,15 @@ TEST_CASE("A comparison is A on the left, B on the right, and a line between") {
     const TemporaryFolder folder;
     const auto render = [&](const std::string& more, const char* name) {
         const Outcome outcome =
-            runProgram(kQuick + "--size 40x20 " + more + " --out " + quoted(folder / name));
+            runProgram("render cumulus --size 40x20 " + more + " --out " + quoted(folder / name));
         CHECK_MESSAGE(outcome.status == 0, outcome.err);
         return readPng(folder / name);
     };
-    const Image8 a = render("--time 1", "a.png");
+    const std::string coarse = "--quality 0.25 --samples 1 ";
+    const Image8 a = render(coarse + "--time 1", "a.png");
     const Image8 b = render("--time 2 --preset fig04-field-colours --camera default", "b.png");
-    const Image8 both =
-        render("--time 1 --preset-b fig04-field-colours --time-b 2 --split 0.25", "ab.png");
+    const Image8 both = render(
+        coarse + "--time 1 --preset-b fig04-field-colours --time-b 2 --split 0.25", "ab.png");
     REQUIRE(both.size == a.size);
     for (std::size_t i = 0; i < both.rgba.size(); ++i) {
         const std::size_t x = i / 4 % 40;

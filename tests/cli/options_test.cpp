@@ -90,7 +90,7 @@ TEST_CASE("Options of render without meaning for the output, the engine or the p
                   {"render --time-b 0:1", "--time-b 0:1"},
                   {"render --planes 64", "expected: slicing"},
                   {"render --error 5", "expected: reference"},
-                  {"render --engine reference --error 51", "percent from 0.05 to 50"},
+                  {"render --engine reference --error 51", "from 0.05 to 50 %"},
                   {"render --seed 1", "expected: reference"},
                   {"render --engine slicing --quality 2", "expected: march"},
                   {"render --engine slicing --samples 2", "expected: march, reference"}});
@@ -106,14 +106,14 @@ TEST_CASE("An option that acts on one of two sides is no fault") {
     CHECK_MESSAGE(outcome.status == 0, outcome.err);
 }
 
-TEST_CASE("An error is typed in percent, and kept in the look as a share") {
+TEST_CASE("An error is typed in percent, and kept in the metadata as a share") {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.png").string();
     const Outcome outcome =
         runProgram("render cumulus --size 4x4 --engine reference --error 50 --out '" + file + "'");
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     for (const auto& [key, text] : readPngMetadata(file)) {
-        if (key == "nephoscope.look") CHECK(contains(text, "\"view.target_error\": 0.5"));
+        if (key == "nephoscope.sampling") CHECK(contains(text, "view.target_error=0.5"));
     }
 }
 

@@ -139,7 +139,7 @@ neph::DatasetInfo description() {
     of.scheme = "Thompson";
     of.size = {3, 4, 5};
     of.spacingM = {1000.0, 2000.0};
-    of.times = {{"0001-01-01_00:00:00", 60.0}};
+    of.times = {{"0001-01-01_00:00:00", 60.0, {}, 0}};
     of.variables = {{"QCLOUD", "cloud", "kg kg-1", "text", neph::VariableRole::mixingRatio,
                      neph::Species::cloud, of.size}};
     of.notes = {"a note"};

@@ -21,7 +21,7 @@ DatasetInfo described(double seconds) {
     description.cloudDropletsPerM3 = 1.0 / 3.0;
     description.size = {3, 4, 5};
     description.spacingM = {1000.0, 0.1};
-    description.times = {{"t\xC3\xA9", seconds}};
+    description.times = {{"t\xC3\xA9", seconds, {}, 0}};
     description.variables = {{"QCLOUD",
                               "cloud",
                               "kg kg-1",
