@@ -18,7 +18,9 @@ neph_compile_alone(app ${action_tables} cli/bench/bench_growth.cpp cli/bench/ben
   ui/presets/preset_thumbnails.cpp ui/shell/profile_overlay.cpp validate/scene_medium.cpp
   validate/scene_file.cpp validate/scene_trials.cpp ui/data/data_panel.cpp
   ui/fields/fields_phase.cpp ui/widgets/parameter_widget.cpp)
-neph_compile_alone(tests cli/export_test.cpp cli/image_io_test.cpp cli/profile_test.cpp
-  core/bindings_test.cpp core/camera/camera_path_test.cpp core/camera/camera_test.cpp gpu/yield_test.cpp
-  gpu/reference/reference_test.cpp readers/raw_les_brick_test.cpp
-  readers/raw_les_grads_test.cpp readers/raw_les_microhh_test.cpp)
+if(NEPHOSCOPE_TESTS)
+  neph_compile_alone(tests cli/export_test.cpp cli/image_io_test.cpp cli/profile_test.cpp
+    core/bindings_test.cpp core/camera/camera_path_test.cpp core/camera/camera_test.cpp gpu/yield_test.cpp
+    gpu/reference/reference_test.cpp readers/raw_les_brick_test.cpp
+    readers/raw_les_grads_test.cpp readers/raw_les_microhh_test.cpp)
+endif()
