@@ -139,7 +139,7 @@ void addLight(std::vector<Parameter>& table) {
                 "Phase normalised by its range with the peak cut, on a linear or logarithmic scale "
                 "as [Riley03] fig. 10; or the true value x 4 pi.")
         .engines = kSingleScattering;
-    rows.number("phase_truncation", "Peak cut at", "deg", &Look::phaseTruncationDeg,
+    rows.number("phase_truncation", "Phase truncation angle", "deg", &Look::phaseTruncationDeg,
                 {0.1, 60.0, true}, Stage::eye,
                 "The phase function is cut at its value at this angle when it is normalised.")
         .engines = kSingleScattering;

@@ -19,7 +19,7 @@ void start(inout Path p, uint index) {
     p.axis = kind == kAbsorptionDetector ? vec3(0.0, 0.0, 1.0) : p.dir;
     p.direct = kind != kDiffuseFluxDetector;
     if (kind == kAbsorptionDetector) {
-        p.weight /= detector.direction.w;
+        p.throughput /= detector.direction.w;
         p.kind = kInside;
         p.stage = kMet;
     } else if (kind != kRadianceDetector) {

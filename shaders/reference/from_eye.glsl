@@ -25,7 +25,7 @@ bool showsBackdrop() {
 void passHaze(inout Path p) {
     float clear = exp(-distance(u_.eyeM.xyz, p.positionM) / kHazeLengthM);
     p.radiance += (1.0 - clear) * worthOf(p) * u_.skyHorizon.rgb;
-    p.weight *= clear;
+    p.throughput *= clear;
 }
 
 void noteFirst(inout Path p) {

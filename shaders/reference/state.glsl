@@ -14,7 +14,7 @@ struct Path {
     vec3 axis;         ///< at a vertex: the way in, or the normal
     float density;     ///< with which `dir` was drawn, per steradian, where that is into the sun
     float firstM;      ///< distance to the first particle; -1 before
-    vec3 weight;       ///< of light that arrives along the path
+    vec3 throughput;   ///< of light that arrives along the path
     vec3 wavelengths;  ///< chances that the path was drawn at each; they add to 1
     int hero;          ///< wavelength at which it is drawn
     int scatterings;
@@ -22,15 +22,15 @@ struct Path {
     uint ticket;    ///< number of the path
     uvec2 key;      ///< of its random numbers: where it begins, and its pass
     uint draws;     ///< of random numbers
-    bool direct;    ///< sunlight that arrives at the next turn at once counts
+    bool direct;    ///< sunlight that arrives at the next scatter directly counts
     int waiting;    ///< paths that wait until this, a branch of theirs, has ended
     int kind;       ///< of the vertex
     int stage;
 };
 
-// Stages. At a vertex a path first asks for sunlight (kMet), then turns (kTurning).
+// Stages. At a vertex a path first samples the sunlight (kMet), then scatters (kScattering).
 const int kIdle = 0, kWaiting = 1, kAiming = 2, kFlying = 3, kLeft = 4, kDone = 5, kMet = 6,
-          kTurning = 7;
+          kScattering = 7;
 // Kinds of vertex. kInside: a detector.
 const int kParticle = 0, kSurface = 1, kInside = 2;
 
@@ -52,7 +52,7 @@ void savePath(Path p, uint lane) {
     lanes_[lane + n] = bitsOf(p.dir, floatBitsToUint(p.sunlight));
     lanes_[lane + 2u * n] = bitsOf(p.vertexM, floatBitsToUint(p.density));
     lanes_[lane + 3u * n] = bitsOf(p.axis, floatBitsToUint(p.firstM));
-    lanes_[lane + 4u * n] = bitsOf(p.weight, flags);
+    lanes_[lane + 4u * n] = bitsOf(p.throughput, flags);
     lanes_[lane + 5u * n] = bitsOf(p.wavelengths, uint(p.scatterings));
     lanes_[lane + 6u * n] = bitsOf(p.radiance, p.ticket);
     lanes_[lane + 7u * n] = bitsOf(p.sunlit, p.draws);
@@ -73,7 +73,7 @@ Path loadPath(uint lane) {
     p.density = uintBitsToFloat(words[2].w);
     p.axis = uintBitsToFloat(words[3].xyz);
     p.firstM = uintBitsToFloat(words[3].w);
-    p.weight = uintBitsToFloat(words[4].xyz);
+    p.throughput = uintBitsToFloat(words[4].xyz);
     p.stage = int(flags & 15u);
     p.toSun = (flags & 16u) != 0u;
     p.direct = (flags & 32u) != 0u;
@@ -96,12 +96,12 @@ uint waitingWord(int place, uint lane) {
 }
 
 /// Lets the path wait, which would go on.
-void storePath(inout Path p, uint lane) {
+void suspend(inout Path p, uint lane) {
     uint n = uint(laneCount);
     uint at = waitingWord(p.waiting, lane);
     lanes_[at] = bitsOf(p.positionM, floatBitsToUint(p.density));
     lanes_[at + n] = bitsOf(p.dir, uint(p.scatterings));
-    lanes_[at + 2u * n] = bitsOf(p.weight, 0u);
+    lanes_[at + 2u * n] = bitsOf(p.throughput, 0u);
     lanes_[at + 3u * n] = bitsOf(p.wavelengths, 0u);
     ++p.waiting;
 }
@@ -117,7 +117,7 @@ void takeUp(inout Path p, uint lane) {
     p.density = uintBitsToFloat(words[0].w);
     p.dir = uintBitsToFloat(words[1].xyz);
     p.scatterings = int(words[1].w);
-    p.weight = uintBitsToFloat(words[2].xyz);
+    p.throughput = uintBitsToFloat(words[2].xyz);
     p.wavelengths = uintBitsToFloat(words[3].xyz);
     p.stage = kAiming;
 }

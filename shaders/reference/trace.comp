@@ -31,7 +31,7 @@ layout(std430, binding = kResultsBuffer) writeonly buffer Results {
     vec4 results_[];  // rgb: radiance, w: distance to the first particle or -1; pass after pass
 };
 
-// Where the sun is near, the share of turns that send off a branch; least share of vertices that
+// Where the sun is near, the share of scatters that send off a branch; least share of vertices that
 // ask for sunlight, and the optical depth up to which all do.
 const float kBranching = 0.25, kLeastBranching = 0.02, kLeastAsking = 0.25, kDepthOfAsking = 3.0;
 
@@ -53,7 +53,7 @@ vec3 sunIrradiance() {
 
 /// What light along the path counts for, at each wavelength.
 vec3 worthOf(Path p) {
-    return 3.0 * p.wavelengths * p.weight;
+    return 3.0 * p.wavelengths * p.throughput;
 }
 
 /// Share of what sampling the sun finds, where directions are drawn with a density as well.
@@ -94,7 +94,7 @@ void begin(inout Path p) {
     p.waiting = 0;
     p.density = 0.0;
     p.firstM = -1.0;
-    p.weight = vec3(1.0);
+    p.throughput = vec3(1.0);
     p.wavelengths = vec3(1.0 / 3.0);
     p.radiance = vec3(0.0);
     p.hero = int(3.0 * draw(p).x);
@@ -103,12 +103,12 @@ void begin(inout Path p) {
 }
 
 /// Chance that a path goes on, by what it can bring, of which sunlight scattered a little is most
-/// where it is bound for the sun (`lobe`, see turn), and by how often it has been scattered. In a
+/// where it is bound for the sun (`lobe`, see scatter), and by how often it has been scattered. In a
 /// thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of the
 /// work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights that
 /// make up for it, spread the work over all lengths. docs/architecture.md
 float chanceToGoOn(Path p, float lobe) {
-    float chance = min(1.0, 4.0 * largestOf(p.weight) * max(1.0, 4.0 * kPi * lobe));
+    float chance = min(1.0, 4.0 * largestOf(p.throughput) * max(1.0, 4.0 * kPi * lobe));
     float n = float(p.scatterings);
     return n < rouletteFrom ? chance : chance * sqrt(n / (n + 1.0));
 }
@@ -139,7 +139,7 @@ void sampleSun(inout Path p) {
     MediumSample medium = sampleMedium(p.positionM);
     Mixture mixture = mixtureOf(medium);
     vec4 u = draw(p);
-    if (p.kind == kInside) p.weight *= absorptionOf(medium);
+    if (p.kind == kInside) p.throughput *= absorptionOf(medium);
     vec3 sun = directionAround(towards, discVersine * u.x, u.y);
     // Weighed by the density towards the disc's middle, for both ways of finding it.
     p.density = p.direct ? sentTo(p, medium, mixture, towards).density : 0.0;
@@ -150,16 +150,16 @@ void sampleSun(inout Path p) {
     p.toSun = p.direct && u.z < asking && largestOf(p.sunlit) > 0.0;
     p.sunlight = 1.0 / asking;
     p.dir = sun;
-    p.stage = p.toSun ? kAiming : kTurning;
+    p.stage = p.toSun ? kAiming : kScattering;
 }
 
-/// Draws which way to go on from the vertex.
+/// Samples the direction in which the path goes on from the vertex.
 ///
 /// Around the sun the sky of a thin cloud is as bright as its particles' forward peak is high.
 /// Paths seldom go there by themselves, and bring very much when they do. So where the sun is
-/// near, some turns send off a branch into the lobe of the peak around the sun, and both are
+/// near, some scatters send off a branch into the lobe of the peak around the sun, and both are
 /// weighed by the balance heuristic; the path itself waits until the branch has ended.
-void turn(inout Path p, uint lane) {
+void scatter(inout Path p, uint lane) {
     vec3 towards = u_.towardsSun.xyz;
     MediumSample medium = sampleMedium(p.positionM);
     Mixture mixture = mixtureOf(medium);
@@ -181,36 +181,36 @@ void turn(inout Path p, uint lane) {
     vec3 lobes = phaseOf(LOBE_CLASS, drawnNear.x);
     float lobeOfNear = branching * dot(p.wavelengths, lobes);
     vec3 wavelengths = p.wavelengths;
-    vec3 weight = p.weight;
+    vec3 throughput = p.throughput;
 
     if (p.kind == kParticle) {
         vec3 colour = u_.classes[chosen].colourAlbedo.rgb;
         vec3 phase = phaseOf(chosen, drawn.x);
-        p.weight *= colour / max(largestOf(colour), 1e-30) *
-                    (mixture.scatteringPerM / mixture.extinctionPerM * phase[p.hero] / drawn.y);
+        p.throughput *= colour / max(largestOf(colour), 1e-30) *
+                        (mixture.scatteringPerM / mixture.extinctionPerM * phase[p.hero] / drawn.y);
         p.wavelengths *= phase;
         p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
         ++p.scatterings;
         ++scatterings_;
     }
-    p.weight *= toNext.density / max(toNext.density + branching * lobeOfNext, 1e-30);
+    p.throughput *= toNext.density / max(toNext.density + branching * lobeOfNext, 1e-30);
     float chance = chanceToGoOn(p, reach * lobeOfNext);
-    p.weight /= max(chance, 1e-30);
-    bool ends = u.w >= chance || largestOf(p.weight) <= 0.0;
+    p.throughput /= max(chance, 1e-30);
+    bool ends = u.w >= chance || largestOf(p.throughput) <= 0.0;
     float density = p.direct ? p.density : 0.0;
     p.density = versineBetween(next, towards) < discVersine ? density : 0.0;
     p.direct = true;
     p.dir = next;
     p.stage = ends ? kDone : kAiming;
     if (v.z >= branching) return;
-    if (!ends) storePath(p, lane);
-    p.weight = weight * toNear.share / (branching * lobes) *
-               (lobeOfNear / (lobeOfNear + toNear.density) * lobes[p.hero] / drawnNear.y);
+    if (!ends) suspend(p, lane);
+    p.throughput = throughput * toNear.share / (branching * lobes) *
+                   (lobeOfNear / (lobeOfNear + toNear.density) * lobes[p.hero] / drawnNear.y);
     p.wavelengths = wavelengths * lobes;
     p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
     p.density = drawnNear.x < discVersine ? density : 0.0;
     p.dir = near;
-    p.stage = largestOf(p.weight) > 0.0 ? kAiming : kDone;
+    p.stage = largestOf(p.throughput) > 0.0 ? kAiming : kDone;
 }
 
 /// Finds where in the grid the way begins that lies ahead.
@@ -288,7 +288,7 @@ void arrive(inout Path p) {
     p.positionM.z = -u_.eyeM.w;
     if (seen) passHaze(p);
     ++p.scatterings;
-    p.weight *= u_.ground.rgb;
+    p.throughput *= u_.ground.rgb;
     p.axis = vec3(0.0, 0.0, 1.0);
     p.kind = kSurface;
     p.stage = kMet;
@@ -300,7 +300,7 @@ void receive(inout Path p) {
     p.radiance += p.sunlight * p.sunlit;
     p.toSun = false;
     p.positionM = p.vertexM;
-    p.stage = kTurning;
+    p.stage = kScattering;
 }
 
 /// What a processor's vector of lanes does together is done in the same place: it goes through all
@@ -315,7 +315,7 @@ void main() {
         if (p.stage <= kWaiting) begin(p);
         if (p.stage == kWaiting) break;
         if (p.stage == kMet) sampleSun(p);
-        if (p.stage == kTurning) turn(p, lane);
+        if (p.stage == kScattering) scatter(p, lane);
         if (p.stage == kAiming) aim(p);
         for (int k = 0; k < 2 && p.stage == kFlying; ++k) {
             float boundPerM = cross(p);
