@@ -143,8 +143,9 @@ void readRoom(const std::string& room, Definitions& definitions) {
 }
 
 void checkOnce(const Definitions& definitions) {
-    for (const auto& [name, files] : definitions) {
-        CAPTURE(name);
+    for (const auto& definition : definitions) {
+        const auto& files = definition.second;
+        CAPTURE(definition.first);
         CAPTURE(*files.begin());
         CAPTURE(*files.rbegin());
         CHECK(files.size() == 1);
