@@ -103,8 +103,8 @@ void begin(inout Path p) {
 }
 
 /// Chance that a path goes on, by what it can bring, of which sunlight scattered a little is most
-/// where it is bound for the sun (`lobe`, see scatter), and by how often it has been scattered. In a
-/// thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of the
+/// where it is bound for the sun (`lobe`, see scatter), and by how often it has been scattered. In
+/// a thick cloud the number of paths of at least n scatterings falls as n^-1/2, so that most of the
 /// work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights that
 /// make up for it, spread the work over all lengths. docs/architecture.md
 float chanceToGoOn(Path p, float lobe) {
