@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -67,13 +68,21 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
 }
 
 std::string gridText(const DatasetInfo& file) {
-    return fmt::format("{} x {} x {} cells of {} x {} m", file.size.x, file.size.y, file.size.z,
-                       file.spacingM.x, file.spacingM.y);
+    return fmt::format("{} x {} x {} cells of {:.6g} x {:.6g} m{}{}", file.size.x, file.size.y,
+                       file.size.z, file.spacingM.x, file.spacingM.y,
+                       file.domain.empty() ? "" : ", ", file.domain);
 }
 
-/// Files of one series need the same native grid; their variables may differ.
+/// Files of one series need the same native grid of the same domain; their variables may differ.
 bool sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
-    return a.size == b.size && a.spacingM == b.spacingM;
+    return a.size == b.size && a.spacingM == b.spacingM && a.edgesM == b.edgesM &&
+           a.domain == b.domain;
+}
+
+/// How a grid differs from that of the series, for messages.
+std::string differenceText(const DatasetInfo& file, const DatasetInfo& series) {
+    if (file.size != series.size || file.spacingM != series.spacingM) return gridText(file);
+    return file.domain != series.domain ? file.domain : "cells of other widths";
 }
 
 /// The steps that turn candidates into a series.
@@ -85,7 +94,9 @@ class SeriesMaker {
     Series make(const Progress& progress) {
         findFirst([&](double) { return goOn(progress, 0.0); });
         describeRest(progress);
-        for (std::size_t i = 0; i < candidates_.size(); ++i) sort(candidates_[i]);
+        for (Candidate& candidate : candidates_) {
+            if (!isPart(candidate.path)) sort(candidate);
+        }
         for (auto& [folder, left] : leftOut_) note(folder, left);
         return std::move(series_);
     }
@@ -106,6 +117,7 @@ class SeriesMaker {
                 series_.reader = host_.pick(candidate.path, progress);
                 candidate.description =
                     ReaderFile(series_.reader, candidate.path, progress).description();
+                claimParts(candidate);
                 return;
             } catch (const Error& error) {
                 if (!candidate.mayFail()) throw;
@@ -143,16 +155,36 @@ class SeriesMaker {
             progress);
         for (const Candidate* candidate : unknown) {
             if (!candidate->stamp || !candidate->description) continue;
+            if (!candidate->description->parts.empty()) continue;  // the stamp covers one file
             caches.at(candidate->path.parent_path())
                 .put(candidate->path, *candidate->stamp, *candidate->description);
         }
         for (const auto& [folder, cache] : caches) cache.save();
     }
 
-    void describe(Candidate& candidate, const Progress& progress) const {
+    /// Remembers the files that are read together with `candidate`: they are no files of the series
+    /// by themselves.
+    void claimParts(const Candidate& candidate) {
+        const std::lock_guard lock(mutex_);
+        for (const fs::path& part : candidate.description->parts) {
+            if (part != candidate.path) partOf_.emplace(part.lexically_normal(), candidate.path);
+        }
+    }
+    /// Of two files that claim each other, the one that was named first is the whole.
+    bool isPart(const fs::path& path) {
+        const std::lock_guard lock(mutex_);
+        const auto whole = partOf_.find(path.lexically_normal());
+        if (whole == partOf_.end()) return false;
+        const auto back = partOf_.find(whole->second.lexically_normal());
+        return back == partOf_.end() || whole->second < path;
+    }
+
+    void describe(Candidate& candidate, const Progress& progress) {
+        if (isPart(candidate.path)) return;
         try {
             candidate.description =
                 ReaderFile(series_.reader, candidate.path, progress).description();
+            claimParts(candidate);
         } catch (const Error& error) {
             if (!candidate.mayFail()) throw foreign(candidate, error);
             candidate.fault = error;
@@ -184,7 +216,10 @@ class SeriesMaker {
         if (!series_.files.empty() &&
             !sameGrid(*candidate.description, series_.files.front().description)) {
             if (left == nullptr) throw otherGrid(candidate);
-            if (left->otherGrid.empty()) left->grid = gridText(*candidate.description);
+            if (left->otherGrid.empty()) {
+                left->grid =
+                    differenceText(*candidate.description, series_.files.front().description);
+            }
             left->otherGrid.push_back(name);
             return;
         }
@@ -232,6 +267,8 @@ class SeriesMaker {
     std::size_t first_ = 0;
     Series series_;
     std::map<fs::path, LeftOut> leftOut_;
+    std::mutex mutex_;                     // guards partOf_
+    std::map<fs::path, fs::path> partOf_;  ///< a part, and the file that it is read with
 };
 
 }  // namespace

@@ -1,9 +1,18 @@
-// dataset_info.cpp: looking for variables.
+// dataset_info.cpp: looking for variables, and positions of cells.
 #include "core/plugin/dataset_info.h"
 
 #include <algorithm>
 
 namespace neph {
+
+double DatasetInfo::edgeM(int axis, int face) const {
+    const std::vector<double>& edges = edgesM[static_cast<std::size_t>(axis)];
+    return edges.empty() ? spacingM[axis] * face : edges[static_cast<std::size_t>(face)];
+}
+
+glm::dvec2 DatasetInfo::extentM() const {
+    return {edgeM(0, size.x), edgeM(1, size.y)};
+}
 
 const VariableInfo* DatasetInfo::find(std::string_view name) const {
     const auto found = std::ranges::find(variables, name, &VariableInfo::name);

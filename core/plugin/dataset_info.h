@@ -5,6 +5,7 @@
 // of all its files. The same struct comes through the reader ABI, from process to process, out of
 // the header cache and to the screen. It is validated where it enters, in plugin_file.cpp.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <map>
@@ -67,12 +68,22 @@ struct DatasetInfo {
     Microphysics microphysics = Microphysics::unknown;
     double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 when unknown
     glm::ivec3 size{0};               ///< cells in x, y, z on the native grid
-    glm::dvec2 spacingM{0.0};
+    glm::dvec2 spacingM{0.0};  ///< of the native cells; of the even cells made of them, with edges
+    /// Faces of the native cells in x and y, metres from the south-west corner, where they are not
+    /// even; empty otherwise.
+    std::array<std::vector<double>, 2> edgesM;
+    std::string domain;                        ///< files with different texts are never one series
+    std::vector<std::filesystem::path> parts;  ///< other files that are read with this one
     std::vector<TimeInfo> times;  ///< sorted by time; of one file: in its order, at least one
     std::vector<VariableInfo> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
     std::map<std::string, std::string> attributes;  ///< global attributes worth showing, as text
     bool operator==(const DatasetInfo&) const = default;
+
+    /// Size of the domain in x and y, metres.
+    glm::dvec2 extentM() const;
+    /// Position of face `face` along x (0) or y (1), metres; 0 to `size`.
+    double edgeM(int axis, int face) const;
 
     /// The variable with a name, or with a role (and species); nullptr if there is none.
     const VariableInfo* find(std::string_view name) const;

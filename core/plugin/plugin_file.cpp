@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <limits>
@@ -24,6 +25,7 @@ constexpr std::size_t kMaxTextLength = 65536;
 constexpr std::int32_t kMaxAxis = 1 << 20;
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 36;
 constexpr double kMaxSpacingM = 1e7;  // a quarter of the way around the Earth
+constexpr double kMaxExtentM = 1e9;
 
 // The enumerations of dataset_info.h and of the ABI have the same values, so casts convert them.
 static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
@@ -146,9 +148,50 @@ std::vector<VariableInfo> checkedVariables(const NephDescription& raw) {
     return variables;
 }
 
+/// Faces of cells along one axis; empty for none. They start at 0 and increase.
+std::vector<double> checkedEdges(const double* edges, int cells) {
+    if (edges == nullptr) return {};
+    const std::span<const double> faces(edges, static_cast<std::size_t>(cells) + 1);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const bool fits = i == 0 ? faces[0] == 0.0 : faces[i] > faces[i - 1];
+        if (!fits || !(faces[i] <= kMaxExtentM)) {
+            throw Fault{fmt::format("face {} of the cells lies at {} m", i, faces[i])};
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
+/// Domain, faces and parts, which readers built for an earlier form of the struct lack.
+void addNewer(const NephDescription& raw, DatasetInfo& description) {
+    for (int axis = 0; axis < 2; ++axis) {
+        description.edgesM[static_cast<std::size_t>(axis)] =
+            checkedEdges(raw.edges_m[axis], description.size[axis]);
+    }
+    description.domain = checkedText(raw.domain, "the domain");
+    for (const char* part : checkedList(raw.parts, raw.part_count, "parts")) {
+        description.parts.emplace_back(checkedText(part, "a part"));
+    }
+}
+
+/// The description as this host knows it: what a shorter one lacks is zero.
+NephDescription completed(const NephDescription* pointer) {
+    constexpr std::size_t kFirstForm = offsetof(NephDescription, edges_m);
+    if (pointer == nullptr) throw Fault{"the description is null"};
+    const NephHeader header = pointer->header;
+    if (header.abi_version != NEPH_READER_ABI_VERSION || header.struct_size < kFirstForm) {
+        throw Fault{fmt::format("the description has ABI {} and {} bytes, not ABI {} and {}",
+                                header.abi_version, header.struct_size, NEPH_READER_ABI_VERSION,
+                                kFirstForm)};
+    }
+    NephDescription description{};
+    std::memcpy(&description, pointer,
+                std::min<std::size_t>(header.struct_size, sizeof description));
+    return description;
+}
+
 /// Copies the description while checking it: nothing refers to the memory of the plugin afterwards.
 DatasetInfo checkedDescription(const NephDescription* pointer) {
-    const NephDescription& raw = checkedStruct(pointer, "the description");
+    const NephDescription raw = completed(pointer);
     DatasetInfo description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");
@@ -167,6 +210,7 @@ DatasetInfo checkedDescription(const NephDescription* pointer) {
         }
     }
     description.spacingM = {raw.spacing_m[0], raw.spacing_m[1]};
+    addNewer(raw, description);
     description.times = checkedTimes(raw);
     description.variables = checkedVariables(raw);
     for (const char* note : checkedList(raw.notes, raw.note_count, "notes")) {

@@ -32,6 +32,15 @@ typedef struct NephHeader {
     uint32_t struct_size; /* sizeof the struct on that side */
 } NephHeader;
 
+/* Air that is possible: the host refuses fields with values outside, and names the cell. A reader
+ * that derives one of them from others writes NaN where one of those is impossible. */
+#define NEPH_LEAST_PRESSURE_PA 1.0
+#define NEPH_MOST_PRESSURE_PA 120000.0
+#define NEPH_LEAST_TEMPERATURE_K 100.0
+#define NEPH_MOST_TEMPERATURE_K 400.0
+#define NEPH_LEAST_DENSITY_KG_PER_M3 1e-6
+#define NEPH_MOST_DENSITY_KG_PER_M3 2.0
+
 /* Result of a call. */
 typedef int32_t NephStatus;
 #define NEPH_OK 0
@@ -122,6 +131,19 @@ typedef struct NephDescription {
     const char* const* notes;
     uint32_t attribute_count; /* global attributes worth showing */
     const NephAttribute* const* attributes;
+    /* What follows may be missing (a smaller struct_size) and is then as if zero. */
+
+    /* Faces of the cells along x (size[0] + 1) and y (size[1] + 1), metres from the south-west
+     * corner, the first 0, increasing; null where all cells have spacing_m. With faces, spacing_m
+     * is that of the even cells which the host makes of them: the smallest step as a rule. */
+    const double* edges_m[2];
+    /* Which of several domains of one or more runs this is, such as "domain 2 at 35.2 N 97.4 W":
+     * the host never puts files with different texts into one series. Null or empty: unknown. */
+    const char* domain;
+    /* Paths of other files that this data set is read from as well, such as the tiles of other MPI
+     * ranks: the host does not open them again. */
+    uint32_t part_count;
+    const char* const* parts;
 } NephDescription;
 
 /* Returns 0 to cancel. `fraction` lies in [0, 1]. */

@@ -51,6 +51,10 @@ struct Description {
     double cloudDropletsPerM3 = 0.0;  ///< prescribed by the run; 0 if unknown
     std::array<int, 3> size{};        ///< cells in x, y, z; x runs east, y north, z up
     std::array<double, 2> spacingM{};
+    /// Faces of cells in x and y where these are not even, from 0; empty otherwise. reader_abi.h
+    std::array<std::vector<double>, 2> edgesM{};
+    std::string domain;              ///< files with different texts never form one series
+    std::vector<std::string> parts;  ///< paths of other files that are read as well
     std::vector<Time> times;
     std::vector<Variable> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
@@ -123,6 +127,7 @@ class Layout {
             attributes_.push_back({header<NephAttribute>(), name.c_str(), value.c_str()});
         }
         for (const std::string& note : from.notes) notes_.push_back(note.c_str());
+        for (const std::string& part : from.parts) parts_.push_back(part.c_str());
         pointTo(times_, timePointers_);
         pointTo(variables_, variablePointers_);
         pointTo(attributes_, attributePointers_);
@@ -144,7 +149,12 @@ class Layout {
         for (std::size_t axis = 0; axis < 3; ++axis) description_.size[axis] = from.size[axis];
         for (std::size_t axis = 0; axis < 2; ++axis) {
             description_.spacing_m[axis] = from.spacingM[axis];
+            const std::vector<double>& edges = from.edgesM[axis];
+            description_.edges_m[axis] = edges.empty() ? nullptr : edges.data();
         }
+        description_.domain = from.domain.c_str();
+        description_.part_count = static_cast<std::uint32_t>(parts_.size());
+        description_.parts = parts_.data();
         description_.time_count = static_cast<std::uint32_t>(timePointers_.size());
         description_.times = timePointers_.data();
         description_.variable_count = static_cast<std::uint32_t>(variablePointers_.size());
@@ -159,6 +169,7 @@ class Layout {
     std::vector<NephVariable> variables_;
     std::vector<NephAttribute> attributes_;
     std::vector<const char*> notes_;
+    std::vector<const char*> parts_;
     std::vector<const NephTime*> timePointers_;
     std::vector<const NephVariable*> variablePointers_;
     std::vector<const NephAttribute*> attributePointers_;

@@ -41,6 +41,13 @@ bool receiveAll(int socket, char* bytes, std::size_t count) {
     return true;
 }
 
+/// None, or one more than there are `cells`.
+void unpackEdges(Unpacker& from, int cells, std::vector<double>& edges) {
+    edges.resize(from.count(sizeof(double)));
+    for (double& edge : edges) edge = from.number<double>();
+    if (!edges.empty() && edges.size() != static_cast<std::size_t>(cells) + 1) throw Malformed();
+}
+
 }  // namespace
 
 Packer& Packer::text(std::string_view text) {
@@ -116,7 +123,13 @@ std::vector<TimeInfo> unpackTimes(Unpacker& from) {
 void packBesidesTimes(Packer& to, const DatasetInfo& info) {
     to.text(info.model).text(info.scheme);
     to.number(static_cast<std::int32_t>(info.microphysics)).number(info.cloudDropletsPerM3);
-    to.number(info.size).number(info.spacingM);
+    to.number(info.size).number(info.spacingM).text(info.domain);
+    for (const std::vector<double>& edges : info.edgesM) {
+        to.number(static_cast<std::uint64_t>(edges.size()));
+        for (const double edge : edges) to.number(edge);
+    }
+    to.number(static_cast<std::uint64_t>(info.parts.size()));
+    for (const std::filesystem::path& part : info.parts) to.text(part.string());
     to.number(static_cast<std::uint64_t>(info.variables.size()));
     for (const VariableInfo& v : info.variables) {
         to.text(v.name).text(v.standardName).text(v.units).text(v.description);
@@ -137,6 +150,12 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
     info.cloudDropletsPerM3 = from.number<double>();
     info.size = from.number<glm::ivec3>();
     info.spacingM = from.number<glm::dvec2>();
+    info.domain = from.text();
+    for (std::size_t axis = 0; axis < info.edgesM.size(); ++axis) {
+        unpackEdges(from, info.size[static_cast<int>(axis)], info.edgesM[axis]);
+    }
+    info.parts.resize(from.count(sizeof(std::uint64_t)));
+    for (std::filesystem::path& part : info.parts) part = from.text();
     info.variables.resize(from.count(4 * sizeof(std::uint64_t)));
     for (VariableInfo& v : info.variables) {
         for (std::string* part : {&v.name, &v.standardName, &v.units, &v.description}) {
