@@ -135,8 +135,20 @@ class Server {
     std::uint32_t lastHandle_ = 0;
 };
 
-/// Applies the memory limit, and disables core dumps.
+/// HDF5 locks each file that it opens, so that the model which writes it could not open it again.
+/// The library looks at this when it is loaded.
+void lockNoFiles() {
+    setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+}
+
+/// Applies the memory limit, disables core dumps, and allows as many open files as the system does:
+/// a domain may be stored in one file for each MPI rank.
 void limitResources([[maybe_unused]] rlim_t memoryBytes) {
+    rlimit files{};
+    if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
+        files.rlim_cur = files.rlim_max;
+        setrlimit(RLIMIT_NOFILE, &files);
+    }
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);  // damaged files must not fill the disk with core dumps
 #ifndef NEPH_SANITIZED
@@ -180,6 +192,7 @@ int main(int count, char** arguments) {
                    "nephoscope-reader is started by nephoscope and cannot be used on its own\n");
         return 2;
     }
+    lockNoFiles();
     limitResources(std::strtoull(arguments[2], nullptr, 10));
     watchHost();
     std::optional<Server> server = sendIdentity(arguments[1]);

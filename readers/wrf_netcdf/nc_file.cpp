@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <mutex>
 #include <string_view>
+
+#include "readers/shared/writing.h"
+#include "readers/wrf_netcdf/nc_attributes.h"
+#include "readers/wrf_netcdf/nc_filters.h"
 
 namespace wrf {
 namespace {
@@ -39,48 +42,24 @@ void require(int status, const std::string& doing) {
     throw Failure{fmt::format("{}: {}", doing, nc_strerror(status)), {}, {}, {}};
 }
 
-/// A text attribute without surrounding blanks; nothing if absent or not text.
-std::optional<std::string> textAttribute(int file, int variable, const char* name) {
-    nc_type type = 0;
-    std::size_t length = 0;
-    if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR) return {};
-    if (type != NC_CHAR || length > 65536) return {};
-    std::string text(length, '\0');
-    if (nc_get_att_text(file, variable, name, text.data()) != NC_NOERR) return {};
-    while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
-    text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
-    return text;
-}
-
-/// An attribute that is a single number; nothing if absent or of another kind.
-std::optional<double> numberAttribute(int file, int variable, const char* name) {
-    nc_type type = 0;
-    std::size_t length = 0;
-    if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR) return {};
-    if (type == NC_CHAR || type == NC_STRING || length != 1) return {};
-    double value = 0.0;
-    if (nc_get_att_double(file, variable, name, &value) != NC_NOERR) return {};
-    return value;
-}
-
 std::uint64_t bytesOnDisk(const std::string& path) {
     std::error_code code;
     const auto bytes = std::filesystem::file_size(path, code);
     return code ? 0 : bytes;
 }
 
-/// Replaces missing values by NaN and packed values by their physical ones.
-void unpack(const NcVariable& variable, std::span<float> values) {
-    // The library fills cells that were never written with NC_FILL_FLOAT, 9.97e36.
-    constexpr float kNothingWritten = 9.9e36f;
-    const bool packed = variable.scale != 1.0f || variable.offset != 0.0f;
-    const float fill = variable.fill.value_or(std::numeric_limits<float>::quiet_NaN());
-    for (float& value : values) {
-        const bool missing = value == fill || std::abs(value) >= kNothingWritten;
-        value = missing ? std::numeric_limits<float>::quiet_NaN() : value;
+/// Whether names are equal but for case.
+bool sameLetters(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+/// The next step for the owner of a file that ends too early.
+std::string hintOfShort(const std::string& path) {
+    if (const auto why = shared::beingWritten(path)) {
+        return fmt::format("it is being written ({}): open it again when that has ended", *why);
     }
-    if (!packed) return;
-    for (float& value : values) value = value * variable.scale + variable.offset;
+    return "it was probably cut short while it was written or copied: copy it again";
 }
 
 }  // namespace
@@ -98,8 +77,7 @@ NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
     const auto failure = [&](const std::string& reason) {
         return Failure{"is a NetCDF file that cannot be opened",
                        fmt::format("{} bytes; {}", bytesOnDisk(path), reason),
-                       "a whole NetCDF file",
-                       "it was probably cut short while it was written or copied: copy it again"};
+                       "a whole NetCDF file", hintOfShort(path)};
     };
     if (containerOf(path) == Container::classic) {
         layout_ = ClassicLayout::of(path);
@@ -134,36 +112,42 @@ void NcFile::readVariables() {
         require(nc_inq_dim(id_, id, name.data(), &length), "dimensions");
         dimensions_.push_back({name.data(), length});
     }
-    for (int id = 0; id < variableCount; ++id) {
-        NcVariable variable;
-        nc_type type = 0;
-        int rank = 0;
-        std::array<int, NC_MAX_VAR_DIMS> axes{};
-        require(nc_inq_var(id_, id, name.data(), &type, &rank, axes.data(), nullptr), "variables");
-        variable.id = id;
-        variable.name = name.data();
-        variable.text = type == NC_CHAR;
-        variable.units = textAttribute(id_, id, "units").value_or("");
-        variable.description = textAttribute(id_, id, "description").value_or("");
-        const auto scale = numberAttribute(id_, id, "scale_factor");
-        const auto offset = numberAttribute(id_, id, "add_offset");
-        const auto fill = numberAttribute(id_, id, "_FillValue");
-        variable.scale = static_cast<float>(scale.value_or(1.0));
-        variable.offset = static_cast<float>(offset.value_or(0.0));
-        if (fill) variable.fill = static_cast<float>(*fill);
-        variable.number = type == NC_FLOAT || type == NC_DOUBLE || (type == NC_SHORT && scale);
-        for (int axis = 0; axis < rank; ++axis) {
-            const auto dimension = static_cast<std::size_t>(axes[static_cast<std::size_t>(axis)]);
-            if (dimension < dimensions_.size()) variable.axes.push_back(dimensions_[dimension]);
-        }
-        int storage = NC_CONTIGUOUS;
-        std::vector<std::size_t> chunk(static_cast<std::size_t>(rank));
-        if (rank > 0 && nc_inq_var_chunking(id_, id, &storage, chunk.data()) == NC_NOERR &&
-            storage == NC_CHUNKED) {
-            variable.chunk = chunk;
-        }
-        variables_.push_back(std::move(variable));
+    for (int id = 0; id < variableCount; ++id) variables_.push_back(describe(id));
+}
+
+NcVariable NcFile::describe(int id) const {
+    NcVariable variable;
+    std::array<char, NC_MAX_NAME + 1> name{};
+    std::array<int, NC_MAX_VAR_DIMS> axes{};
+    nc_type type = 0;
+    int rank = 0;
+    require(nc_inq_var(id_, id, name.data(), &type, &rank, axes.data(), nullptr), "variables");
+    variable.id = id;
+    variable.name = name.data();
+    variable.text = type == NC_CHAR;
+    variable.strings = type == NC_STRING;
+    variable.floats = type == NC_FLOAT;
+    variable.number = type >= NC_BYTE && type <= NC_UINT64 && type != NC_CHAR;
+    variable.integer = variable.number && type != NC_FLOAT && type != NC_DOUBLE;
+    variable.standardName = textAttribute(id_, id, "standard_name").value_or("");
+    variable.units = textAttribute(id_, id, "units").value_or("");
+    variable.calendar = textAttribute(id_, id, "calendar").value_or("");
+    variable.description = textAttribute(id_, id, "description").value_or("");
+    if (variable.description.empty()) {
+        variable.description = textAttribute(id_, id, "long_name").value_or("");
     }
+    variable.packing = NcPacking(id_, id, type);
+    for (int axis = 0; axis < rank; ++axis) {
+        const auto dimension = static_cast<std::size_t>(axes[static_cast<std::size_t>(axis)]);
+        if (dimension < dimensions_.size()) variable.axes.push_back(dimensions_[dimension]);
+    }
+    int storage = NC_CONTIGUOUS;
+    std::vector<std::size_t> chunk(static_cast<std::size_t>(rank));
+    if (rank > 0 && nc_inq_var_chunking(id_, id, &storage, chunk.data()) == NC_NOERR &&
+        storage == NC_CHUNKED) {
+        variable.chunk = chunk;
+    }
+    return variable;
 }
 
 const NcDimension* NcFile::dimension(std::string_view name) const {
@@ -172,7 +156,16 @@ const NcDimension* NcFile::dimension(std::string_view name) const {
 }
 
 const NcVariable* NcFile::variable(std::string_view name) const {
-    const auto found = std::ranges::find(variables_, name, &NcVariable::name);
+    auto found = std::ranges::find(variables_, name, &NcVariable::name);
+    if (found == variables_.end()) {
+        const auto same = [&](const NcVariable& each) { return sameLetters(each.name, name); };
+        found = std::ranges::find_if(variables_, same);
+    }
+    return found == variables_.end() ? nullptr : &*found;
+}
+
+const NcVariable* NcFile::variableOfStandardName(std::string_view standardName) const {
+    const auto found = std::ranges::find(variables_, standardName, &NcVariable::standardName);
     return found == variables_.end() ? nullptr : &*found;
 }
 
@@ -203,15 +196,19 @@ void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) co
     if (found >= expected) return;
     throw Failure{fmt::format("the file ends before the end of variable {}", variable.name),
                   fmt::format("{} bytes", found), fmt::format("at least {} bytes", expected),
-                  "it was probably cut short while it was written or copied: copy it again"};
+                  hintOfShort(path_)};
 }
 
 void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start,
                   std::span<const std::size_t> count, std::span<float> values) const {
+    if (!variable.floats) {
+        variable.packing.unpack(readDoubles(variable, start, count), values);
+        return;
+    }
     if (!readClassic(variable, start, count, values)) {
         readWithLibrary(variable, start, count, values);
     }
-    unpack(variable, values);
+    variable.packing.unpack(values);
 }
 
 /// False if the library has to read: other containers, other types, several records at once, and
@@ -237,16 +234,39 @@ void NcFile::readWithLibrary(const NcVariable& variable, std::span<const std::si
     requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
     if (!variable.chunk.empty() && cacheEnlarged_.insert(variable.id).second)
         enlargeChunkCache(variable);
-    const int status =
-        nc_get_vara_float(id_, variable.id, start.data(), count.data(), values.data());
-    // NC_ERANGE: doubles beyond float become infinities, which unpack() treats as missing.
-    if (status != NC_NOERR && status != NC_ERANGE) {
-        throw Failure{
-            fmt::format("variable {} cannot be read: {}", variable.name, nc_strerror(status)),
-            {},
-            {},
-            "the file is damaged: copy it again, or leave this time out"};
+    requireRead(nc_get_vara_float(id_, variable.id, start.data(), count.data(), values.data()),
+                variable);
+}
+
+std::vector<double> NcFile::readDoubles(const NcVariable& variable,
+                                        std::span<const std::size_t> start,
+                                        std::span<const std::size_t> count) const {
+    const LibraryLock lock;
+    requireWhole(variable, start.empty() ? 0 : start[0] + count[0] - 1);
+    if (!variable.chunk.empty() && cacheEnlarged_.insert(variable.id).second)
+        enlargeChunkCache(variable);
+    std::size_t size = 1;
+    for (const std::size_t length : count) size *= length;
+    std::vector<double> values(size);
+    requireRead(nc_get_vara_double(id_, variable.id, start.data(), count.data(), values.data()),
+                variable);
+    return values;
+}
+
+/// Throws Failure if values could not be read. NC_ERANGE: doubles beyond float become infinities,
+/// which NcPacking treats as missing.
+void NcFile::requireRead(int status, const NcVariable& variable) const {
+    if (status == NC_NOERR || status == NC_ERANGE) return;
+    if (const auto filter = missingFilter(id_, variable.id)) {
+        throw Failure{fmt::format("variable {} is compressed with a filter that this machine's "
+                                  "HDF5 lacks",
+                                  variable.name),
+                      *filter, "none, or deflate (zlib)", filterHint()};
     }
+    throw Failure{fmt::format("variable {} cannot be read: {}", variable.name, nc_strerror(status)),
+                  {},
+                  {},
+                  "the file is damaged: copy it again, or leave this time out"};
 }
 
 /// Makes the chunk cache hold one row of chunks: all that a band of rows over the full width and
@@ -276,6 +296,16 @@ std::string NcFile::readText(const NcVariable& variable, std::span<const std::si
     require(nc_get_vara_text(id_, variable.id, start.data(), count.data(), text.data()),
             variable.name);
     return text;
+}
+
+std::vector<std::string> NcFile::readStrings(const NcVariable& variable) const {
+    const LibraryLock lock;
+    std::vector<char*> texts(variable.axes.empty() ? 1 : variable.axes.front().length);
+    require(nc_get_var_string(id_, variable.id, texts.data()), variable.name);
+    std::vector<std::string> copies;
+    for (const char* text : texts) copies.emplace_back(text == nullptr ? "" : text);
+    nc_free_string(texts.size(), texts.data());
+    return copies;
 }
 
 }  // namespace wrf

@@ -14,6 +14,7 @@
 #include "readers/wrf_netcdf/classic_floats.h"
 #include "readers/wrf_netcdf/classic_layout.h"
 #include "readers/wrf_netcdf/failure.h"
+#include "readers/wrf_netcdf/nc_packing.h"
 
 namespace wrf {
 
@@ -24,13 +25,15 @@ struct NcDimension {
 
 struct NcVariable {
     int id = -1;
-    std::string name, units, description;
-    bool number = false;  ///< stored as floats, doubles, or packed shorts
-    bool text = false;    ///< stored as characters
+    std::string name, standardName, units, description, calendar;
+    bool number = false;   ///< stored as floats, doubles or integers
+    bool integer = false;  ///< of these, as integers
+    bool floats = false;   ///< of these, as floats
+    bool text = false;     ///< stored as characters
+    bool strings = false;  ///< stored as strings
     std::vector<NcDimension> axes;
     std::vector<std::size_t> chunk;  ///< cells per axis; empty if not chunked
-    float scale = 1.0f, offset = 0.0f;
-    std::optional<float> fill;  ///< as stored, before scale and offset
+    NcPacking packing;
 };
 
 /// Container format of a file, by its first bytes.
@@ -49,7 +52,11 @@ class NcFile {
     const std::vector<NcVariable>& variables() const { return variables_; }
     /// Null for an unknown name.
     const NcDimension* dimension(std::string_view name) const;
+    /// Case matters only where the file has several variables that differ in nothing else.
     const NcVariable* variable(std::string_view name) const;
+    /// The first variable with a CF standard name; null if there is none.
+    const NcVariable* variableOfStandardName(std::string_view standardName) const;
+    const std::string& path() const { return path_; }
 
     /// Global attributes; nothing if absent or of another type.
     std::optional<std::string> text(const char* name) const;
@@ -59,6 +66,11 @@ class NcFile {
     /// Failure.
     void read(const NcVariable& variable, std::span<const std::size_t> start,
               std::span<const std::size_t> count, std::span<float> values) const;
+    /// The same for times and coordinates, in doubles.
+    std::vector<double> readDoubles(const NcVariable& variable, std::span<const std::size_t> start,
+                                    std::span<const std::size_t> count) const;
+    /// All entries of a variable of strings with one axis.
+    std::vector<std::string> readStrings(const NcVariable& variable) const;
     /// Reads characters; the rules are those of read().
     std::string readText(const NcVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count) const;
@@ -78,6 +90,8 @@ class NcFile {
     void enlargeChunkCache(const NcVariable& variable) const;
     void readWithLibrary(const NcVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count, std::span<float> values) const;
+    NcVariable describe(int id) const;
+    void requireRead(int status, const NcVariable& variable) const;
 
     std::string path_;
     int id_ = -1;

@@ -8,28 +8,17 @@ namespace plugin = neph::plugin;
 
 class File : public plugin::File {
   public:
-    explicit File(const char* path) : file_(path) {
-        description_.model = file_.model();
-        description_.scheme = file_.scheme();
-        description_.microphysics = file_.microphysics();
-        description_.size = file_.size();
-        description_.spacingM = file_.spacingM();
-        description_.times = file_.times();
-        description_.variables.assign(file_.variables().begin(), file_.variables().end());
-        description_.notes = file_.notes();
-        description_.attributes = file_.attributes();
-    }
+    explicit File(const char* path) : file_(path) {}
 
-    const plugin::Description& description() const override { return description_; }
+    const plugin::Description& description() const override { return file_.description(); }
 
     void read(const plugin::Request& request) override {
-        file_.read(file_.variables()[request.variable], request.time,
-                   {request.lower, request.upper}, {request.values, request.count()}, request.tick);
+        file_.read(request.variable, request.time, {request.lower, request.upper},
+                   {request.values, request.count()}, request.tick);
     }
 
   private:
     wrf::WrfFile file_;
-    plugin::Description description_;
 };
 
 /// A NetCDF file that is not WRF output, or is damaged, still scores a little: opening it then
@@ -46,7 +35,7 @@ int score(const char* path) {
 }
 
 constexpr plugin::Reader kReader{
-    "wrf_netcdf", "1.0",  "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)",
+    "wrf_netcdf", "1.1",  "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)",
     "nc",         &score, &plugin::openAs<File>};
 
 }  // namespace

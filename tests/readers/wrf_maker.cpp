@@ -62,6 +62,16 @@ bool onInterfaces(const std::string& name) {
     return name == "PH" || name == "PHB" || name == "W";
 }
 
+/// As WRF writes them, with its blanks.
+std::string unitsOf(const std::string& name) {
+    if (name == "PH" || name == "PHB") return "m2 s-2";
+    if (name == "P" || name == "PB") return "Pa";
+    if (name == "T") return "K";
+    if (name.starts_with("QN")) return "  kg(-1)";
+    if (name.starts_with("RE_")) return "m";
+    return name.starts_with("Q") ? "kg kg-1" : "m s-1";
+}
+
 int defineTimes(int file, const Axes& axes) {
     int id = -1;
     const std::array<int, 2> dimensions{axes.time, axes.text};
@@ -130,6 +140,8 @@ void writeWrf(const std::filesystem::path& path, const WrfSpec& spec) {
                                             axes.y, name == "U" ? axes.xStag : axes.x};
         int id = -1;
         require(nc_def_var(file, name.c_str(), NC_FLOAT, 4, dimensions.data(), &id));
+        const std::string units = unitsOf(name);
+        require(nc_put_att_text(file, id, "units", units.size(), units.data()));
         if (spec.format == NetcdfFormat::netcdf4) require(nc_def_var_deflate(file, id, 1, 1, 4));
         ids.push_back(id);
     }

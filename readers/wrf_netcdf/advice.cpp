@@ -1,0 +1,209 @@
+// advice.cpp: models and programs, recognised by what their files have and others do not.
+#include "readers/wrf_netcdf/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "readers/wrf_netcdf/axes.h"
+
+namespace wrf {
+namespace {
+
+constexpr const char* kBrick =
+    "write its hydrometeors, heights and density as plain numbers (numpy's tofile) with a "
+    "nephoscope-brick sidecar: docs/raw-les.md";
+
+/// A kind of file. Every mark that is not empty must be there; names in one list are alternatives.
+struct Kind {
+    const char* is;
+    std::array<const char*, 4> dimensions;  ///< all of them
+    std::array<const char*, 3> variables;   ///< any of them; none: does not matter
+    const char* attribute;                  ///< a global attribute that must be there; or null
+    const char* text;                       ///< in that attribute; or null
+    const char* hint;
+};
+constexpr const char* kAtt = nullptr;
+constexpr std::array kKinds{
+    Kind{"is input of real.exe (met_em) and holds no model output",
+         {"num_metgrid_levels"},
+         {},
+         kAtt,
+         kAtt,
+         "open the wrfout files that wrf.exe writes"},
+    Kind{"is static geography (geo_em) and holds no model output",
+         {},
+         {"LU_INDEX"},
+         "TITLE",
+         "GEOGRID",
+         "open the wrfout files that wrf.exe writes"},
+    Kind{"is a file of lateral boundaries (wrfbdy)",
+         {"bdy_width"},
+         {},
+         kAtt,
+         kAtt,
+         "open the wrfout files of the run"},
+    Kind{"is CM1 output in NetCDF, which is not read yet",
+         {},
+         {},
+         "CM1 version",
+         kAtt,
+         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
+         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is CM1 output in NetCDF, which is not read yet",
+         {"xh", "yh", "zh"},
+         {"qc", "prs", "th"},
+         kAtt,
+         kAtt,
+         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
+         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is CM1 output in NetCDF, which is not read yet",
+         {"ni", "nj", "nk"},
+         {},
+         kAtt,
+         kAtt,
+         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
+         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is PALM output, which is not read yet", {"zu_3d"}, {}, kAtt, kAtt, kBrick},
+    Kind{"is PALM output, which is not read yet", {}, {}, "title", "PALM", kBrick},
+    Kind{"is DALES output, which is not read yet", {"xt", "yt", "zt"}, {}, kAtt, kAtt, kBrick},
+    Kind{"is MONC output, which is not read yet", {}, {"options_database"}, kAtt, kAtt, kBrick},
+    Kind{"is SAM output, which is not read yet", {}, {"QN", "TABS", "QCOND"}, kAtt, kAtt, kBrick},
+    Kind{"is ICON output on its triangular grid",
+         {"ncells"},
+         {},
+         kAtt,
+         kAtt,
+         "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
+         "nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is ICON output",
+         {},
+         {},
+         "number_of_grid_used",
+         kAtt,
+         "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
+         "nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is MPAS output on its hexagonal grid",
+         {"nCells", "nVertLevels"},
+         {},
+         kAtt,
+         kAtt,
+         "remap it to an even grid (convert_mpas), then write its fields as numbers with a "
+         "nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"is FV3 (UFS) output, which is not read yet",
+         {"grid_xt", "grid_yt"},
+         {},
+         kAtt,
+         kAtt,
+         kBrick},
+    Kind{"is COSMO output, which is not read yet",
+         {"rlon", "rlat", "level"},
+         {},
+         kAtt,
+         kAtt,
+         kBrick},
+    Kind{"is a restart file of RAMS or BRAMS, which is not read",
+         {},
+         {"RCP", "RRP", "THP"},
+         kAtt,
+         kAtt,
+         kBrick},
+    Kind{
+        "is MicroHH output that 3d_to_nc.py made",
+        {"x", "y", "z"},
+        {"ql", "qr", "qt"},
+        kAtt,
+        kAtt,
+        "open the case directory with the model's own binary files, where heights and density are, "
+        "or write the fields as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
+    Kind{"holds data on pressure levels (a reanalysis or an analysis)",
+         {"isobaricInhPa"},
+         {},
+         kAtt,
+         kAtt,
+         kBrick},
+};
+
+bool matches(const Kind& kind, const NcFile& file) {
+    bool any = false;
+    for (const char* name : kind.dimensions) {
+        if (name == nullptr) continue;
+        if (file.dimension(name) == nullptr) return false;
+        any = true;
+    }
+    bool wanted = false;
+    bool found = false;
+    for (const char* name : kind.variables) {
+        if (name == nullptr) continue;
+        wanted = true;
+        const auto same = std::ranges::find(file.variables(), name, &NcVariable::name);
+        found = found || same != file.variables().end();
+    }
+    if (wanted && !found) return false;
+    if (kind.attribute != nullptr) {
+        const auto text = file.text(kind.attribute);
+        if (!text && !file.number(kind.attribute)) return false;
+        if (kind.text != nullptr && (!text || text->find(kind.text) == std::string::npos)) {
+            return false;
+        }
+    }
+    return any || wanted || kind.attribute != nullptr;
+}
+
+const Kind* kindOf(const NcFile& file) {
+    const auto found =
+        std::ranges::find_if(kKinds, [&](const Kind& kind) { return matches(kind, file); });
+    return found == kKinds.end() ? nullptr : &*found;
+}
+
+bool hasVariable(const NcFile& file, const char* name) {
+    return std::ranges::find(file.variables(), name, &NcVariable::name) != file.variables().end();
+}
+
+}  // namespace
+
+bool isForeign(const NcFile& file) {
+    return kindOf(file) != nullptr;
+}
+
+Failure adviceFor(const NcFile& file) {
+    constexpr const char* kExpected =
+        "fields on (Time, bottom_top, south_north, west_east): heights, pressure, temperature, Q…";
+    const std::string found = "dimensions " + listOf(file.dimensions());
+    if (const Kind* kind = kindOf(file)) return Failure{kind->is, found, kExpected, kind->hint};
+    const bool flat =
+        file.dimension("west_east") != nullptr && file.dimension("south_north") != nullptr;
+    if (flat) {
+        return Failure{"is WRF output without levels: it holds surface and 2-D fields only", found,
+                       kExpected, "open the history files with the 3-D fields, wrfout_d…"};
+    }
+    const bool phony = std::ranges::any_of(file.dimensions(), [](const NcDimension& dimension) {
+        return dimension.name.starts_with("phony_dim_");
+    });
+    if (phony) {
+        return Failure{"is an HDF5 file without the dimensions of NetCDF-4", found, kExpected,
+                       kBrick};
+    }
+    return Failure{
+        "is a NetCDF file, but not WRF output", found,
+        "dimensions west_east, south_north, bottom_top, bottom_top_stag and variables PH, "
+        "PHB, P, PB, T, Q…",
+        fmt::format("if it is of another model, {}", kBrick)};
+}
+
+std::string kindNote(const NcFile& file) {
+    if (!hasVariable(file, "PH") && hasVariable(file, "PH_2")) {
+        return "This is a restart file (wrfrst): of its two time levels the present one is shown.";
+    }
+    if (file.text("TITLE").value_or("").find("REAL_EM") != std::string::npos) {
+        return "This is an initial state (wrfinput): the model has not run yet, and hydrometeors "
+               "may "
+               "be zero.";
+    }
+    return {};
+}
+
+}  // namespace wrf

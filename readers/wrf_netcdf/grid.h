@@ -1,0 +1,18 @@
+// grid.h: the widths of cells on the earth, and which domain they belong to.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "readers/wrf_netcdf/tiles.h"
+
+namespace wrf {
+
+/// Widths in x and y, metres: DX and DY (degrees, for latitude-longitude grids) divided by the mean
+/// map scale factor; without DX, from coordinates. Notes say what was applied. Throws Failure.
+std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes);
+
+/// A text that differs between domains: number, centre, and corner; empty if the file states none.
+std::string domainOf(const Tiles& tiles);
+
+}  // namespace wrf
