@@ -92,7 +92,7 @@ class AirFinder {
             const NcVariable* second =
                 way.second == nullptr ? nullptr : find(way.second, way.onInterfaces);
             if (first == nullptr || (way.second != nullptr && second == nullptr)) continue;
-            if (isPerturbationAlone(way, *first)) continue;
+            if (way.second == nullptr && isPerturbation(*first)) continue;
             for (const NcVariable* variable : {first, second}) {
                 if (variable == nullptr) continue;
                 auto term = termOf(*variable, way.unit, units_);
@@ -113,11 +113,19 @@ class AirFinder {
     }
 
   private:
-    /// P is the whole pressure in processed output only; the model writes what is to be added to
-    /// PB.
-    static bool isPerturbationAlone(const Way& way, const NcVariable& variable) {
-        return way.second == nullptr && way.first == std::string_view("P") &&
-               variable.description.find("erturbation") != std::string::npos;
+    /// Whether a variable is what the model writes to be added to PB, by its description or,
+    /// without one, by its values at the ground.
+    bool isPerturbation(const NcVariable& variable) const {
+        if (variable.name != "P") return false;
+        if (!variable.description.empty()) {
+            return variable.description.find("erturbation") != std::string::npos;
+        }
+        constexpr float kLeastAtGround = 20000.0f;  // Pa, or hPa by far more than any perturbation
+        const Box row{{0, 0, 0}, {tiles_.axes().length[0], 1, 1}};
+        std::vector<float> values(row.count());
+        tiles_.read(variable, 0, row, values);
+        const float scale = variable.units == "hPa" || variable.units == "mb" ? 100.0f : 1.0f;
+        return std::ranges::none_of(values, [&](float p) { return p * scale > kLeastAtGround; });
     }
 
     [[noreturn]] void failFor(const RequiredField& field) const {

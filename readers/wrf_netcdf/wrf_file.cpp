@@ -51,11 +51,11 @@ WrfFile::WrfFile(const std::string& path) : tiles_(path) {
     requireCells();
     const auto physics = tiles_.first().number("MP_PHYSICS");
     if (physics && std::abs(*physics) < 1000.0) scheme_ = schemeOf(static_cast<int>(*physics));
-    describeGrid();
-    addFields();
     times_ = readTimes(tiles_.first(), tiles_.axes());
     description_.times = times_.times;
-    for (const std::string& note : times_.notes) description_.notes.push_back(note);
+    description_.notes = times_.notes;
+    describeGrid();
+    addFields();
     describeModel();
 }
 

@@ -156,23 +156,51 @@ TEST_CASE("A dimension without length is an error that names it") {
     CHECK(contains(error.found, "bottom_top = 0"));
 }
 
-TEST_CASE("Times that cannot be parsed are quoted in the error") {
+TEST_CASE("A time that cannot be parsed is left out with a note that quotes it") {
     const TemporaryFolder folder;
     for (const std::string wrong :
          {"yesterday at noon  ", "2024-13-06_21:00:00", "                   ",
           "2024-02-30_00:00:00", "2024-05-06_21:61:00"}) {
         WrfSpec spec;
-        spec.times = {"2024-05-06_21:00:00", wrong};
+        spec.times = {wrong, "2024-05-06_21:00:00"};
+        spec.fields["QCLOUD"] = [](int, int, int, int t) { return t == 1 ? 1e-3f : 9e-3f; };
         writeWrf(folder / "a", spec);
-        const ErrorParts error = openError(folder / "a");
-        CHECK(contains(error.what, "Times"));
-        CHECK(contains(error.found, wrong));
-        CHECK(contains(error.expected, "YYYY-MM-DD_hh:mm:ss"));
+        const auto dataset = openFiles({folder / "a"});
+        REQUIRE(dataset->info().times.size() == 1);
+        CHECK(dataset->info().times[0].label == "2024-05-06_21:00:00");
+        CHECK(dataset->read("QCLOUD", 0).at(0, 0, 0) == 1e-3f);
+        REQUIRE(dataset->info().notes.size() == 1);
+        CHECK(contains(dataset->info().notes[0], "Times"));
+        CHECK(contains(dataset->info().notes[0], wrong));
     }
-    WrfSpec none;
-    none.omit = {"Times"};
-    writeWrf(folder / "a", none);
-    CHECK(contains(openError(folder / "a").what, "Times"));
+}
+
+TEST_CASE("Without any time that can be parsed the error quotes the first") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"yesterday at noon  "};
+    writeWrf(folder / "a", spec);
+    age(folder / "a");
+    const ErrorParts error = openError(folder / "a");
+    CHECK(contains(error.what, "Times"));
+    CHECK(contains(error.found, "yesterday at noon"));
+    CHECK(contains(error.expected, "YYYY-MM-DD_hh:mm:ss"));
+    CHECK(contains(error.hint, "interrupted"));
+}
+
+TEST_CASE("One record without a time opens with a note, several are an error") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.omit = {"Times"};
+    writeWrf(folder / "one", spec);
+    const auto dataset = openFiles({folder / "one"});
+    REQUIRE(dataset->info().notes.size() == 1);
+    CHECK(contains(dataset->info().notes[0], "does not state its time"));
+    spec.times.push_back("0001-01-01_00:10:00");
+    writeWrf(folder / "two", spec);
+    const ErrorParts error = openError(folder / "two");
+    CHECK(contains(error.what, "does not state its times"));
+    CHECK(contains(error.hint, "keep Times"));
 }
 
 TEST_CASE("A grid spacing that is missing or not a length is an error") {

@@ -40,6 +40,7 @@ TEST_CASE("NetCDF-3 classic, 64-bit offset and NetCDF-4 files read the same") {
         CAPTURE(static_cast<int>(format));
         WrfSpec spec;
         spec.format = format;
+        spec.mpPhysics = 8;
         spec.times = {"2024-05-06_21:00:00", "2024-05-06_21:15:00"};
         spec.fields["QCLOUD"] = tagged;
         const auto path = folder / "wrfout_d01_2024-05-06_21:00:00";
@@ -162,20 +163,6 @@ TEST_CASE("All other fields are listed and readable, staggered ones with their o
     CHECK(dataset->info().find("U")->size == glm::ivec3(5, 3, 5));
     CHECK(dataset->read("U", 0).at(4, 2, 4) == tagged(4, 2, 4, 0));
     CHECK(dataset->read("W", 0).at(3, 2, 5) == tagged(3, 2, 5, 0));
-}
-
-TEST_CASE("Cells of a map projection are treated as DX by DY with a note, ideal ones without") {
-    const TemporaryFolder folder;
-    WrfSpec spec;
-    writeWrf(folder / "ideal", spec);
-    spec.mapProjection = 1;
-    spec.times = {"2024-05-06_21:00:00"};
-    writeWrf(folder / "real", spec);
-    CHECK(openFiles({folder / "ideal"})->info().notes.empty());
-    const DatasetInfo real = openFiles({folder / "real"})->info();
-    REQUIRE(real.notes.size() == 1);
-    CHECK(contains(real.notes[0], "map scale factor"));
-    CHECK(real.spacingM == glm::dvec2(1000.0, 2000.0));
 }
 
 TEST_CASE("Opening reads no field: a file without field data still has a description") {
