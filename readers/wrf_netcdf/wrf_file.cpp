@@ -130,6 +130,10 @@ void WrfFile::addFields() {
     std::ranges::move(hydrometeors, std::back_inserter(fields_));
     auto others = otherFields(tiles_, fields_);
     std::ranges::move(others, std::back_inserter(fields_));
+    // Derived fields first, then the others in the order of the file.
+    std::ranges::stable_sort(fields_, {}, [](const Field& field) {
+        return field.terms.empty() ? -1 : field.terms.front().variable->id;
+    });
     units.addTo(description_.notes);
     description_.variables.assign(fields_.begin(), fields_.end());
 }
