@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const std::string_view content = fuzz::asText({bytes, count});
     if (!content.starts_with("CDF")) return 0;
     try {
-        fuzz::readEverything(scratch.write("wrfout", content));
+        fuzz::readEverything(scratch.write("wrfout_0000", content));
     } catch (const neph::Error&) {  // expected for invalid input
     }
     return 0;

@@ -1,5 +1,7 @@
 // make_seeds.cpp: writes valid inputs of every kind, one folder per fuzz target, from which the
 // search starts. Argument: the folder to write to.
+#include <netcdf.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -81,6 +83,32 @@ void seedBricks() {
     seed("raw_les", "brick", "\n=== brick.json\n" + small + "\n=== qc.raw 12\n");
 }
 
+/// A packed and marked hydrometeor, a CF time, map scale factors, heights of centres; and a tile.
+void seedWrfVariants(const TemporaryFolder& folder) {
+    WrfSpec spec;
+    spec.nx = spec.ny = spec.nz = 2;
+    spec.mpPhysics = 3;
+    spec.mapProjection = 1;
+    spec.omit = {"Times", "PH", "PHB"};
+    spec.xtime = {0.0, 10.0};
+    spec.fields["Z"] = [](int, int, int z, int) { return 50.0f + 100.0f * static_cast<float>(z); };
+    spec.units["Z"] = "m";
+    spec.flat["MAPFAC_M"] = spec.flat["HGT"] = [](int, int, int, int) { return 1.1f; };
+    spec.stored["QCLOUD"] = {NC_SHORT, [](int x, int, int, int) { return x - 1.0; },
+                             [](int file, int id) {
+                                 const double scale = 1e-4;
+                                 nc_put_att_double(file, id, "scale_factor", NC_DOUBLE, 1, &scale);
+                                 nc_put_att_text(file, id, "_Unsigned", 4, "true");
+                             }};
+    writeWrf(folder / "variant", spec);
+    seed("wrf", "variant", contentOf(folder / "variant"));
+    WrfSpec tile;
+    tile.nx = tile.ny = tile.nz = 2;
+    tile.patch = WrfPatch{0, 0, 4, 2};
+    writeWrf(folder / "tile", tile);
+    seed("wrf", "tile", contentOf(folder / "tile"));
+}
+
 void seedWrf() {
     for (const auto& [name, format] : {std::pair{"classic", NetcdfFormat::classic},
                                        std::pair{"offset64", NetcdfFormat::offset64}}) {
@@ -95,6 +123,16 @@ void seedWrf() {
     const TemporaryFolder folder;
     writeOtherNetcdf(folder / "other");
     seed("wrf", "other", contentOf(folder / "other"));
+    seedWrfVariants(folder);
+}
+
+void seedReaderTexts() {
+    int number = 0;
+    for (const char* text :
+         {"g kg-1", "  kg(-1)", "#/kg", "mb", "degC", "1e-3 kg/m^3", "2021-08-14_18:00:00",
+          "2000-02-30T12:00:00.5Z", "minutes since 2021-08-14 00:00:00", "days since 0001-01-01"}) {
+        seed("reader_texts", std::to_string(number++), text);
+    }
 }
 
 void seedDocuments() {
@@ -177,6 +215,7 @@ int main(int count, char** arguments) {
     seedMicrohh();
     seedBricks();
     seedWrf();
+    seedReaderTexts();
     seedDocuments();
     seedSessions();
     seedMessages();
