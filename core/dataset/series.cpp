@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -95,7 +96,9 @@ class SeriesMaker {
         findFirst([&](double) { return goOn(progress, 0.0); });
         describeRest(progress);
         for (Candidate& candidate : candidates_) {
-            if (!isPart(candidate.path)) sort(candidate);
+            const bool part = !candidate.description && !candidate.fault;
+            if (part || (candidate.description && isTaken(*candidate.description))) continue;
+            sort(candidate);
         }
         for (auto& [folder, left] : leftOut_) note(folder, left);
         return std::move(series_);
@@ -117,7 +120,7 @@ class SeriesMaker {
                 series_.reader = host_.pick(candidate.path, progress);
                 candidate.description =
                     ReaderFile(series_.reader, candidate.path, progress).description();
-                claimParts(candidate);
+                claimParts(*candidate.description);
                 return;
             } catch (const Error& error) {
                 if (!candidate.mayFail()) throw;
@@ -162,29 +165,27 @@ class SeriesMaker {
         for (const auto& [folder, cache] : caches) cache.save();
     }
 
-    /// Remembers the files that are read together with `candidate`: they are no files of the series
-    /// by themselves.
-    void claimParts(const Candidate& candidate) {
+    /// Remembers the files that are read together with one that is described.
+    void claimParts(const DatasetInfo& description) {
         const std::lock_guard lock(mutex_);
-        for (const fs::path& part : candidate.description->parts) {
-            if (part != candidate.path) partOf_.emplace(part.lexically_normal(), candidate.path);
-        }
+        for (const fs::path& part : description.parts) claimed_.insert(part.lexically_normal());
     }
-    /// Of two files that claim each other, the one that was named first is the whole.
-    bool isPart(const fs::path& path) {
+    bool isClaimed(const fs::path& path) {
         const std::lock_guard lock(mutex_);
-        const auto whole = partOf_.find(path.lexically_normal());
-        if (whole == partOf_.end()) return false;
-        const auto back = partOf_.find(whole->second.lexically_normal());
-        return back == partOf_.end() || whole->second < path;
+        return claimed_.contains(path.lexically_normal());
+    }
+    /// Whether the files that make up a data set are in the series already: two of them may have
+    /// been described at once.
+    bool isTaken(const DatasetInfo& description) {
+        return !description.parts.empty() && !wholes_.insert(description.parts.front()).second;
     }
 
     void describe(Candidate& candidate, const Progress& progress) {
-        if (isPart(candidate.path)) return;
+        if (isClaimed(candidate.path)) return;
         try {
             candidate.description =
                 ReaderFile(series_.reader, candidate.path, progress).description();
-            claimParts(candidate);
+            claimParts(*candidate.description);
         } catch (const Error& error) {
             if (!candidate.mayFail()) throw foreign(candidate, error);
             candidate.fault = error;
@@ -232,7 +233,8 @@ class SeriesMaker {
                       .what = fmt::format("its grid is not that of {}", first.path.string()),
                       .found = gridText(*candidate.description),
                       .expected = gridText(first.description),
-                      .hint = "open each domain of a nested run by itself"});
+                      .hint = "open each domain of a nested run, and each position of a nest that "
+                              "moves, by itself"});
     }
 
     static std::string listed(const std::vector<std::string>& names) {
@@ -267,8 +269,9 @@ class SeriesMaker {
     std::size_t first_ = 0;
     Series series_;
     std::map<fs::path, LeftOut> leftOut_;
-    std::mutex mutex_;                     // guards partOf_
-    std::map<fs::path, fs::path> partOf_;  ///< a part, and the file that it is read with
+    std::mutex mutex_;            // guards claimed_
+    std::set<fs::path> claimed_;  ///< files that are read together with a described one
+    std::set<fs::path> wholes_;   ///< the first files of data sets of several
 };
 
 }  // namespace

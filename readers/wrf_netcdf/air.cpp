@@ -27,6 +27,7 @@ constexpr std::array kHeights{
     Way{"geopotential_height", nullptr, "m", true, "geopotential height"},
     Way{"Z", nullptr, "m", true, "Z"},
     Way{"height", nullptr, "m", true, "height"},
+    Way{"PH", "PHB", "m2 s-2", false, "(PH+PHB)/9.81, at centres"},
     Way{"geopotential", nullptr, "m2 s-2", false, "geopotential/9.81, at centres"},
     Way{"geopotential_height", nullptr, "m", false, "geopotential height, at centres"},
     Way{"Z", nullptr, "m", false, "Z, at centres"},
