@@ -174,6 +174,9 @@ AirSources findAir(const Tiles& tiles, UnitNotes& unitNotes, std::vector<std::st
     const Way* heat = finder.firstOpen(kHeats, air.heat);
     if (heat == nullptr) finder.fail(required.last(1));
     air.kind = heat->heat;
+    if (air.kind == Heat::thetaMinus300 || air.kind == Heat::moistThetaMinus300) {
+        for (Term& term : air.heat) term.toSi.offset = 0.0;  // a difference: 1 °C is 1 K
+    }
     air.temperatureText = heat->text;
     if (air.kind == Heat::moistThetaMinus300 &&
         tiles.first().number("USE_THETA_M").value_or(1.0) == 0.0) {

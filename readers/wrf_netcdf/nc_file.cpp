@@ -186,14 +186,18 @@ std::optional<NcFile::Shortage> NcFile::shortage() const {
     return result;
 }
 
+bool NcFile::holds(const NcVariable& variable, std::size_t record) const {
+    return !layout_ || layout_->bytesNeeded(static_cast<std::size_t>(variable.id), record) <=
+                           bytesOnDisk(path_);
+}
+
 /// Throws Failure if the file ends before the end of `variable` at its record `lastRecord`, where
 /// the library would return zeros.
 void NcFile::requireWhole(const NcVariable& variable, std::size_t lastRecord) const {
-    if (!layout_) return;
+    if (holds(variable, lastRecord)) return;
     const std::uint64_t expected =
         layout_->bytesNeeded(static_cast<std::size_t>(variable.id), lastRecord);
     const std::uint64_t found = bytesOnDisk(path_);
-    if (found >= expected) return;
     throw Failure{fmt::format("the file ends before the end of variable {}", variable.name),
                   fmt::format("{} bytes", found), fmt::format("at least {} bytes", expected),
                   hintOfShort(path_)};

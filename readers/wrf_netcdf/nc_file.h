@@ -81,6 +81,8 @@ class NcFile {
         std::uint64_t expected = 0, found = 0;
     };
     std::optional<Shortage> shortage() const;
+    /// Whether the file is long enough for a variable at a record.
+    bool holds(const NcVariable& variable, std::size_t record) const;
 
   private:
     void readVariables();

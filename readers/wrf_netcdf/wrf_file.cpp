@@ -52,10 +52,11 @@ WrfFile::WrfFile(const std::string& path) : tiles_(path) {
     const auto physics = tiles_.first().number("MP_PHYSICS");
     if (physics && std::abs(*physics) < 1000.0) scheme_ = schemeOf(static_cast<int>(*physics));
     times_ = readTimes(tiles_.first(), tiles_.axes());
-    description_.times = times_.times;
     description_.notes = times_.notes;
     describeGrid();
     addFields();
+    dropUnfinished();
+    description_.times = times_.times;
     describeModel();
 }
 
@@ -136,6 +137,45 @@ void WrfFile::addFields() {
     });
     units.addTo(description_.notes);
     description_.variables.assign(fields_.begin(), fields_.end());
+}
+
+/// Whether a variable was written at a record: the file is long enough, and the first cell is not
+/// missing where it is there one record before.
+bool WrfFile::isFinished(const NcVariable& variable, std::size_t record) const {
+    const auto shape = tiles_.shapeOf(variable);
+    if (!shape || !shape->timed) return true;
+    if (!tiles_.first().holds(variable, record)) return false;
+    const auto isThere = [&](std::size_t at) {
+        float value = 0.0f;
+        tiles_.read(variable, at, Box{{0, 0, 0}, {1, 1, 1}}, {&value, 1});
+        return !std::isnan(value);
+    };
+    return isThere(record) || !isThere(record - 1);
+}
+
+/// Leaves out the last time if the model was stopped while it wrote it. Models write variables in
+/// the order of the file, so the last one that is used tells.
+void WrfFile::dropUnfinished() {
+    if (times_.times.size() < 2) return;
+    const NcVariable* last = nullptr;
+    const auto consider = [&](const std::vector<Term>& terms) {
+        for (const Term& term : terms) {
+            if (last == nullptr || term.variable->id > last->id) last = term.variable;
+        }
+    };
+    for (const Field& field : fields_) {
+        if (field.role != NEPH_ROLE_OTHER) consider(field.terms);
+    }
+    for (const auto* terms : {&air_.height, &air_.pressure, &air_.heat, &air_.vapour}) {
+        consider(*terms);
+    }
+    const std::size_t record = times_.records.back();
+    if (last == nullptr || record == 0 || isFinished(*last, record)) return;
+    description_.notes.push_back(
+        fmt::format("The time {} is left out: its record was begun, but {} is not in it.",
+                    times_.times.back().label, last->name));
+    times_.times.pop_back();
+    times_.records.pop_back();
 }
 
 }  // namespace wrf

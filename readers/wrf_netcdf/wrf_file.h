@@ -39,6 +39,8 @@ class WrfFile {
     void describeGrid();
     void describeModel();
     void addFields();
+    void dropUnfinished();
+    bool isFinished(const NcVariable& variable, std::size_t record) const;
     /// The variable whose chunks decide how a field is cut into slabs.
     const NcVariable& leadingVariable(const Field& field) const;
     void readSlab(const Field& field, std::size_t record, const Box& box,

@@ -535,3 +535,36 @@ TEST_CASE("Axes in another order are refused with the command that mends them") 
     writeWrf(folder / "a", spec);
     CHECK(contains(openError(folder / "a").hint, "ncpdq"));
 }
+
+TEST_CASE("A record that was begun and not finished loses itself alone") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18:00:00", "2021-08-14_18:10:00"};
+    const FieldFunction begun = [](int, int, int, int t) { return t == 1 ? NC_FILL_FLOAT : 1e-3f; };
+    spec.fields = {{"QCLOUD", begun}, {"QRAIN", begun}, {"U", begun}};
+    for (const NetcdfFormat format : {NetcdfFormat::classic, NetcdfFormat::netcdf4}) {
+        spec.format = format;
+        writeWrf(folder / "filled", spec);
+        const DatasetInfo filled = openFiles({folder / "filled"})->info();
+        REQUIRE(filled.times.size() == 1);
+        CHECK(filled.times[0].label == "2021-08-14_18:00:00");
+        CHECK(hasNote(filled, "2021-08-14_18:10:00 is left out"));
+    }
+    spec.format = NetcdfFormat::classic;
+    spec.fields.clear();
+    writeWrf(folder / "short", spec);
+    truncateTo(folder / "short", std::filesystem::file_size(folder / "short") - 500);
+    const auto dataset = openFiles({folder / "short"});
+    REQUIRE(dataset->info().times.size() == 1);
+    CHECK(dataset->read("QRAIN", 0).values.size() == 60);
+    CHECK(hasNote(dataset->info(), "cut short"));
+}
+
+TEST_CASE("A field that is missing at every time is no sign of a broken record") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18:00:00", "2021-08-14_18:10:00"};
+    spec.fields["QRAIN"] = everywhere(NC_FILL_FLOAT);
+    writeWrf(folder / "a", spec);
+    CHECK(openFiles({folder / "a"})->info().times.size() == 2);
+}
