@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <filesystem>
 
 #include "readers/raw_les/cm1.h"
@@ -13,6 +14,7 @@
 #include "readers/raw_les/grads_roles.h"
 #include "readers/raw_les/levels.h"
 #include "readers/raw_les/plausible.h"
+#include "readers/raw_les/revolve.h"
 
 namespace raw {
 namespace {
@@ -26,11 +28,13 @@ class GradsContents {
     GradsContents(const std::string& ctlPath, Ctl ctl)
         : ctlPath_(ctlPath), folder_(folderOf(ctlPath)), ctl_(std::move(ctl)) {}
     Contents describe();
+    bool axisymmetric() const { return run_.axisymmetric; }
 
   private:
     void requireModelOutput() const;
     void describeModel();
-    void requireCartesian();
+    void requireLevels() const;
+    void settleAxis();
     void describeGrid();
     /// Spacing of an axis; negative if it decreases. Sets faces of cells that are not even.
     double describeAxis(std::size_t axis, const char* name, const CtlAxis& from);
@@ -46,7 +50,7 @@ class GradsContents {
     fs::path ctlPath_, folder_;
     Ctl ctl_;
     Cm1Run run_;
-    bool cm1_ = false;
+    bool cm1_ = false, namelist_ = false;
     bool flipY_ = false, flipZ_ = false;
     std::shared_ptr<GradsData> data_;
     Terrain terrain_;
@@ -89,6 +93,7 @@ void GradsContents::describeModel() {
     }
     if (const auto text = findText((folder_ / "namelist.input").string()); cm1_ && text) {
         run_ = parseCm1Namelist(*text);
+        namelist_ = true;
     }
     d.scheme = run_.scheme;
     d.microphysics = run_.microphysics;
@@ -97,21 +102,34 @@ void GradsContents::describeModel() {
     d.attributes.emplace_back("descriptor", ctlPath_.filename().string());
 }
 
-/// Throws Error where x, y and z are not east, north and the model's own levels.
-void GradsContents::requireCartesian() {
-    if (run_.axisymmetric) {
-        throw Error{"is axisymmetric: x is the distance from the axis",
-                    "axisymm = 1 in namelist.input", "a grid in x and y",
-                    "revolve the fields, so that the value at (x, y) is the one at the radius "
-                    "sqrt(x² + y²), and open the result with a nephoscope-brick sidecar "
-                    "(docs/raw-les.md)"};
-    }
+/// Throws Error where z is not that of the model's own levels.
+void GradsContents::requireLevels() const {
     const std::string name = ctlPath_.filename().string();
     if (!cm1_ || !name.ends_with("_i.ctl")) return;
     throw Error{
         "its fields are interpolated from levels that follow terrain to the nominal heights", name,
         "the fields on the levels of the model",
         "open " + name.substr(0, name.size() - 6) + "_s.ctl of the same run"};
+}
+
+/// Throws Error where x is the radius and does not start at the axis. Notes where it could be.
+void GradsContents::settleAxis() {
+    if (ctl_.y.count != 1 || ctl_.x.count < 2) return;
+    const double width = contents_.description.edgesM[0].empty()
+                             ? contents_.description.spacingM[0]
+                             : contents_.description.edgesM[0][1];
+    const double first = *ctl_.metresPerUnit * ctl_.x.at(0);
+    const bool fromAxis = std::abs(first - 0.5 * width) <= 0.02 * width;
+    if (run_.axisymmetric && !fromAxis) {
+        throw Error{"is axisymmetric, but xdef does not start at the axis",
+                    fmt::format("the first centre at {:.6g} m", first),
+                    fmt::format("{:.6g} m, half a cell", 0.5 * width),
+                    "keep all columns from the axis outwards"};
+    }
+    if (!cm1_ || namelist_ || !fromAxis) return;
+    contents_.description.notes.emplace_back(
+        "One row of columns is taken as a slab, because no namelist.input says otherwise. If the "
+        "run is axisymmetric, put its namelist.input (axisymm = 1) beside the .ctl.");
 }
 
 double GradsContents::describeAxis(std::size_t axis, const char* name, const CtlAxis& from) {
@@ -326,8 +344,9 @@ void GradsContents::noteCompanions() {
 Contents GradsContents::describe() {
     requireModelOutput();
     describeModel();
-    requireCartesian();
+    requireLevels();
     describeGrid();
+    settleAxis();
     data_ = std::make_shared<GradsData>(ctl_, folder_);
     settleNumbers();
     for (const std::string& note : data_->notes) contents_.description.notes.push_back(note);
@@ -343,8 +362,10 @@ Contents GradsContents::describe() {
 
 }  // namespace
 
-Contents describeGrads(const std::string& ctlPath, Ctl ctl) {
-    return GradsContents(ctlPath, std::move(ctl)).describe();
+std::unique_ptr<plugin::File> makeGrads(const std::string& ctlPath, Ctl ctl) {
+    GradsContents contents(ctlPath, std::move(ctl));
+    auto file = makeFile(contents.describe());
+    return contents.axisymmetric() ? revolved(std::move(file)) : std::move(file);
 }
 
 bool hasHydrometeor(const Ctl& ctl) {

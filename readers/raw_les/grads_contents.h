@@ -1,6 +1,7 @@
 // grads_contents.h: what a parsed descriptor and its data files contain: model, grid, times and
 // variables with their meaning.
 #pragma once
+#include <memory>
 #include <string>
 
 #include "readers/raw_les/contents.h"
@@ -10,7 +11,7 @@ namespace raw {
 
 /// Throws Error. The size of every data file is checked, and a sample of the numbers is read,
 /// before anything else is.
-Contents describeGrads(const std::string& ctlPath, Ctl ctl);
+std::unique_ptr<neph::plugin::File> makeGrads(const std::string& ctlPath, Ctl ctl);
 
 /// Whether a descriptor has a hydrometeor on more than one plane.
 bool hasHydrometeor(const Ctl& ctl);

@@ -30,7 +30,7 @@ int scoreCtl(const std::string& path) {
 
 std::unique_ptr<plugin::File> openGrads(const std::string& ctlPath) {
     try {
-        return makeFile(describeGrads(ctlPath, parseCtl(readText(ctlPath))));
+        return makeGrads(ctlPath, parseCtl(readText(ctlPath)));
     } catch (Error& error) {
         if (error.where.empty()) error.where = ctlPath;
         throw;

@@ -46,6 +46,18 @@ std::optional<std::vector<double>> mirrored(std::span<const double> centresM) {
     return interfaces;
 }
 
+/// The middle of the half of the values that lie closest together.
+double agreed(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = (values.size() + 1) / 2;
+    std::size_t best = 0;
+    for (std::size_t i = 0; i + half <= values.size(); ++i) {
+        const auto range = [&](std::size_t from) { return values[from + half - 1] - values[from]; };
+        if (range(i) < range(best)) best = i;
+    }
+    return values[best + half / 2];
+}
+
 /// Faces with every centre in the middle of its cell; none if there are fewer than four cells or
 /// the faces are not smooth. See the header.
 std::vector<double> smoothFaces(std::span<const double> centresM) {
@@ -61,9 +73,8 @@ std::vector<double> smoothFaces(std::span<const double> centresM) {
             (5.0 * (centresM[i - 1] + centresM[i]) - centresM[i - 2] - centresM[i + 1]) / 8.0;
         shifts.push_back((i % 2 == 0 ? 1.0 : -1.0) * (smooth - faces[i]));
     }
-    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
-    std::ranges::nth_element(shifts, middle);
-    for (std::size_t i = 0; i <= n; ++i) faces[i] += i % 2 == 0 ? *middle : -*middle;
+    const double shift = agreed(shifts);
+    for (std::size_t i = 0; i <= n; ++i) faces[i] += i % 2 == 0 ? shift : -shift;
     for (std::size_t i = 1; i <= n; ++i) {
         if (!(faces[i] > faces[i - 1])) return {};
         if (i == n) break;

@@ -28,8 +28,8 @@ std::optional<double> evenStep(std::span<const double> centresM);
 /// middle of its cell where that gives a smooth grid, else faces are halfway between centres.
 /// `axis` is its name in messages. Throws Error if centres do not increase.
 ///
-/// "In the middle" leaves one number open, which shifts all faces in turns up and down. It is the
-/// median over the inner faces of what the smooth curve through the centres says:
+/// "In the middle" leaves one number open, which shifts all faces in turns up and down. It is what
+/// the half of the inner faces agree on best for which the smooth curve through the centres says:
 /// face = (5 (c₋₁ + c₀) − c₋₂ − c₁) / 8, exact for widths that change linearly, as CM1's do.
 std::vector<double> facesOf(const std::string& axis, std::span<const double> centresM);
 
