@@ -109,9 +109,15 @@ std::vector<double> facesOf(const std::string& axis, std::span<const double> cen
         for (std::size_t i = 1; i < n; ++i) faces.push_back(0.5 * (centresM[i - 1] + centresM[i]));
         faces.push_back(1.5 * centresM[n - 1] - 0.5 * centresM[n - 2]);
     }
+    startAtZero("faces of " + axis, faces);
+    return faces;
+}
+
+void startAtZero(const std::string& what, std::vector<double>& faces) {
     const double first = faces.front();
     for (double& face : faces) face -= first;
-    return faces;
+    requireIncreasing(what, faces);
+    if (!std::isfinite(faces.back())) throw Error{what + " are too far apart", {}, "metres", {}};
 }
 
 std::vector<double> interfacesOf(std::span<const double> centresM) {

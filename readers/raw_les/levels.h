@@ -33,6 +33,9 @@ std::optional<double> evenStep(std::span<const double> centresM);
 /// face = (5 (c₋₁ + c₀) − c₋₂ − c₁) / 8, exact for widths that change linearly, as CM1's do.
 std::vector<double> facesOf(const std::string& axis, std::span<const double> centresM);
 
+/// Moves faces so that the first is 0. Throws Error unless they increase. `what` names them.
+void startAtZero(const std::string& what, std::vector<double>& faces);
+
 /// Interfaces, one more than `centresM`, increasing. Throws Error if centres do not increase or
 /// there are fewer than two.
 std::vector<double> interfacesOf(std::span<const double> centresM);

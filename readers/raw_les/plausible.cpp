@@ -1,4 +1,5 @@
-// plausible.cpp: samples rows that are spread over a field and counts possible values both ways.
+// plausible.cpp: samples rows that are spread over a field and counts possible values both ways. It
+// reads at most some megabytes of a variable.
 #include "readers/raw_les/plausible.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ struct BothCounts {
     Counts asStated, swapped;
 };
 
-void countRow(const Probe& probe, const Box& box, bool swapped, Counts& counts) {
+void count(const Probe& probe, const Box& box, bool swapped, Counts& counts) {
     RawField field = probe.field;
     field.swapped = swapped;
     std::vector<float> values(box.count());
@@ -34,20 +35,20 @@ void countRow(const Probe& probe, const Box& box, bool swapped, Counts& counts) 
     }
 }
 
-/// About `most` rows, evenly spread over levels and y.
-void countRows(const Probe& probe, std::size_t most, BothCounts& counts) {
+/// Some rows of up to `most` levels, at places in y that fill the field evenly.
+void countLevels(const Probe& probe, std::size_t most, BothCounts& counts) {
+    constexpr double kGolden = 0.6180339887498949;
     const auto& size = probe.field.size;
-    const std::size_t levels = std::min(size[2], std::max<std::size_t>(most / 16, 1));
+    const std::size_t levels = std::min(size[2], most);
     const std::size_t rows = std::min<std::size_t>(size[1], 16);
     for (std::size_t k = 0; k < levels; ++k) {
-        for (std::size_t j = 0; j < rows; ++j) {
-            const std::size_t z = (2 * k + 1) * size[2] / (2 * levels);
-            const std::size_t y = (2 * j + 1) * size[1] / (2 * rows);
-            const Box row{{0, y, z}, {size[0], y + 1, z + 1}};
-            countRow(probe, row, probe.field.swapped, counts.asStated);
-            // Record lengths show the byte order by themselves.
-            if (!probe.field.records) countRow(probe, row, !probe.field.swapped, counts.swapped);
-        }
+        const std::size_t z = (2 * k + 1) * size[2] / (2 * levels);
+        const double part = std::fmod(kGolden * static_cast<double>(k + 1), 1.0);
+        const auto y = static_cast<std::size_t>(part * static_cast<double>(size[1] - rows + 1));
+        const Box box{{0, y, z}, {size[0], y + rows, z + 1}};
+        count(probe, box, probe.field.swapped, counts.asStated);
+        // Record lengths show the byte order by themselves.
+        if (!probe.field.records) count(probe, box, !probe.field.swapped, counts.swapped);
     }
 }
 
@@ -57,8 +58,8 @@ Shares sharesOf(const std::vector<Probe>& probes) {
     BothCounts all;
     for (const Probe& probe : probes) {
         if (probe.field.path.empty()) continue;
-        countRows(probe, 64, all);
-        if (all.asStated.seen < kEnough) countRows(probe, 2048, all);
+        countLevels(probe, 8, all);
+        if (all.asStated.seen < kEnough) countLevels(probe, 128, all);
     }
     return {all.asStated.seen, all.asStated.share(), all.swapped.share()};
 }

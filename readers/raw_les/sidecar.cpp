@@ -187,12 +187,8 @@ void parseEdges(const Object& object, const Json& json, Sidecar& sidecar) {
         const std::string expected =
             fmt::format("{} positions in metres, increasing", sidecar.shape[axis] + 1);
         auto faces = edges.numbers(kAxes[axis], expected);
-        if (faces.size() != sidecar.shape[axis] + 1 ||
-            std::ranges::adjacent_find(faces, std::greater_equal{}) != faces.end()) {
-            edges.fail(kAxes[axis], expected);
-        }
-        const double first = faces.front();
-        for (double& face : faces) face -= first;
+        if (faces.size() != sidecar.shape[axis] + 1) edges.fail(kAxes[axis], expected);
+        startAtZero(edges.place(kAxes[axis]) + ": its positions", faces);
         sidecar.edgesM[axis] = std::move(faces);
     }
 }
