@@ -68,6 +68,20 @@ bool namelistFlag(std::string_view text, std::string_view key) {
     return value.starts_with(".t") || value.starts_with('t');
 }
 
+/// Every `step`th number from `first` on; nothing unless they increase, as CM1 writes them, and are
+/// sizes of times.
+std::optional<std::vector<double>> secondsIn(const std::vector<double>& numbers, std::size_t first,
+                                             std::size_t step) {
+    std::vector<double> seconds;
+    for (std::size_t i = first; i < numbers.size(); i += step) {
+        const double size = std::abs(numbers[i]);
+        const bool possible = size == 0.0 || (size > 1e-6 && size < 1e12);
+        if (!possible || (!seconds.empty() && numbers[i] <= seconds.back())) return {};
+        seconds.push_back(numbers[i]);
+    }
+    return seconds;
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> cm1Seconds(const std::string& folder, bool swapped) {
@@ -92,15 +106,14 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder, bool sw
     // mtime stands after the planes of the variables listed before it, once per record.
     std::uint64_t before = 0;
     for (auto it = ctl.variables.begin(); it != mtime; ++it) before += it->planes();
-    const bool other = ctl.byteOrder == ByteOrder::unstated ? swapped : isSwapped(ctl.byteOrder);
-    const auto numbers = readNumbers(data, NumberType::float32, other, record * ctl.t.count);
-    std::vector<double> seconds;
-    for (std::size_t i = before; i < numbers.size(); i += record) {
-        const bool later = seconds.empty() || numbers[i] > seconds.back();
-        if (!std::isfinite(numbers[i]) || !later) return {};  // damaged: CM1 writes in time order
-        seconds.push_back(numbers[i]);
+    const bool stated = ctl.byteOrder != ByteOrder::unstated;
+    if (stated) swapped = isSwapped(ctl.byteOrder);
+    for (const bool order : {swapped, !swapped}) {
+        const auto numbers = readNumbers(data, NumberType::float32, order, record * ctl.t.count);
+        if (auto seconds = secondsIn(numbers, before, record)) return seconds;
+        if (stated) break;
     }
-    return seconds;
+    return {};
 }
 
 Cm1Run parseCm1Namelist(std::string_view text) {

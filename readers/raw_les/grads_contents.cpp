@@ -292,10 +292,17 @@ void GradsContents::addVariables() {
     terrain_ = roles.terrain();
 }
 
-/// Levels of CM1 follow the terrain; in other models only heights of cells show that they do.
+/// Levels of CM1 follow the terrain; of other models' only heights of cells show that they do.
 void GradsContents::addTerrain() {
     Terrain terrain = terrain_;
-    if (!cm1_ && !terrain.cellHeight) terrain.ground.reset();
+    if (!cm1_ && !terrain.cellHeight && terrain.ground) {
+        if (!isFlat(contents_, terrain)) {
+            contents_.description.notes.emplace_back(
+                "zs, the height of the ground, is not used: zdef is taken as heights above sea "
+                "level. Heights of cells that follow the terrain are read from a variable zh.");
+        }
+        terrain.ground.reset();
+    }
     if (!terrain.ground && !terrain.cellHeight) {
         if (!run_.terrain) return;
         throw Error{

@@ -66,7 +66,9 @@ Shares sharesOf(const std::vector<Probe>& probes) {
 
 bool isOtherOrder(const Shares& shares) {
     // By chance about a quarter of the values in the wrong order are possible.
-    return shares.sampled > 0 && shares.swapped > 0.5 && shares.swapped > shares.asStated + 0.3;
+    constexpr std::size_t kFewest = 4;
+    return shares.sampled >= kFewest && shares.swapped > 0.5 &&
+           shares.swapped > shares.asStated + 0.3;
 }
 
 std::string sharesText(const Shares& shares, bool statedBig) {

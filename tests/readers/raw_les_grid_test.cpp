@@ -90,8 +90,9 @@ TEST_CASE("Flat ground leaves the nominal levels, and the ground of another mode
         GradsSpec spec = hill(false);
         if (!cm1) spec.title = "some model; units of x,y,z are km";
         if (cm1) spec.value = [](auto v, auto, auto, auto, auto) { return v == 0 ? 0.0f : 1e-4f; };
-        const Array3f z = openFiles({writeGrads(folder.path(), spec)})->read("interface_height", 0);
-        CHECK(z.values == std::vector<float>{0, 100, 210, 330});
+        const auto dataset = openFiles({writeGrads(folder.path(), spec)});
+        CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 100, 210, 330});
+        CHECK(hasNote(dataset->info(), "zs, the height of the ground, is not used") == !cm1);
     }
 }
 

@@ -40,7 +40,17 @@ TEST_CASE("A byte order that is not stated is the one in which the numbers are p
         CHECK(dataset->read("qc", 1).at(4, 3, 2) == gradsValue(qc, 4, 3, 2, 1));
         CHECK(hasNote(dataset->info(), "does not state the byte order"));
         CHECK(hasNote(dataset->info(), "big-endian is assumed"));
+        CHECK(dataset->info().times[0].label == "540 s");  // of a list in the other order
     }
+}
+
+TEST_CASE("A list of times in the same unstated byte order is read as well") {
+    const TemporaryFolder folder;
+    GradsSpec spec;
+    spec.swappedUnsaid = true;
+    const auto ctl = writeGrads(folder.path(), spec);
+    writeFloats(folder / "cm1out_metadata.dat", {540.0f, 1.0f, 720.0f, 2.0f}, true);
+    CHECK(openFiles({ctl})->info().times[1].label == "720 s");
 }
 
 TEST_CASE("The first time with condensate decides on the byte order of hydrometeors alone") {
