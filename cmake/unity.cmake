@@ -22,5 +22,6 @@ if(NEPHOSCOPE_TESTS)
   neph_compile_alone(tests cli/export_test.cpp cli/image_io_test.cpp cli/profile_test.cpp
     core/bindings_test.cpp core/camera/camera_path_test.cpp core/camera/camera_test.cpp gpu/yield_test.cpp
     gpu/reference/reference_test.cpp readers/raw_les_brick_test.cpp
-    readers/raw_les_grads_test.cpp readers/raw_les_microhh_test.cpp)
+    readers/raw_les_grads_test.cpp readers/raw_les_grid_test.cpp readers/raw_les_microhh_test.cpp
+    readers/raw_les_names_test.cpp readers/raw_les_numbers_test.cpp)
 endif()

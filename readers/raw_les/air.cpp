@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "core/plugin/reader_abi.h"
 
 namespace raw {
 namespace {
@@ -27,6 +30,15 @@ constexpr std::array kLayers{
 constexpr double kTopM = 47'000.0;
 constexpr double kSeaLevelPa = 101'325.0;
 
+constexpr double kImpossible = std::numeric_limits<double>::quiet_NaN();
+
+bool isPressure(double pa) {
+    return pa >= NEPH_LEAST_PRESSURE_PA && pa <= NEPH_MOST_PRESSURE_PA;
+}
+bool isTemperature(double kelvin) {
+    return kelvin >= NEPH_LEAST_TEMPERATURE_K && kelvin <= NEPH_MOST_TEMPERATURE_K;
+}
+
 /// Pressure at `heightM` divided by the pressure at the base of its layer: hydrostatic, with the
 /// exponential form where the layer is isothermal. [USSA76] eq. 33a, 33b
 double pressureRatio(const Layer& layer, double heightM) {
@@ -39,11 +51,13 @@ double pressureRatio(const Layer& layer, double heightM) {
 }  // namespace
 
 double temperatureK(double thetaK, double pressurePa, const GasConstants& gas) {
+    if (!isPressure(pressurePa)) return kImpossible;
     return thetaK * std::pow(pressurePa / gas.referencePressure, gas.dryGas / gas.heatCapacity);
 }
 
 double dryDensity(double temperatureK, double pressurePa, double vapourRatio,
                   const GasConstants& gas) {
+    if (!isPressure(pressurePa) || !isTemperature(temperatureK)) return kImpossible;
     // Advection may leave small negative mixing ratios of vapour.
     const double moisture = 1.0 + std::max(vapourRatio, 0.0) * gas.vapour / gas.dryGas;
     return pressurePa / (gas.dryGas * temperatureK * moisture);

@@ -13,9 +13,11 @@ struct GasConstants {
 };
 
 /// Temperature from potential temperature: T = θ (p / p₀)^(R_d / c_p), p₀ = gas.referencePressure.
+/// NaN where the pressure is impossible (reader_abi.h).
 double temperatureK(double thetaK, double pressurePa, const GasConstants& gas = {});
 
-/// Density of dry air, kg/m³; `vapourRatio` is the water vapour mixing ratio, kg/kg.
+/// Density of dry air, kg/m³; `vapourRatio` is the water vapour mixing ratio, kg/kg. NaN
+/// where pressure or temperature are impossible.
 double dryDensity(double temperatureK, double pressurePa, double vapourRatio,
                   const GasConstants& gas = {});
 

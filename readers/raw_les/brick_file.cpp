@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 
+#include "readers/raw_les/plausible.h"
 #include "readers/raw_les/sidecar.h"
 
 namespace raw {
@@ -17,13 +18,13 @@ namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
 /// What a role of the sidecar means to the host. Without a quantity the unit is passed on as it is.
-struct Meaning {
+struct BrickMeaning {
     NephRole role;
     std::optional<Quantity> quantity;
     const char* standardName;
 };
 
-Meaning meaningOf(BrickRole role) {
+BrickMeaning meaningOf(BrickRole role) {
     switch (role) {
         case BrickRole::mixingRatio:
             return {NEPH_ROLE_MIXING_RATIO, Quantity::ratio, ""};
@@ -77,19 +78,20 @@ void requireSizes(const Sidecar& sidecar, const fs::path& folder) {
         const char* what = !found         ? "is missing"
                            : *found < end ? "is shorter than its sidecar states"
                                           : "is longer than its sidecar states";
-        throw Error{
+        Error error{
             what, found ? fmt::format("{} bytes", *found) : std::string(),
             fmt::format("{} bytes: {} x {} x {} cells, {} time(s) in total", end, sidecar.shape[0],
                         sidecar.shape[1], sidecar.shape[2], sidecar.times.size()),
             "check shape, numbers and times in the sidecar", path};
+        describeSize(path, error);
+        throw error;
     }
 }
 
-/// Factor from the unit in the sidecar to SI. Throws Error for an unknown unit.
-double factorOf(const BrickVariable& variable, const Meaning& meaning) {
-    if (!meaning.quantity) return 1.0;
-    const auto factor = siFactor(*meaning.quantity, variable.unit);
-    if (factor) return *factor;
+/// Conversion from the unit in the sidecar to SI. Throws Error for an unknown unit.
+shared::Conversion conversionOf(const BrickVariable& variable, const BrickMeaning& meaning) {
+    if (!meaning.quantity) return {};
+    if (const auto found = toSi(*meaning.quantity, variable.unit)) return *found;
     throw Error{fmt::format("the unit of variable {} is not known", variable.name),
                 inQuotes(variable.unit),
                 acceptedUnits(*meaning.quantity),
@@ -99,8 +101,8 @@ double factorOf(const BrickVariable& variable, const Meaning& meaning) {
 /// Adds one variable. A profile is held in memory; a stored one is located when a time is read.
 void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVariable& from,
                  Contents& contents) {
-    const Meaning meaning = meaningOf(from.role);
-    const double factor = factorOf(from, meaning);
+    const BrickMeaning meaning = meaningOf(from.role);
+    const shared::Conversion toSi = conversionOf(from, meaning);
     plugin::Variable variable{from.name,
                               meaning.standardName,
                               meaning.quantity ? siUnit(*meaning.quantity) : from.unit,
@@ -116,8 +118,7 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
     if (!from.profile.empty()) {
         variable.size[0] = variable.size[1] = 1;
         for (const double value : from.profile) {
-            source.profile.push_back(
-                static_cast<float>((value * from.scale + from.offset) * factor));
+            source.profile.push_back(static_cast<float>(toSi(value * from.scale + from.offset)));
         }
         return contents.add(std::move(variable), std::move(source));
     }
@@ -127,8 +128,8 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
     field.type = from.type;
     field.swapped = sidecar.bigEndian != (std::endian::native == std::endian::big);
     field.missing = from.missing;
-    field.scale = from.scale * factor;
-    field.offset = from.offset * factor;
+    field.scale = from.scale * toSi.scale;
+    field.offset = toSi(from.offset);
     const std::uint64_t bytes = fieldBytes(sidecar, from);
     const bool together = from.files.size() == 1;
     source.stored = [field, folder, bytes, together, files = from.files](std::size_t time) {
@@ -139,6 +140,42 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
         return at;
     };
     contents.add(std::move(variable), std::move(source));
+}
+
+/// Throws Error if the numbers make sense only in the byte order that is not stated.
+void requireOrder(const Sidecar& sidecar, const Contents& contents) {
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < sidecar.variables.size(); ++i) {
+        const auto quantity = meaningOf(sidecar.variables[i].role).quantity;
+        const NumberType type = sidecar.variables[i].type;
+        const bool real = type == NumberType::float32 || type == NumberType::float64;
+        if (!quantity || !real || !contents.sources[i].stored) continue;
+        for (const std::size_t time : {std::size_t{0}, sidecar.times.size() - 1}) {
+            probes.push_back({contents.sources[i].stored(time), *quantity});
+        }
+    }
+    const Shares shares = sharesOf(probes);
+    if (!isOtherOrder(shares)) return;
+    throw Error{"the numbers do not have the byte order that the sidecar states",
+                sharesText(shares, sidecar.bigEndian),
+                fmt::format("{}-endian numbers", sidecar.bigEndian ? "big" : "little"),
+                fmt::format("write \"byte_order\": \"{}\" into the sidecar",
+                            sidecar.bigEndian ? "little" : "big")};
+}
+
+/// Adds sums where several variables are the same species.
+void addSums(Contents& contents) {
+    std::map<std::pair<NephRole, NephSpecies>, std::vector<std::size_t>> groups;
+    const auto& variables = contents.description.variables;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        if (variables[i].role == NEPH_ROLE_MIXING_RATIO ||
+            variables[i].role == NEPH_ROLE_NUMBER_CONCENTRATION) {
+            groups[{variables[i].role, variables[i].species}].push_back(i);
+        }
+    }
+    for (const auto& [key, members] : groups) {
+        if (members.size() > 1) contents.addSum(members);
+    }
 }
 
 /// Description and sources of all variables. Throws Error.
@@ -154,12 +191,21 @@ Contents describe(const Sidecar& sidecar, const fs::path& folder) {
         d.size[axis] = static_cast<int>(sidecar.shape[axis]);
     }
     d.spacingM = sidecar.spacingM;
+    d.edgesM = sidecar.edgesM;
     d.times = sidecar.times;
     d.notes = sidecar.notes;
     contents.interfacesM = sidecar.interfacesM;
     for (const BrickVariable& variable : sidecar.variables) {
         addVariable(sidecar, folder, variable, contents);
+        for (const std::string& file : variable.files) {
+            const std::string path = (folder / file).string();
+            if (!file.empty() && std::ranges::find(d.parts, path) == d.parts.end()) {
+                d.parts.push_back(path);
+            }
+        }
     }
+    requireOrder(sidecar, contents);
+    addSums(contents);
     contents.completeAir();
     return contents;
 }

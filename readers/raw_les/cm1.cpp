@@ -1,5 +1,4 @@
-// cm1.cpp: tables of CM1's output variables and of its microphysics schemes, after README.namelist
-// of cm1r21.1.
+// cm1.cpp: table of CM1's microphysics schemes, after README.namelist and param.F of cm1r21.1.
 #include "readers/raw_les/cm1.h"
 
 #include <fmt/format.h>
@@ -10,98 +9,82 @@
 #include <filesystem>
 
 #include "readers/raw_les/grads_ctl.h"
+#include "readers/raw_les/raw_values.h"
 
 namespace raw {
 namespace {
 
-constexpr std::array kKnown{
-    KnownVariable{"qc", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, Quantity::ratio,
-                  "cloud_liquid_water_mixing_ratio"},
-    KnownVariable{"ql", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, Quantity::ratio, ""},
-    KnownVariable{"qr", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, Quantity::ratio, ""},
-    KnownVariable{"qi", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, Quantity::ratio,
-                  "cloud_ice_mixing_ratio"},
-    KnownVariable{"qs", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, Quantity::ratio, ""},
-    KnownVariable{"qg", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, Quantity::ratio, ""},
-    KnownVariable{"qh", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, Quantity::ratio, ""},
-    KnownVariable{"qhl", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, Quantity::ratio, ""},
-    KnownVariable{"ncc", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_CLOUD, Quantity::number, ""},
-    KnownVariable{"ncr", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, Quantity::number, ""},
-    KnownVariable{"nci", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_ICE, Quantity::number, ""},
-    KnownVariable{"ncs", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_SNOW, Quantity::number, ""},
-    KnownVariable{"ncg", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_GRAUPEL, Quantity::number,
-                  ""},
-    KnownVariable{"effc", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_CLOUD, Quantity::radius,
-                  "effective_radius_of_cloud_liquid_water_particles"},
-    KnownVariable{"effr", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_RAIN, Quantity::radius, ""},
-    KnownVariable{"effi", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_ICE, Quantity::radius, ""},
-    KnownVariable{"effs", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_SNOW, Quantity::radius, ""},
-    KnownVariable{"effg", NEPH_ROLE_EFFECTIVE_RADIUS, NEPH_SPECIES_GRAUPEL, Quantity::radius, ""},
-    KnownVariable{"prs", NEPH_ROLE_AIR_PRESSURE, NEPH_SPECIES_NONE, Quantity::pressure,
-                  "air_pressure"},
-    KnownVariable{"rho", NEPH_ROLE_DRY_AIR_DENSITY, NEPH_SPECIES_NONE, Quantity::density, ""},
-    KnownVariable{"th", NEPH_ROLE_OTHER, NEPH_SPECIES_NONE, Quantity::temperature,
-                  "air_potential_temperature"},
-    KnownVariable{"qv", NEPH_ROLE_OTHER, NEPH_SPECIES_NONE, Quantity::ratio,
-                  "humidity_mixing_ratio"},
-};
-
-/// A value of ptype, and the scheme whose size distributions it uses.
+/// A value of ptype, its hydrometeors, and the scheme whose size distributions it uses.
 struct Scheme {
     int number;
     std::string_view name;
+    std::string_view hydrometeors;
     NephMicrophysics microphysics = NEPH_MICROPHYSICS_UNKNOWN;
 };
-// The Goddard and Gilmore schemes are versions of the scheme by Lin, Farley and Orville.
+constexpr std::string_view kWater = "qc qr";
+constexpr std::string_view kFive = "qc qr qi qs qg";
+constexpr std::string_view kOneIce = "qc qr qi";
+// The Goddard and Gilmore schemes are versions of the scheme by Lin, Farley and Orville. Kessler's
+// and Rotunno and Emanuel's have only water: what they hold below 0 °C is water as well.
 constexpr std::array kSchemes{
-    Scheme{0, "no microphysics"},
-    Scheme{1, "Kessler"},
-    Scheme{2, "NASA Goddard LFO", NEPH_MICROPHYSICS_LIN},
-    Scheme{3, "Thompson", NEPH_MICROPHYSICS_THOMPSON},
-    Scheme{4, "Gilmore-Straka-Rasmussen LFO", NEPH_MICROPHYSICS_LIN},
-    Scheme{5, "Morrison", NEPH_MICROPHYSICS_MORRISON},
-    Scheme{6, "Rotunno-Emanuel"},
-    Scheme{7, "WSM6", NEPH_MICROPHYSICS_WSM6},
-    Scheme{26, "NSSL 2-moment with graupel"},
-    Scheme{27, "NSSL 2-moment with graupel and hail"},
-    Scheme{28, "NSSL 1-moment"},
-    Scheme{50, "P3"},
-    Scheme{51, "P3 with 2-moment cloud water"},
-    Scheme{52, "P3 with two ice categories"},
-    Scheme{53, "P3 3-moment"},
-    Scheme{55, "Jensen ISHMAEL"},
+    Scheme{0, "no microphysics", ""},
+    Scheme{1, "Kessler", kWater},
+    Scheme{2, "NASA Goddard LFO", kFive, NEPH_MICROPHYSICS_LIN},
+    Scheme{3, "Thompson", kFive, NEPH_MICROPHYSICS_THOMPSON},
+    Scheme{4, "Gilmore-Straka-Rasmussen LFO", kFive, NEPH_MICROPHYSICS_LIN},
+    Scheme{5, "Morrison", kFive, NEPH_MICROPHYSICS_MORRISON},
+    Scheme{6, "Rotunno-Emanuel", "ql"},
+    Scheme{7, "WSM6", kFive, NEPH_MICROPHYSICS_WSM6},
+    Scheme{26, "NSSL 2-moment with graupel", kFive},
+    Scheme{27, "NSSL 2-moment with graupel and hail", "qc qr qi qs qg qhl"},
+    Scheme{28, "NSSL 1-moment", kFive},
+    Scheme{50, "P3", kOneIce},
+    Scheme{51, "P3 with 2-moment cloud water", kOneIce},
+    Scheme{52, "P3 with two ice categories", "qc qr qi qi2"},
+    Scheme{53, "P3 3-moment", kOneIce},
+    Scheme{55, "Jensen ISHMAEL", "qc qr qi1 qi2 qi3"},
 };
 
-/// Value of the first `key = value,` in a Fortran namelist; comments start with !.
-std::optional<double> namelistNumber(std::string_view text, std::string_view key) {
+/// Text of the first `key = value,` in a Fortran namelist; comments start with !. Empty: not there.
+std::string_view namelistText(std::string_view text, std::string_view key) {
     for (std::string_view line : splitLines(text)) {
         line = line.substr(0, line.find('!'));
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos) continue;
         if (toLower(trimmed(line.substr(0, equals))) != key) continue;
-        std::string_view value = line.substr(equals + 1);
-        return parseNumber(trimmed(value.substr(0, value.find_first_of(",/"))));
+        const std::string_view value = line.substr(equals + 1);
+        return trimmed(value.substr(0, value.find_first_of(",/")));
     }
     return {};
 }
 
+std::optional<double> namelistNumber(std::string_view text, std::string_view key) {
+    return parseNumber(namelistText(text, key));
+}
+
+/// .true., .t., T and the like.
+bool namelistFlag(std::string_view text, std::string_view key) {
+    const std::string value = toLower(namelistText(text, key));
+    return value.starts_with(".t") || value.starts_with('t');
+}
+
+/// Every `step`th number from `first` on; nothing unless they increase, as CM1 writes them, and are
+/// sizes of times.
+std::optional<std::vector<double>> secondsIn(const std::vector<double>& numbers, std::size_t first,
+                                             std::size_t step) {
+    std::vector<double> seconds;
+    for (std::size_t i = first; i < numbers.size(); i += step) {
+        const double size = std::abs(numbers[i]);
+        const bool possible = size == 0.0 || (size > 1e-6 && size < 1e12);
+        if (!possible || (!seconds.empty() && numbers[i] <= seconds.back())) return {};
+        seconds.push_back(numbers[i]);
+    }
+    return seconds;
+}
+
 }  // namespace
 
-const KnownVariable* findKnown(std::string_view name) {
-    const std::string spelling = toLower(name);
-    const auto found = std::ranges::find(kKnown, spelling, &KnownVariable::name);
-    return found == kKnown.end() ? nullptr : &*found;
-}
-
-std::string knownHydrometeors() {
-    std::vector<std::string> names;
-    for (const KnownVariable& known : kKnown) {
-        if (known.role == NEPH_ROLE_MIXING_RATIO) names.emplace_back(known.name);
-    }
-    return joined(names);
-}
-
-std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
+std::optional<std::vector<double>> cm1Seconds(const std::string& folder, bool swapped) {
     constexpr std::size_t kMaxTimes = 1'000'000;
     const auto text = findText((std::filesystem::path(folder) / "cm1out_metadata.ctl").string());
     if (!text) return {};
@@ -123,19 +106,20 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder) {
     // mtime stands after the planes of the variables listed before it, once per record.
     std::uint64_t before = 0;
     for (auto it = ctl.variables.begin(); it != mtime; ++it) before += it->planes();
-    const auto numbers =
-        readNumbers(data, NumberType::float32, isSwapped(ctl.byteOrder), record * ctl.t.count);
-    std::vector<double> seconds;
-    for (std::size_t i = before; i < numbers.size(); i += record) {
-        const bool later = seconds.empty() || numbers[i] > seconds.back();
-        if (!std::isfinite(numbers[i]) || !later) return {};  // damaged: CM1 writes in time order
-        seconds.push_back(numbers[i]);
+    const bool stated = ctl.byteOrder != ByteOrder::unstated;
+    if (stated) swapped = isSwapped(ctl.byteOrder);
+    for (const bool order : {swapped, !swapped}) {
+        const auto numbers = readNumbers(data, NumberType::float32, order, record * ctl.t.count);
+        if (auto seconds = secondsIn(numbers, before, record)) return seconds;
+        if (stated) break;
     }
-    return seconds;
+    return {};
 }
 
 Cm1Run parseCm1Namelist(std::string_view text) {
     Cm1Run run;
+    run.terrain = namelistFlag(text, "terrain_flag");
+    run.axisymmetric = namelistNumber(text, "axisymm") == 1.0;
     const auto number = namelistNumber(text, "ptype");
     if (!number || std::abs(*number) > 1000.0) return run;
     const auto ptype = static_cast<int>(*number);
@@ -146,6 +130,9 @@ Cm1Run parseCm1Namelist(std::string_view text) {
     }
     run.scheme = fmt::format("{} (ptype {})", scheme->name, ptype);
     run.microphysics = scheme->microphysics;
+    for (const std::string_view name : splitWords(scheme->hydrometeors)) {
+        run.hydrometeors.emplace_back(name);
+    }
     // Both per cm³: ndcnst belongs to the Morrison scheme, nt_c to the Thompson scheme.
     const char* key = ptype == 5 ? "ndcnst" : ptype == 3 ? "nt_c" : nullptr;
     const auto droplets = key != nullptr ? namelistNumber(text, key) : std::nullopt;

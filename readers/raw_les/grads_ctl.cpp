@@ -35,6 +35,8 @@ class Parser {
     CtlVariable parseVariable(std::string_view line) const;
     void parseUnits(std::string_view line);
     void requireComplete() const;
+    /// The next step after an entry that is not supported.
+    std::string adviceOn(std::string_view keyword) const;
     /// The number after a keyword, from 1 to `most`.
     std::size_t count(const Words& words, std::size_t most, const char* of) const;
     [[noreturn]] void fail(const std::string& what, const std::string& expected,
@@ -193,6 +195,23 @@ void Parser::parseUnits(std::string_view line) {
     }
 }
 
+std::string Parser::adviceOn(std::string_view keyword) const {
+    const bool wrf = std::ranges::any_of(
+        lines_, [](std::string_view line) { return line.find("WRF") != std::string_view::npos; });
+    if (wrf) return kOpenWrfout;
+    if (keyword == "dtype") {
+        return "its data file has a format of its own: open a NetCDF file itself, and convert GRIB "
+               "to a brick (docs/raw-les.md)";
+    }
+    if (keyword == "pdef") {
+        return "its grid is given in degrees: describe the numbers with a nephoscope-brick "
+               "sidecar, "
+               "which has spacings in metres (docs/raw-les.md)";
+    }
+    return "write the fields again without it, or describe them with a nephoscope-brick sidecar "
+           "(docs/raw-les.md)";
+}
+
 void Parser::parseLine(const std::string& keyword, std::string_view line, const Words& words) {
     // Entries that change how data are laid out: ignoring one would give wrong values.
     constexpr std::array<std::string_view, 14> kUnsupported{
@@ -219,7 +238,8 @@ void Parser::parseLine(const std::string& keyword, std::string_view line, const 
     } else if (keyword == "vars") {
         parseVariables(words);
     } else if (std::ranges::find(kUnsupported, keyword) != kUnsupported.end()) {
-        fail(fmt::format("{} is not supported", keyword), "plain gridded binary data");
+        fail(fmt::format("{} is not supported", keyword),
+             "plain binary data on an even or stretched grid in metres", adviceOn(keyword));
     } else if (keyword != "cachesize" && keyword != "vectorpairs" && keyword != "zvar" &&
                keyword != "endvars") {
         fail("is not a line of a GrADS descriptor", "dset, title, undef, options, xdef …",
@@ -265,7 +285,7 @@ Ctl Parser::parse() {
 
 bool isSwapped(ByteOrder order) {
     if (order == ByteOrder::other) return true;
-    if (order == ByteOrder::machine) return false;
+    if (order == ByteOrder::unstated) return false;
     return (order == ByteOrder::big) != (std::endian::native == std::endian::big);
 }
 

@@ -35,7 +35,8 @@ struct CtlVariable {
     std::size_t planes() const { return levels == 0 ? 1 : levels; }
 };
 
-enum class ByteOrder { machine, other, little, big };
+/// `unstated` is this machine's, as in GrADS; `other` is the option byteswapped.
+enum class ByteOrder { unstated, other, little, big };
 
 /// Whether `order` differs from this machine's.
 bool isSwapped(ByteOrder order);
@@ -44,7 +45,7 @@ struct Ctl {
     std::string dset;  ///< verbatim, with ^ (the descriptor's folder) and templates
     std::string title;
     bool isTemplate = false, sequential = false, yrev = false, zrev = false;
-    ByteOrder byteOrder = ByteOrder::machine;
+    ByteOrder byteOrder = ByteOrder::unstated;
     std::optional<double> undef;
     CtlAxis x, y, z;
     TimeAxis t;
@@ -58,6 +59,12 @@ struct Ctl {
 
 /// Throws Error with the number and the text of the offending line.
 Ctl parseCtl(std::string_view text);
+
+/// The next step where a descriptor was made of WRF's output.
+inline constexpr const char* kOpenWrfout =
+    "this descriptor was made of WRF output: open the wrfout file itself, which states its grid "
+    "and "
+    "needs no descriptor";
 
 /// Whether a text could be such a descriptor. Cheap; never throws.
 bool looksLikeCtl(std::string_view text);

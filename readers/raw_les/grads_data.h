@@ -23,16 +23,31 @@ struct GradsData {
     /// number of planes, the flips and the scale.
     RawField fieldAt(std::size_t i, std::uint64_t firstPlane) const;
 
+    /// The files of `times`, each once.
+    std::vector<std::string> paths() const;
+
+    bool isSwapped() const { return plane_.swapped; }
+    void swap() { plane_.swapped = !plane_.swapped; }
+
     std::vector<std::size_t> times;  ///< indices into tdef of the times with data; at least one
     std::vector<std::string> notes;
+    /// The one file of all times has another size than stated. `times` are those that it holds, if
+    /// the numbers bear out that the descriptor fits; otherwise this is the Error to throw.
+    std::optional<Error> sizeFault;
 
   private:
     void findOne();
     void findSeries();
-    void requireSize(const std::string& path, std::uint64_t found, std::uint64_t count) const;
+    void settleRecords();
+    /// The Error for a file of the wrong size that should contain `count` times.
+    Error sizeError(const std::string& path, std::uint64_t found, std::uint64_t count) const;
+    /// The Error if the size shows what is wrong: the file is one of several tiles, has record
+    /// lengths that are not stated, or lacks stated ones.
+    std::optional<Error> certainError(const std::string& path, std::uint64_t found,
+                                      std::uint64_t count) const;
     /// Name of a file that a single MPI rank wrote, if the folder has one.
     std::optional<std::string> tile() const;
-    [[noreturn]] void failWithTile(const std::string& name) const;
+    Error tileError(const std::string& name) const;
     [[noreturn]] void failMissing() const;
 
     Ctl ctl_;

@@ -13,12 +13,12 @@ namespace {
 constexpr double kSpacingTolerance = 1e-3;  // of a step; printed coordinates are accurate to 1e-6
 constexpr double kMirrorTolerance = 0.05;   // of the local spacing
 
-void requireIncreasing(std::span<const double> centresM) {
+void requireIncreasing(const std::string& what, std::span<const double> centresM) {
     for (std::size_t k = 1; k < centresM.size(); ++k) {
         if (centresM[k] > centresM[k - 1]) continue;
-        throw Error{"level heights do not increase",
-                    fmt::format("{} m after {} m at level {}", centresM[k], centresM[k - 1], k),
-                    "heights from the ground up",
+        throw Error{what + " do not increase",
+                    fmt::format("{} m after {} m at number {}", centresM[k], centresM[k - 1], k),
+                    "each above the one before",
                     {}};
     }
 }
@@ -46,26 +46,78 @@ std::optional<std::vector<double>> mirrored(std::span<const double> centresM) {
     return interfaces;
 }
 
+/// The middle of the half of the values that lie closest together.
+double agreed(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = (values.size() + 1) / 2;
+    std::size_t best = 0;
+    for (std::size_t i = 0; i + half <= values.size(); ++i) {
+        const auto range = [&](std::size_t from) { return values[from + half - 1] - values[from]; };
+        if (range(i) < range(best)) best = i;
+    }
+    return values[best + half / 2];
+}
+
+/// Faces with every centre in the middle of its cell; none if there are fewer than four cells or
+/// the faces are not smooth. See the header.
+std::vector<double> smoothFaces(std::span<const double> centresM) {
+    constexpr double kTolerance =
+        0.2;  // of the local spacing: neighbours differ by a factor of 2.3
+    const std::size_t n = centresM.size();
+    if (n < 4) return {};
+    std::vector<double> faces{centresM[0]};
+    for (const double centre : centresM) faces.push_back(2.0 * centre - faces.back());
+    std::vector<double> shifts;
+    for (std::size_t i = 2; i + 1 < n; ++i) {
+        const double smooth =
+            (5.0 * (centresM[i - 1] + centresM[i]) - centresM[i - 2] - centresM[i + 1]) / 8.0;
+        shifts.push_back((i % 2 == 0 ? 1.0 : -1.0) * (smooth - faces[i]));
+    }
+    const double shift = agreed(shifts);
+    for (std::size_t i = 0; i <= n; ++i) faces[i] += i % 2 == 0 ? shift : -shift;
+    for (std::size_t i = 1; i <= n; ++i) {
+        if (!(faces[i] > faces[i - 1])) return {};
+        if (i == n) break;
+        const double spacing = centresM[i] - centresM[i - 1];
+        const double halfWay = 0.5 * (centresM[i] + centresM[i - 1]);
+        if (std::abs(faces[i] - halfWay) > kTolerance * spacing) return {};
+    }
+    return faces;
+}
+
 }  // namespace
 
-double evenSpacing(const std::string& axis, std::size_t count,
-                   const std::function<double(std::size_t)>& at) {
-    if (count < 2) return 0.0;
-    const double step = (at(count - 1) - at(0)) / static_cast<double>(count - 1);
-    for (std::size_t i = 1; i < count; ++i) {
-        const double found = at(i) - at(i - 1);
-        if (std::isfinite(found) && std::abs(found - step) <= kSpacingTolerance * std::abs(step) &&
-            step != 0.0) {
-            continue;
-        }
-        throw Error{fmt::format("the spacing of {} is not even", axis),
-                    fmt::format("a step of {:.6g} before position {}, {:.6g} on average", found,
-                                i + 1, step),
-                    "the same step everywhere, to 0.1 %",
-                    "horizontally stretched grids are not supported: interpolate to an even grid "
-                    "first"};
+std::optional<double> evenStep(std::span<const double> centresM) {
+    constexpr double kTolerance = 0.01;  // of a step; printed coordinates have six digits
+    const std::size_t n = centresM.size();
+    if (n < 2) return 0.0;
+    const double step = (centresM.back() - centresM.front()) / static_cast<double>(n - 1);
+    if (!std::isfinite(step) || step == 0.0) return {};
+    for (std::size_t i = 1; i < n; ++i) {
+        const double place = centresM.front() + step * static_cast<double>(i);
+        if (!(std::abs(centresM[i] - place) <= kTolerance * std::abs(step))) return {};
     }
     return step;
+}
+
+std::vector<double> facesOf(const std::string& axis, std::span<const double> centresM) {
+    requireIncreasing("positions of " + axis, centresM);
+    std::vector<double> faces = smoothFaces(centresM);
+    if (faces.empty()) {
+        const std::size_t n = centresM.size();
+        faces.push_back(1.5 * centresM[0] - 0.5 * centresM[1]);
+        for (std::size_t i = 1; i < n; ++i) faces.push_back(0.5 * (centresM[i - 1] + centresM[i]));
+        faces.push_back(1.5 * centresM[n - 1] - 0.5 * centresM[n - 2]);
+    }
+    startAtZero("faces of " + axis, faces);
+    return faces;
+}
+
+void startAtZero(const std::string& what, std::vector<double>& faces) {
+    const double first = faces.front();
+    for (double& face : faces) face -= first;
+    requireIncreasing(what, faces);
+    if (!std::isfinite(faces.back())) throw Error{what + " are too far apart", {}, "metres", {}};
 }
 
 std::vector<double> interfacesOf(std::span<const double> centresM) {
@@ -75,7 +127,7 @@ std::vector<double> interfacesOf(std::span<const double> centresM) {
                     "at least two, which determine the depth of layers",
                     {}};
     }
-    requireIncreasing(centresM);
+    requireIncreasing("level heights", centresM);
     if (!isEven(centresM)) {
         if (auto interfaces = mirrored(centresM)) return *std::move(interfaces);
     }

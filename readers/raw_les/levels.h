@@ -1,4 +1,4 @@
-// levels.h: axes of grids: even spacing in x and y, interfaces between levels in z. Metres.
+// levels.h: axes of grids: faces of cells in x and y, interfaces between levels in z. Metres.
 //
 // Raw output gives the centres of layers; the host needs their interfaces. CM1 and MicroHH place
 // each centre halfway between two interfaces, the lowest of which is the ground, so every interface
@@ -11,7 +11,7 @@
 //   3. Otherwise halfway between centres, the outermost half a step beyond, but not below ground.
 #pragma once
 #include <cstddef>
-#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,11 +20,21 @@
 
 namespace raw {
 
-/// Step of `count` positions `at(i)`, which must be equal everywhere to 0.1 %, because the host's
-/// cells are. Negative if positions decrease; 0 for a single one. `axis` is its name in messages.
-/// Throws Error.
-double evenSpacing(const std::string& axis, std::size_t count,
-                   const std::function<double(std::size_t)>& at);
+/// Step of the cell centres of an even axis: every centre within 1 % of a step of its place.
+/// Negative if they decrease; 0 for a single one. Nothing for any other axis.
+std::optional<double> evenStep(std::span<const double> centresM);
+
+/// Faces of cells that are not even, one more than `centresM`, the first at 0. Every centre is the
+/// middle of its cell where that gives a smooth grid, else faces are halfway between centres.
+/// `axis` is its name in messages. Throws Error if centres do not increase.
+///
+/// "In the middle" leaves one number open, which shifts all faces in turns up and down. It is what
+/// the half of the inner faces agree on best for which the smooth curve through the centres says:
+/// face = (5 (c₋₁ + c₀) − c₋₂ − c₁) / 8, exact for widths that change linearly, as CM1's do.
+std::vector<double> facesOf(const std::string& axis, std::span<const double> centresM);
+
+/// Moves faces so that the first is 0. Throws Error unless they increase. `what` names them.
+void startAtZero(const std::string& what, std::vector<double>& faces);
 
 /// Interfaces, one more than `centresM`, increasing. Throws Error if centres do not increase or
 /// there are fewer than two.

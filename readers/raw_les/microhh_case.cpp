@@ -11,6 +11,8 @@
 
 #include "readers/raw_les/ini.h"
 #include "readers/raw_les/levels.h"
+#include "readers/raw_les/microhh_air.h"
+#include "readers/raw_les/microhh_names.h"
 
 namespace raw {
 namespace {
@@ -18,59 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace plugin = neph::plugin;
 
-constexpr double kMaxCells = 1U << 20U;  // along one axis; no model comes near
-constexpr const char* kGridName = "grid.0000000";
-
-/// Meaning of a field, by its name.
-struct KnownField {
-    std::string_view name;
-    NephRole role;
-    NephSpecies species;
-    std::string_view units, description;
-};
-// Hydrometeors are mass fractions, per kg of moist air; the density to multiply by is rhoref.
-constexpr std::array kKnown{
-    KnownField{"ql", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_CLOUD, "kg kg-1", "cloud water"},
-    KnownField{"qi", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_ICE, "kg kg-1", "cloud ice"},
-    KnownField{"qr", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_RAIN, "kg kg-1", "rain"},
-    KnownField{"qs", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_SNOW, "kg kg-1", "snow"},
-    KnownField{"qg", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_GRAUPEL, "kg kg-1", "graupel"},
-    KnownField{"qh", NEPH_ROLE_MIXING_RATIO, NEPH_SPECIES_HAIL, "kg kg-1", "hail"},
-    KnownField{"nr", NEPH_ROLE_NUMBER_CONCENTRATION, NEPH_SPECIES_RAIN, "kg-1",
-               "number of rain drops"},
-};
-
-struct FieldName {
-    std::string variable;
-    std::int64_t number = 0;  ///< the digits: time in units of 10^iotimeprec seconds
-};
-
-/// Splits `<variable>.<7 or more digits>`; nothing for any other name.
-std::optional<FieldName> fieldName(const std::string& name) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string::npos || dot == 0 || name.size() - dot - 1 < 7) return {};
-    const std::string_view digits = std::string_view(name).substr(dot + 1);
-    if (digits.find_first_not_of("0123456789") != std::string_view::npos) return {};
-    const auto number = parseInteger(digits);
-    if (!number) return {};
-    return FieldName{name.substr(0, dot), *number};
-}
-
-bool isCaseIni(const std::string& path) {
-    const auto text = findText(path);
-    return text && parseIni(*text).contains("grid/itot");
-}
-
-std::vector<std::string> iniFiles(const std::string& folder) {
-    std::vector<std::string> found;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        const std::string path = entry.path().string();
-        if (entry.path().extension() == ".ini" && isCaseIni(path)) found.push_back(path);
-    }
-    std::ranges::sort(found);
-    return found;
-}
+constexpr double kMaxAxis = 1U << 20U;  // cells along one axis; no model comes near
 
 /// One case directory. describe() runs the steps in order.
 class Case {
@@ -86,11 +36,11 @@ class Case {
     void requireGridOf(const std::vector<double>& numbers) const;
     void findFields();
     void chooseTimes();
+    void noteMissing();
+    void addRainNumber();
     void describeModel();
     void addFields();
     void addAir();
-    /// The values of all levels, starting at `first`.
-    std::vector<double> profile(const std::vector<double>& numbers, std::size_t first) const;
     std::size_t wordBytes() const { return bytesOf(type_); }
 
     fs::path folder_;
@@ -100,7 +50,8 @@ class Case {
     NumberType type_ = NumberType::float32;  ///< of all files of the case
     bool swapped_ = false;
     std::map<std::string, std::map<std::int64_t, std::string>> fields_;  ///< name, digits, path
-    std::vector<std::int64_t> times_;                                    ///< digits, increasing
+    std::map<std::int64_t, Error> broken_;  ///< digits, a known field of another size
+    std::vector<std::int64_t> times_;       ///< digits, increasing
     Contents contents_;
 };
 
@@ -140,10 +91,10 @@ void Case::readGrid() {
     std::array<std::size_t, 3> size{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::array<const char*, 3> kNames{"grid/itot", "grid/jtot", "grid/ktot"};
-        size[axis] = static_cast<std::size_t>(required(kNames[axis], kMaxCells));
+        size[axis] = static_cast<std::size_t>(required(kNames[axis], kMaxAxis));
     }
     size_ = size;
-    const std::string path = (folder_ / kGridName).string();
+    const std::string path = (folder_ / kMicrohhGrid).string();
     const std::size_t count = 2 * (size[0] + size[1] + size[2]);
     const auto found = fileSize(path);
     if (!found || (*found != count * 4 && *found != count * 8)) {
@@ -177,15 +128,21 @@ void Case::requireGridOf(const std::vector<double>& numbers) const {
                         fmt::format("the first centre at {:.6g} m", found),
                         fmt::format("{:.6g} m, half of {}size / {}tot", 0.5 * step, name,
                                     axis == 0 ? "i" : "j"),
-                        "does the .ini belong to this run?", (folder_ / kGridName).string()};
+                        "does the .ini belong to this run?", (folder_ / kMicrohhGrid).string()};
         }
-        evenSpacing(name, size_[axis], [&](std::size_t i) { return numbers[first + i]; });
+        if (!evenStep({numbers.data() + first, size_[axis]})) {
+            throw Error{fmt::format("its {} coordinates are not even", name),
+                        {},
+                        fmt::format("a step of {:.6g} m everywhere", step),
+                        "does the .ini belong to this run?",
+                        (folder_ / kMicrohhGrid).string()};
+        }
         first += 2 * size_[axis];
     }
 }
 
 /// Finds the files that hold whole fields. Other files with such names, such as cross-sections and
-/// restart data, have other sizes; a hydrometeor of another size is an Error.
+/// restart data, have other sizes; a time of which a known field has another size is left out.
 void Case::findFields() {
     const std::uint64_t expected = std::uint64_t{size_[0]} * size_[1] * size_[2] * wordBytes();
     std::error_code error;
@@ -193,46 +150,75 @@ void Case::findFields() {
         const auto name = fieldName(entry.path().filename().string());
         if (!name) continue;
         const std::string path = entry.path().string();
-        const auto found = fileSize(path);
+        const std::uint64_t found = fileSize(path).value_or(0);
         if (found == expected) {
             fields_[name->variable][name->number] = path;
-        } else if (std::ranges::find(kKnown, name->variable, &KnownField::name) != kKnown.end()) {
-            throw Error{fmt::format("is {} than a field of this grid",
-                                    found.value_or(0) < expected ? "shorter" : "longer"),
-                        fmt::format("{} bytes", found.value_or(0)),
+        } else if (findMicrohhField(name->variable) != nullptr) {
+            Error fault{fmt::format("is {} than a field of this grid",
+                                    found < expected ? "shorter" : "longer"),
+                        fmt::format("{} bytes", found),
                         fmt::format("{} bytes: {} x {} x {} numbers of {} bytes", expected,
                                     size_[0], size_[1], size_[2], wordBytes()),
-                        "the run or the copy that wrote it was interrupted", path};
+                        "the run or the copy that wrote it was interrupted"};
+            describeSize(path, fault);
+            broken_.emplace(name->number, std::move(fault));
         }
     }
 }
 
-/// Keeps the times with all hydrometeors of the case: a cloud without its rain would mislead.
+/// Times at which there is any hydrometeor, and none is broken. Those without some of the others
+/// are kept, with a note.
 void Case::chooseTimes() {
-    std::set<std::int64_t> any;
-    std::vector<std::string> names;
-    std::vector<const std::map<std::int64_t, std::string>*> all;
-    for (const KnownField& known : kKnown) {
-        const auto field = fields_.find(std::string(known.name));
-        if (known.role != NEPH_ROLE_MIXING_RATIO || field == fields_.end()) continue;
-        names.push_back(fmt::format("{} at {} times", known.name, field->second.size()));
-        all.push_back(&field->second);
-        for (const auto& [time, path] : field->second) any.insert(time);
+    std::set<std::int64_t> times;
+    for (const auto& [name, files] : fields_) {
+        const MicrohhField* known = findMicrohhField(name);
+        if (known == nullptr || known->role != NEPH_ROLE_MIXING_RATIO) continue;
+        for (const auto& [time, path] : files) times.insert(time);
     }
-    for (const std::int64_t time : any) {
-        const auto has = [&](const auto* field) { return field->contains(time); };
-        if (std::ranges::all_of(all, has)) times_.push_back(time);
+    std::vector<std::string> left;
+    for (const auto& [time, fault] : broken_) {
+        times.erase(time);
+        const bool writing = changedLately(fault.where);
+        left.push_back(fs::path(fault.where).filename().string() + " " +
+                       (writing ? "is being written" : fault.what));
     }
-    if (times_.empty()) {
-        throw Error{
-            all.empty() ? "contains no hydrometeor" : "has no time with all of its hydrometeors",
-            all.empty() ? "" : joined(names), "files such as ql.0003600 and qr.0003600",
-            "write them together: dumplist=ql,qr in section [dump]"};
+    if (times.empty() && !broken_.empty()) throw broken_.begin()->second;
+    if (times.empty()) {
+        throw Error{"contains no hydrometeor",
+                    {},
+                    "files such as ql.0003600 and qr.0003600",
+                    "write them together: dumplist=ql,qr in section [dump]"};
     }
-    if (times_.size() == any.size()) return;
+    times_.assign(times.begin(), times.end());
+    if (left.empty()) return;
     contents_.description.notes.push_back(
-        fmt::format("{} of {} times are left out, because hydrometeors are missing: {}.",
-                    any.size() - times_.size(), any.size(), joined(names)));
+        fmt::format("{} time(s) are left out: {}.", left.size(), joined(left)));
+}
+
+/// Notes the hydrometeors that the run has, or the case has at some times, where they are missing.
+void Case::noteMissing() {
+    auto& notes = contents_.description.notes;
+    for (const std::string_view name : hydrometeorsOf(keys_)) {
+        if (fields_.contains(std::string(name))) continue;
+        notes.push_back(fmt::format(
+            "{}, {}, is not in the case directory, although the run has it: it is not drawn. To "
+            "write it, add {} to dumplist in section [dump] of the .ini.",
+            name, findMicrohhField(name)->description, name));
+    }
+    for (const auto& [name, files] : fields_) {
+        const MicrohhField* known = findMicrohhField(name);
+        if (known == nullptr || known->role != NEPH_ROLE_MIXING_RATIO) continue;
+        std::vector<std::string> without;
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            if (!files.contains(times_[i])) {
+                without.push_back(contents_.description.times[i].label);
+            }
+        }
+        if (without.empty()) continue;
+        notes.push_back(
+            fmt::format("{}, {}, has no file at {} of {} times, and is not drawn then: {}.", name,
+                        known->description, without.size(), times_.size(), joined(without)));
+    }
 }
 
 /// Scheme, droplet number, grid spacing and times, from the .ini.
@@ -265,17 +251,21 @@ void Case::describeModel() {
     }
 }
 
-/// Adds every field; those that are not known have no role.
+/// Adds every field; those that are not known have no role. A hydrometeor without a file at a time
+/// is zero then.
 void Case::addFields() {
     for (const auto& [name, files] : fields_) {
         plugin::Variable variable;
         variable.name = name;
-        const auto known = std::ranges::find(kKnown, name, &KnownField::name);
-        if (known != kKnown.end()) {
-            variable.role = known->role;
-            variable.species = known->species;
+        const MicrohhField* known = findMicrohhField(name);
+        const bool hydrometeor = known != nullptr && known->role == NEPH_ROLE_MIXING_RATIO;
+        if (known != nullptr) {
             variable.units = known->units;
             variable.description = known->description;
+        }
+        if (hydrometeor) {
+            variable.role = known->role;
+            variable.species = known->species;
         }
         variable.size = contents_.description.size;
         RawField field;
@@ -283,65 +273,58 @@ void Case::addFields() {
         field.type = type_;
         field.swapped = swapped_;
         contents_.add(
-            std::move(variable),
-            {.stored = [field, files = files, name = name, times = times_](std::size_t time) {
+            std::move(variable), {.stored = [field, files = files, name = name, hydrometeor,
+                                             times = times_](std::size_t time) {
                 const auto file = files.find(times[time]);
-                if (file == files.end()) {
+                if (file == files.end() && !hydrometeor) {
                     throw Error{fmt::format("variable {} was not written at this time", name),
                                 fmt::format("files of {} other times", files.size()),
                                 fmt::format("{}.{:07}", name, times[time]),
                                 {}};
                 }
                 RawField at = field;
-                at.path = file->second;
+                at.path = file == files.end() ? "" : file->second;
                 return at;
             }});
+        for (const auto& [digits, path] : files) contents_.description.parts.push_back(path);
     }
 }
 
-std::vector<double> Case::profile(const std::vector<double>& numbers, std::size_t first) const {
-    return {numbers.begin() + static_cast<std::ptrdiff_t>(first),
-            numbers.begin() + static_cast<std::ptrdiff_t>(first + size_[2])};
+/// MicroHH's number of rain drops is per m³, the host's per kg of air.
+void Case::addRainNumber() {
+    const auto& variables = contents_.description.variables;
+    const auto number = std::ranges::find(variables, "nr", &plugin::Variable::name);
+    const auto density = contents_.find(NEPH_ROLE_DRY_AIR_DENSITY);
+    if (number == variables.end() || !density) return;
+    const auto& files = fields_.at("nr");
+    if (!std::ranges::all_of(times_, [&](std::int64_t t) { return files.contains(t); })) {
+        contents_.description.notes.emplace_back(
+            "nr, the number of rain drops, is not used, because it is not there at all times.");
+        return;
+    }
+    const auto index = static_cast<std::size_t>(number - variables.begin());
+    contents_.addDerived(
+        {"nr/rho", "", "kg-1", "number of rain drops per kg of air", NEPH_ROLE_NUMBER_CONCENTRATION,
+         NEPH_SPECIES_RAIN, contents_.description.size},
+        {{{index}, {*density}},
+         [](std::span<const double> of, std::size_t) { return of[0] / of[1]; }});
 }
 
-/// Adds reference density, pressure and temperature: moist air, horizontally uniform.
-///
-/// thermo_basestate contains, with n = ktot: θ_l and q_t on n levels; then θ_v, pressure, Exner
-/// function and density, each on n levels and on n + 1 interfaces. rhoref contains only the last.
 void Case::addAir() {
-    const std::size_t n = size_[2];
-    const auto numbersOf = [&](const char* name, std::size_t count) -> std::vector<double> {
-        const std::string path = (folder_ / name).string();
-        if (fileSize(path) != count * wordBytes()) return {};
-        return readNumbers(path, type_, swapped_, count);
-    };
     const auto add = [&](plugin::Variable variable, const std::vector<double>& values) {
+        if (values.empty()) return;
         Source source;
         for (const double value : values) source.profile.push_back(static_cast<float>(value));
-        variable.size = {1, 1, static_cast<int>(n)};
+        variable.size = {1, 1, static_cast<int>(values.size())};
         contents_.add(std::move(variable), std::move(source));
     };
-    const auto base = numbersOf("thermo_basestate.0000000", 10 * n + 4);
-    std::vector<double> density = numbersOf("rhoref.0000000", 2 * n + 1);
-    if (density.empty() && !base.empty()) density = profile(base, 8 * n + 3);
-    if (!density.empty()) {
-        add({"rhoref", "", "kg m-3", "reference density of moist air", NEPH_ROLE_DRY_AIR_DENSITY},
-            profile(density, 0));
-    }
-    if (base.empty()) return;
-    const auto vapour = profile(base, n);
-    const auto virtualTheta = profile(base, 2 * n);
-    const auto exner = profile(base, 6 * n + 2);
-    std::vector<double> temperature(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        // θ_v = θ (1 + (R_v/R_d − 1) q), R_v = 461.5, R_d = 287.04 in MicroHH's constants.h
-        temperature[k] =
-            virtualTheta[k] * exner[k] / (1.0 + (461.5 / 287.04 - 1.0) * std::max(vapour[k], 0.0));
-    }
+    const MicrohhAir air = readMicrohhAir(folder_.string(), type_, swapped_, size_[2]);
+    add({"rhoref", "", "kg m-3", "reference density of moist air", NEPH_ROLE_DRY_AIR_DENSITY},
+        air.densityKgPerM3);
     add({"pref", "air_pressure", "Pa", "reference pressure", NEPH_ROLE_AIR_PRESSURE},
-        profile(base, 4 * n + 1));
+        air.pressurePa);
     add({"tref", "air_temperature", "K", "reference temperature", NEPH_ROLE_AIR_TEMPERATURE},
-        temperature);
+        air.temperatureK);
 }
 
 Contents Case::describe() {
@@ -349,12 +332,14 @@ Contents Case::describe() {
     findFields();
     chooseTimes();
     describeModel();
+    noteMissing();
     // zh lists n interfaces; the top one is zsize.
-    const std::string path = (folder_ / kGridName).string();
+    const std::string path = (folder_ / kMicrohhGrid).string();
     const std::size_t n = size_[2];
     const std::size_t first = 2 * (size_[0] + size_[1]);
     const auto numbers = readNumbers(path, type_, swapped_, first + 2 * n);
-    contents_.interfacesM = profile(numbers, first + n);
+    const auto start = numbers.begin() + static_cast<std::ptrdiff_t>(first + n);
+    contents_.interfacesM.assign(start, start + static_cast<std::ptrdiff_t>(n));
     const double top = 2.0 * numbers[first + n - 1] - contents_.interfacesM.back();
     contents_.interfacesM.push_back(number("grid/zsize", top));
     for (std::size_t k = 0; k < n; ++k) {
@@ -366,6 +351,7 @@ Contents Case::describe() {
     }
     addAir();
     addFields();
+    addRainNumber();
     contents_.completeAir();
     return std::move(contents_);
 }
@@ -377,18 +363,18 @@ int scoreMicrohh(const std::string& path) {
     constexpr int kCase = 80;
     std::error_code error;
     if (fs::is_directory(path, error)) {
-        return fileSize((fs::path(path) / kGridName).string()) && !iniFiles(path).empty() ? kCase
-                                                                                          : 0;
+        return fileSize((fs::path(path) / kMicrohhGrid).string()) && !iniFiles(path).empty() ? kCase
+                                                                                             : 0;
     }
     if (path.ends_with(".ini")) return isCaseIni(path) ? kCase : 0;
     const std::string name = fs::path(path).filename().string();
-    if (!fieldName(name) || !fileSize((fs::path(folderOf(path)) / kGridName).string())) return 0;
-    return name == kGridName ? kCase : kPart;
+    if (!fieldName(name) || !fileSize((fs::path(folderOf(path)) / kMicrohhGrid).string())) return 0;
+    return name == kMicrohhGrid ? kCase : kPart;
 }
 
 std::unique_ptr<plugin::File> openMicrohh(const std::string& path) {
     const std::string name = fs::path(path).filename().string();
-    if (!fs::is_directory(path) && name != kGridName && fieldName(name)) {
+    if (!fs::is_directory(path) && name != kMicrohhGrid && fieldName(name)) {
         throw Error{"is one field of a MicroHH case", "numbers without a header",
                     "the case directory, its .ini or its grid.0000000",
                     "open the folder: " + folderOf(path)};

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -216,6 +217,22 @@ std::optional<std::uint64_t> fileSize(const std::string& path) {
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+bool changedLately(const std::string& path) {
+    constexpr std::time_t kSeconds = 120;
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return false;
+    const std::time_t age = std::time(nullptr) - status.st_mtime;
+    return age < kSeconds && age > -kSeconds;
+}
+
+void describeSize(const std::string& path, Error& error) {
+    error.where = path;
+    if (!changedLately(path)) return;
+    error.what = "is being written, or was a moment ago, and " + error.what;
+    error.hint = "open it again when the model has finished this time" +
+                 (error.hint.empty() ? "" : "; if nothing writes it: " + error.hint);
+}
+
 std::string folderOf(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     return folder.empty() ? "." : folder;
@@ -236,6 +253,17 @@ std::vector<double> readNumbers(const std::string& path, NumberType type, bool s
                          : static_cast<double>(numberAt<float>(from, swapped));
     }
     return numbers;
+}
+
+std::optional<RecordLength> firstRecordOf(const std::string& path, std::uint64_t expected) {
+    if (fileSize(path).value_or(0) < 4) return {};
+    std::array<std::byte, 4> bytes{};
+    InputFile(path).readAt(0, bytes);
+    for (const bool swapped : {false, true}) {
+        const auto found = numberAt<std::uint32_t>(bytes.data(), swapped);
+        if (found == expected) return RecordLength{found, swapped};
+    }
+    return {};
 }
 
 void checkFirstRecord(const RawField& field) {

@@ -58,6 +58,13 @@ void readBox(const RawField& field, const Box& box, std::span<float> values, con
 /// Size of a regular file in bytes; nothing if there is no such file.
 std::optional<std::uint64_t> fileSize(const std::string& path);
 
+/// Whether a file changed within the last two minutes, so that a model may be writing it.
+bool changedLately(const std::string& path);
+
+/// For a file whose size is wrong: `what` ("is shorter than its descriptor states") and `hint`, or,
+/// if it changed lately, that it is being written.
+void describeSize(const std::string& path, Error& error);
+
 /// Folder of a path; "." for a bare name.
 std::string folderOf(const std::string& path);
 
@@ -67,5 +74,13 @@ std::vector<double> readNumbers(const std::string& path, NumberType type, bool s
 
 /// Throws Error unless the first record of a field has the length of a plane.
 void checkFirstRecord(const RawField& field);
+
+/// The first four bytes as a length of a Fortran record.
+struct RecordLength {
+    std::uint32_t bytes = 0;
+    bool swapped = false;
+};
+/// Whether the first record of a file is `expected` bytes long, in either byte order.
+std::optional<RecordLength> firstRecordOf(const std::string& path, std::uint64_t expected);
 
 }  // namespace raw

@@ -177,7 +177,23 @@ void parseLevels(const Object& object, const std::vector<double>& spacing, Sidec
     }
 }
 
-void parseGrid(const Object& object, Sidecar& sidecar) {
+/// Faces of cells that are not even, in x, y or both. They may start anywhere.
+void parseEdges(const Object& object, const Json& json, Sidecar& sidecar) {
+    if (!object.has("edges_m")) return;
+    const Object edges(json.at("edges_m"), "key edges_m", {"x", "y"});
+    constexpr std::array kAxes{"x", "y"};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (!edges.has(kAxes[axis])) continue;
+        const std::string expected =
+            fmt::format("{} positions in metres, increasing", sidecar.shape[axis] + 1);
+        auto faces = edges.numbers(kAxes[axis], expected);
+        if (faces.size() != sidecar.shape[axis] + 1) edges.fail(kAxes[axis], expected);
+        startAtZero(edges.place(kAxes[axis]) + ": its positions", faces);
+        sidecar.edgesM[axis] = std::move(faces);
+    }
+}
+
+void parseGrid(const Object& object, const Json& json, Sidecar& sidecar) {
     parseShape(object, sidecar);
     const std::string expected =
         "metres in x and y, and in z if levels are evenly spaced; all above 0";
@@ -187,6 +203,7 @@ void parseGrid(const Object& object, Sidecar& sidecar) {
         object.fail("spacing_m", expected);
     }
     sidecar.spacingM = {spacing[0], spacing[1]};
+    parseEdges(object, json, sidecar);
     parseLevels(object, spacing, sidecar);
 }
 
@@ -328,8 +345,8 @@ Sidecar parseSidecar(std::string_view text) {
     const Object object(
         json, "",
         {"type", "version", "model", "scheme", "microphysics", "cloud_droplets_per_m3", "shape",
-         "spacing_m", "bottom_m", "level_heights_m", "interface_heights_m", "byte_order", "numbers",
-         "times", "variables", "notes"});
+         "spacing_m", "edges_m", "bottom_m", "level_heights_m", "interface_heights_m", "byte_order",
+         "numbers", "times", "variables", "notes"});
     if (object.text("type") != "nephoscope-brick") {
         throw Error{"is JSON of another type",
                     inQuotes(object.text("type")),
@@ -340,7 +357,7 @@ Sidecar parseSidecar(std::string_view text) {
     if (object.number("version", 0.0) != 1.0) object.fail("version", "1");
     Sidecar sidecar;
     parseRun(object, json, sidecar);
-    parseGrid(object, sidecar);
+    parseGrid(object, json, sidecar);
     parseTimes(object, sidecar);
     parseVariables(object, sidecar);
     return sidecar;

@@ -47,6 +47,7 @@ struct Sidecar {
     double cloudDropletsPerM3 = 0.0;
     std::array<std::size_t, 3> shape{};  ///< x, y, z
     std::array<double, 2> spacingM{};
+    std::array<std::vector<double>, 2> edgesM{};  ///< faces of uneven cells, the first at 0
     std::vector<double> interfacesM;
     bool bigEndian = false;
     std::vector<neph::plugin::Time> times;

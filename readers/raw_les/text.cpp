@@ -1,4 +1,4 @@
-// text.cpp: reading, splitting and parsing of text; the table of units.
+// text.cpp: reading, splitting and parsing of text.
 #include "readers/raw_les/text.h"
 
 #include <fmt/format.h>
@@ -17,37 +17,6 @@ bool isSpace(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
 }
 
-/// A spelling of a unit, and its factor to SI.
-struct Unit {
-    Quantity quantity;
-    std::string_view spelling;  // without blanks, in lower case
-    double factor;
-};
-constexpr std::array kUnits{
-    Unit{Quantity::ratio, "kg/kg", 1.0},
-    Unit{Quantity::ratio, "kgkg-1", 1.0},
-    Unit{Quantity::ratio, "g/kg", 1e-3},
-    Unit{Quantity::ratio, "gkg-1", 1e-3},
-    Unit{Quantity::density, "kg/m^3", 1.0},
-    Unit{Quantity::density, "kg/m3", 1.0},
-    Unit{Quantity::density, "kgm-3", 1.0},
-    Unit{Quantity::density, "g/m3", 1e-3},
-    Unit{Quantity::pressure, "pa", 1.0},
-    Unit{Quantity::pressure, "hpa", 100.0},
-    Unit{Quantity::pressure, "mb", 100.0},
-    Unit{Quantity::temperature, "k", 1.0},
-    Unit{Quantity::radius, "m", 1.0},
-    Unit{Quantity::radius, "micron", 1e-6},
-    Unit{Quantity::radius, "microns", 1e-6},
-    Unit{Quantity::radius, "micrometer", 1e-6},
-    Unit{Quantity::radius, "micrometers", 1e-6},
-    Unit{Quantity::radius, "um", 1e-6},
-    Unit{Quantity::number, "#/kg", 1.0},
-    Unit{Quantity::number, "1/kg", 1.0},
-    Unit{Quantity::number, "/kg", 1.0},
-    Unit{Quantity::number, "kg-1", 1.0},
-};
-
 }  // namespace
 
 std::optional<std::string> findText(const std::string& path, std::size_t most) {
@@ -62,6 +31,8 @@ std::optional<std::string> findText(const std::string& path, std::size_t most) {
         if (text.size() > most || text.find('\0') != std::string::npos) return {};
     }
     if (stream.bad()) return {};
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
     return text;
 }
 
@@ -149,53 +120,6 @@ std::string joined(const std::vector<std::string>& names) {
     }
     if (names.size() > kMax) text += fmt::format(" … ({} in all)", names.size());
     return text.empty() ? "none" : text;
-}
-
-std::optional<double> siFactor(Quantity quantity, std::string_view unit) {
-    std::string spelling;
-    for (const char c : toLower(unit)) {
-        if (!isSpace(c)) spelling += c;
-    }
-    for (const Unit& known : kUnits) {
-        if (known.quantity == quantity && known.spelling == spelling) return known.factor;
-    }
-    return {};
-}
-
-const char* siUnit(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::ratio:
-            return "kg kg-1";
-        case Quantity::density:
-            return "kg m-3";
-        case Quantity::pressure:
-            return "Pa";
-        case Quantity::temperature:
-            return "K";
-        case Quantity::radius:
-            return "m";
-        case Quantity::number:
-            return "kg-1";
-    }
-    return "";
-}
-
-const char* acceptedUnits(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::ratio:
-            return "kg/kg or g/kg";
-        case Quantity::density:
-            return "kg/m3 or g/m3";
-        case Quantity::pressure:
-            return "Pa or hPa";
-        case Quantity::temperature:
-            return "K";
-        case Quantity::radius:
-            return "m or micron";
-        case Quantity::number:
-            return "#/kg or 1/kg";
-    }
-    return "";
 }
 
 }  // namespace raw

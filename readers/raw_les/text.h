@@ -1,5 +1,4 @@
-// text.h: text of descriptors: reading it, splitting it into lines and words, parsing numbers and
-// units.
+// text.h: text of descriptors: reading it, splitting it into lines and words, parsing numbers.
 //
 // Any bytes give a result or an Error, in time linear in their number.
 #pragma once
@@ -18,8 +17,8 @@ using neph::plugin::Error;
 /// No descriptor comes near this size; larger files are not read.
 inline constexpr std::size_t kMaxTextBytes = 4U << 20U;
 
-/// The whole file; nothing if it cannot be read, is longer than `most`, or contains zero bytes and
-/// so is not text.
+/// The whole file, without the UTF-8 mark that some editors put first; nothing if it cannot be
+/// read, is longer than `most`, or contains zero bytes and so is not text.
 std::optional<std::string> findText(const std::string& path, std::size_t most = kMaxTextBytes);
 
 /// As findText, but throws Error instead of returning nothing.
@@ -41,17 +40,5 @@ std::string inQuotes(std::string_view text);
 
 /// For messages: names separated by commas; "none" if there are none, "…" after the first dozen.
 std::string joined(const std::vector<std::string>& names);
-
-/// Quantities that are converted to SI.
-enum class Quantity { ratio, density, pressure, temperature, radius, number };
-
-/// Factor from `unit` to the SI unit of `quantity`: 1e-3 for g/kg, 100 for hPa. Nothing for an
-/// unknown unit. Case and blanks are ignored.
-std::optional<double> siFactor(Quantity quantity, std::string_view unit);
-
-/// SI unit in the notation of CF, for the host.
-const char* siUnit(Quantity quantity);
-/// Examples of accepted units, for messages.
-const char* acceptedUnits(Quantity quantity);
 
 }  // namespace raw

@@ -12,6 +12,12 @@ namespace {
 bool fits(const raw::Sidecar& sidecar) {
     bool good = sidecar.interfacesM.size() == sidecar.shape[2] + 1 && !sidecar.times.empty();
     for (const double spacing : sidecar.spacingM) good = good && std::isfinite(spacing);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::vector<double>& edges = sidecar.edgesM[axis];
+        if (edges.empty()) continue;
+        good = good && edges.size() == sidecar.shape[axis] + 1 && edges.front() == 0.0;
+        good = good && std::isfinite(edges.back());
+    }
     for (const raw::BrickVariable& variable : sidecar.variables) {
         const std::size_t files = variable.files.size();
         good = good && (files <= 1 || files == sidecar.times.size());

@@ -1,5 +1,6 @@
 // make_seeds.cpp: writes valid inputs of every kind, one folder per fuzz target, from which the
 // search starts. Argument: the folder to write to.
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include <filesystem>
@@ -50,10 +51,29 @@ void seedGrads() {
     records.times = 1;
     records.sequential = records.yrev = records.zrev = true;
     records.zdef = "zdef 3 levels 0.05 0.15 0.3";
+    GradsSpec terrain;
+    terrain.times = 1;
+    terrain.swappedUnsaid = true;
+    terrain.variables = {"zs 0 99 ground (m)",        "zh {} 99 height (m)",
+                         "prs {} 99 pressure (hPa)",  "tc {} 99 temperature (C)",
+                         "QCLOUD {} 99 cloud (g/kg)", "qi1 {} 99 ice (kg/kg)",
+                         "qi2 {} 99 ice (kg/kg)",     "qx {} 99 x (kg/kg)"};
+    GradsSpec stretched;
+    stretched.times = 1;
+    stretched.xdef = "xdef 5 levels 0.1 0.3 0.4 0.5 0.7\n";
+    stretched.ydef = "ydef 4 levels 3 2 1.5 1\n";
+    GradsSpec round;
+    round.times = round.ny = 1;
+    round.xdef = "xdef 5 linear 0.05 0.1\n";
     int number = 0;
-    for (const GradsSpec& spec : {plain, templates, records}) {
+    for (const GradsSpec& spec : {plain, templates, records, terrain, stretched, round}) {
         const TemporaryFolder folder;
         const fs::path ctl = writeGrads(folder.path(), spec);
+        const std::string namelist =
+            fmt::format(" ptype = {},\n ihail = 1,\n axisymm = {}, ! {}\n terrain_flag = .{}.,\n",
+                        50 + number, spec.ny == 1 ? 1 : 0, "flat", number == 3 ? "true" : "false");
+        if (number >= 3) writeText(folder / "namelist.input", namelist);
+        seed("ini", "namelist" + std::to_string(number), namelist);
         const std::string name = "grads" + std::to_string(number++);
         seed("ctl", name, contentOf(ctl));
         seedCase(name, folder.path());
@@ -79,6 +99,9 @@ void seedBricks() {
  "variables": [{"name": "qc", "role": "mixing_ratio", "species": "cloud", "unit": "g/kg",
    "numbers": "uint16", "scale": 0.5, "offset": -1, "missing": 65535, "file": "qc.raw"}]})";
     seed("sidecar", "small", small);
+    std::string uneven = small;
+    uneven.insert(uneven.find("\"byte_order\""), R"("edges_m": {"x": [0, 10, 60]}, )");
+    seed("sidecar", "uneven", uneven);
     seed("sidecar", "cumulus", contentOf(neph::resourcePath("samples/cumulus/cumulus.json")));
     seed("raw_les", "brick", "\n=== brick.json\n" + small + "\n=== qc.raw 12\n");
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "core/plugin/reader_file.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"
@@ -182,4 +183,48 @@ TEST_CASE("Invalid sidecars are refused with an error that names the key") {
     const TemporaryFolder folder;
     writeText(folder / "brick.json", "{ \"type\": \"nephoscope-brick\", ");
     CHECK(contains(errorOf([&] { openFiles({folder / "brick.json"}); }).what, "not JSON"));
+}
+
+TEST_CASE("Faces of uneven cells are stated in the sidecar, from any origin") {
+    const TemporaryFolder folder;
+    Json sidecar = small();
+    sidecar["edges_m"] = {{"x", {-100, 0, 50}}};
+    const auto path = write(folder, sidecar);
+    const DatasetInfo info = ReaderFile(readerHost().pick(path), path).description();
+    CHECK(info.edgesM[0] == std::vector<double>{0, 100, 150});
+    CHECK(info.edgesM[1].empty());
+    CHECK(info.spacingM.x == 50.0);
+    CHECK(contains(errorWith([](Json& j) {
+                       j["edges_m"] = {{"x", {0, 1}}};
+                   }).expected,
+                   "3 positions"));
+    CHECK(contains(errorWith([](Json& j) { j["edges_m"] = {{"x", {0, 2, 1}}}; }).what, "key x"));
+    CHECK(contains(errorWith([](Json& j) { j["edges_m"] = {{"z", {0, 1}}}; }).what, "not known"));
+    CHECK(contains(errorWith([](Json& j) { j["edges_m"] = 3; }).what, "not an object"));
+}
+
+TEST_CASE("A sidecar with the wrong byte order is refused with the right one") {
+    const TemporaryFolder folder;
+    Json sidecar = small();
+    auto& variable = sidecar["variables"][0];
+    for (const char* key : {"scale", "offset", "missing"}) variable.erase(key);
+    variable["numbers"] = "float32";
+    const auto path = write(folder, sidecar);
+    writeFloats(folder / "qc.raw", {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f}, true);
+    const ErrorParts error = errorOf([&] { openFiles({path}); });
+    CHECK(contains(error.what, "byte order that the sidecar states"));
+    CHECK(contains(error.hint, "\"byte_order\": \"big\""));
+}
+
+TEST_CASE("Variables of a sidecar with the same species are added up") {
+    const TemporaryFolder folder;
+    Json sidecar = small();
+    Json second = sidecar["variables"][0];
+    second["name"] = "qc2";
+    second["offset"] = 0;
+    sidecar["variables"].push_back(second);
+    const auto dataset = openFiles({write(folder, sidecar)});
+    const auto* cloud = dataset->info().find(VariableRole::mixingRatio, Species::cloud);
+    REQUIRE(cloud->name == "qc+qc2");
+    CHECK(dataset->read(cloud->name, 0).values[0] == doctest::Approx(1e-3 + 2e-3));
 }

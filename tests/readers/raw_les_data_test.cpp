@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "core/plugin/reader_file.h"
 #include "tests/readers/reader_host.h"
 
 using namespace neph;
@@ -129,4 +130,40 @@ TEST_CASE("MicroHH: maxima and column sums are those of NumPy" *
     CHECK(found.most == doctest::Approx(0.7234896018319414).epsilon(1e-6));
     CHECK(found.totalKg == doctest::Approx(279017.4157117398).epsilon(1e-6));
     CHECK(dataset->read("pref", 0).values[0] == doctest::Approx(101310.53).epsilon(1e-7));
+}
+
+TEST_CASE("CM1, stretched in x and y: widths and masses are those of NumPy" *
+          doctest::skip(kModelData == nullptr)) {
+    const fs::path ctl = fs::path(kModelData) / "cm1-stretched/cm1out_s.ctl";
+    ReaderFile file(readerHost().pick(ctl), ctl);
+    const DatasetInfo& info = file.description();
+    REQUIRE(info.size == glm::ivec3(40, 40, 34));
+    CHECK(info.spacingM.x == doctest::Approx(1000.0).epsilon(1e-5));
+    for (const auto& edges : info.edgesM) {
+        REQUIRE(edges.size() == 41);
+        CHECK(edges[0] == 0.0);
+        CHECK(edges[1] == doctest::Approx(5000.0).epsilon(1e-4));
+        CHECK(edges[2] - edges[1] == doctest::Approx(4428.57).epsilon(1e-4));
+        CHECK(edges[21] - edges[20] == doctest::Approx(1000.0).epsilon(1e-4));
+        CHECK(edges[40] == doctest::Approx(72000.0).epsilon(1e-6));
+    }
+    const CellBox whole{{0, 0, 0}, info.size};
+    const auto read = [&](const char* name) {
+        const auto index = static_cast<std::size_t>(info.find(name) - info.variables.data());
+        return file.read(index, 2, whole, {});
+    };
+    const std::vector<float> rho = read("rho");
+    for (const auto& [name, massKg] :
+         {std::pair{"qc", 1.38437e9}, std::pair{"qr", 1.72129e9}, std::pair{"qg", 9.11917e9}}) {
+        const std::vector<float> q = read(name);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < q.size(); ++i) {
+            const std::size_t x = i % 40;
+            const std::size_t y = i / 40 % 40;
+            sum += static_cast<double>(q[i]) * static_cast<double>(rho[i]) * 500.0 *
+                   (info.edgesM[0][x + 1] - info.edgesM[0][x]) *
+                   (info.edgesM[1][y + 1] - info.edgesM[1][y]);
+        }
+        CHECK(sum == doctest::Approx(massKg).epsilon(1e-5));
+    }
 }

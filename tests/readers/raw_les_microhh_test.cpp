@@ -2,6 +2,8 @@
 // air.
 #include <doctest/doctest.h>
 
+#include <chrono>
+
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/reader_host.h"
 #include "tests/temporary_folder.h"
@@ -54,14 +56,64 @@ TEST_CASE("MicroHH times are in units of 10^iotimeprec seconds") {
     CHECK(info.times[1].seconds == doctest::Approx(360.0));
 }
 
-TEST_CASE("Times without one of the hydrometeors are left out with a note") {
+TEST_CASE("A hydrometeor without a file at some times is drawn at the others, with a note") {
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
-    writeFloats(folder / "qr.0007200", std::vector<float>(24, 1e-5f));
-    const DatasetInfo info = openFiles({path})->info();
-    REQUIRE(info.times.size() == 1);
-    CHECK(info.times[0].label == "7200 s");
-    CHECK(contains(info.notes.at(0), "1 of 2 times are left out"));
+    std::filesystem::remove(folder / "qr.0003600");
+    const auto dataset = openFiles({path});
+    REQUIRE(dataset->info().times.size() == 2);
+    CHECK(dataset->read("qr", 0).values == std::vector<float>(24, 0.0f));
+    CHECK(dataset->read("qr", 1).values == std::vector<float>(24, 1e-5f));
+    CHECK(contains(dataset->info().notes.at(0), "qr, rain, has no file at 1 of 2 times"));
+    CHECK(contains(dataset->info().notes.at(0), "3600 s"));
+}
+
+TEST_CASE("A hydrometeor that the run has and the case lacks altogether is named in a note") {
+    const TemporaryFolder folder;
+    MicrohhSpec spec;
+    spec.rain = false;
+    const auto path = writeMicrohh(folder.path(), spec);
+    CHECK(contains(openFiles({path})->info().notes.at(0), "qr, rain, is not in the case"));
+    writeText(folder / "case.ini",
+              "[grid]\nitot=4\njtot=3\nktot=2\nxsize=400\nysize=300\nzsize=100\n"
+              "[thermo]\nswthermo=moist\n[micro]\nswmicro=nsw6\n");
+    const auto notes = openFiles({path})->info().notes;
+    REQUIRE(notes.size() == 4);
+    CHECK(contains(notes[0], "qi, cloud ice"));
+    CHECK(contains(notes[1], "qr, rain"));
+    CHECK(contains(notes[2], "qs, snow"));
+    CHECK(contains(notes[3], "qg, graupel"));
+}
+
+TEST_CASE("The number of rain drops is converted from cubic metres to kilograms of air") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    for (const char* name : {"nr.0003600", "nr.0007200"}) {
+        writeFloats(folder / name, std::vector<float>(24, 6000.0f));
+    }
+    const auto dataset = openFiles({path});
+    const auto* number = dataset->info().find(VariableRole::numberConcentration, Species::rain);
+    REQUIRE(number != nullptr);
+    const auto perKg = dataset->read(number->name, 0);
+    CHECK(perKg.values[0] == doctest::Approx(5000.0));  // 6000 / 1.2
+    CHECK(perKg.at(3, 2, 1) == doctest::Approx(6000.0 / 1.1));
+    std::filesystem::remove(folder / "nr.0007200");
+    const auto info = openFiles({path})->info();
+    CHECK(info.find(VariableRole::numberConcentration, Species::rain) == nullptr);
+    CHECK(contains(info.notes.at(0), "nr, the number of rain drops, is not used"));
+}
+
+TEST_CASE("A time of which a MicroHH field is cut short is left out, with a note") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    writeText(folder / "qr.0007200", std::string(95, 'x'));
+    const DatasetInfo writing = openFiles({path})->info();
+    REQUIRE(writing.times.size() == 1);
+    CHECK(contains(writing.notes.at(0), "qr.0007200 is being written"));
+    std::filesystem::last_write_time(
+        folder / "qr.0007200",
+        std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    CHECK(contains(openFiles({path})->info().notes.at(0), "qr.0007200 is shorter than a field"));
 }
 
 TEST_CASE("A MicroHH case without rhoref uses the standard atmosphere, with a note") {
@@ -80,11 +132,13 @@ TEST_CASE("Files that do not fit a MicroHH grid are refused with actual and expe
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
     const auto whatOf = [&] { return errorOf([&] { openFiles({path / "case.ini"}); }); };
-    writeText(folder / "ql.0003600", std::string(95, 'x'));
+    for (const char* name : {"ql.0003600", "ql.0007200", "qr.0003600", "qr.0007200"}) {
+        writeText(folder / name, std::string(95, 'x'));
+    }
     CHECK(contains(whatOf().what, "shorter than a field"));
     CHECK(whatOf().found == "95 bytes");
     CHECK(contains(whatOf().expected, "96 bytes"));
-    std::filesystem::remove(folder / "ql.0003600");
+    writeMicrohh(folder.path(), {});
     writeText(folder / "grid.0000000", std::string(73, 'x'));
     CHECK(whatOf().found == "73 bytes");
     CHECK(contains(whatOf().expected, "72 bytes (float) or 144 bytes (double)"));

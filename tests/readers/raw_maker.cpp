@@ -21,22 +21,28 @@ void append(std::string& bytes, Number number, bool swapped) {
     bytes.append(raw.data(), raw.size());
 }
 
+float valueOf(const GradsSpec& spec, std::size_t v, std::size_t x, std::size_t y, std::size_t z,
+              std::size_t t) {
+    return spec.value ? spec.value(v, x, y, z, t) : gradsValue(v, x, y, z, t);
+}
+
 /// All variables at one time.
 std::string recordOf(const GradsSpec& spec, std::size_t t) {
     std::string bytes;
+    const bool swapped = spec.swapped || spec.swappedUnsaid;
     for (std::size_t v = 0; v < spec.variables.size(); ++v) {
         const std::size_t nz = spec.variables[v].find("{}") == std::string::npos ? 1 : spec.nz;
         for (std::size_t k = 0; k < nz; ++k) {
             const std::size_t z = spec.zrev ? nz - 1 - k : k;
             const auto length = static_cast<std::uint32_t>(spec.nx * spec.ny * 4);
-            if (spec.sequential) append(bytes, length, spec.swapped);
+            if (spec.sequential) append(bytes, length, swapped);
             for (std::size_t j = 0; j < spec.ny; ++j) {
                 const std::size_t y = spec.yrev ? spec.ny - 1 - j : j;
                 for (std::size_t x = 0; x < spec.nx; ++x) {
-                    append(bytes, gradsValue(v, x, y, z, t), spec.swapped);
+                    append(bytes, valueOf(spec, v, x, y, z, t), swapped);
                 }
             }
-            if (spec.sequential) append(bytes, length, spec.swapped);
+            if (spec.sequential) append(bytes, length, swapped);
         }
     }
     return bytes;
@@ -101,7 +107,7 @@ fs::path writeGrads(const fs::path& folder, const GradsSpec& spec) {
     std::string text =
         fmt::format("dset {}\n{}title {}\nundef -999999.9\n", dset, optionsOf(spec), spec.title);
     text += spec.xdef.empty() ? fmt::format("xdef {} linear -0.2 0.1\n", spec.nx) : spec.xdef;
-    text += fmt::format("ydef {} linear 0.1 0.2\n", spec.ny);
+    text += spec.ydef.empty() ? fmt::format("ydef {} linear 0.1 0.2\n", spec.ny) : spec.ydef;
     text += spec.zdef.empty() ? fmt::format("zdef {} linear 0.05 0.1\n", spec.nz) : spec.zdef;
     text += spec.tdef.empty() ? fmt::format("tdef {} linear 00:00Z01JAN0001 1YR\n", spec.times)
                               : spec.tdef;
@@ -142,6 +148,9 @@ fs::path writeMicrohh(const fs::path& folder, const MicrohhSpec& spec) {
     std::fill(ql.begin() + 12, ql.end(), 1e-3);
     write("ql.0003600", ql);
     write("ql.0007200", ql);
+    for (const char* name : {"qr.0003600", "qr.0007200"}) {
+        if (spec.rain) write(name, std::vector<double>(24, 1e-5));
+    }
     if (spec.density) write("rhoref.0000000", {1.2, 1.1, 1.25, 1.15, 1.05});
     write("time.0003600", {3600.0});
     write("thl_bot.0003600", std::vector<double>(12, 300.0));

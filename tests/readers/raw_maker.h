@@ -17,7 +17,11 @@ struct GradsSpec {
     std::string title =
         "CM1 output, using version cm1r21.1; units of x,y,z are km; time is generic";
     std::string zdef;  ///< instead of a linear axis of 100 m steps
-    std::string xdef, tdef, options;
+    std::string xdef, ydef, tdef, options;
+    /// Value at cell x, y, z of variable number v at time t; gradsValue if empty.
+    std::function<float(std::size_t v, std::size_t x, std::size_t y, std::size_t z, std::size_t t)>
+        value;
+    bool swappedUnsaid = false;  ///< in the other byte order, which the descriptor does not state
     std::vector<std::string> variables{
         "rain 0 99 accumulated surface rainfall (cm)", "th {} 99 potential temperature (K)",
         "prs {} 99 pressure (Pa)", "qv {} 99 water vapor mixing ratio (kg/kg)",
@@ -39,6 +43,7 @@ void writeText(const std::filesystem::path& path, const std::string& text);
 
 /// A MicroHH case of 4 x 3 x 2 cells of 100 m, 100 m, 50 m, with ql = 1e-3 · z-index at two times.
 struct MicrohhSpec {
+    bool rain = true;  ///< qr = 1e-5 at both times
     bool doubles = false;
     bool density = true;
     std::string more;  ///< appended to the .ini

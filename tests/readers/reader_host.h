@@ -29,3 +29,11 @@ neph::ErrorParts errorOf(Work&& work) {
     }
     return {};
 }
+
+/// Whether one of the notes contains `text`.
+inline bool hasNote(const neph::DatasetInfo& info, std::string_view text) {
+    for (const std::string& note : info.notes) {
+        if (contains(note, text)) return true;
+    }
+    return false;
+}

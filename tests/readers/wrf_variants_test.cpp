@@ -26,11 +26,6 @@ FieldFunction everywhere(float value) {
     return [value](int, int, int, int) { return value; };
 }
 
-bool hasNote(const DatasetInfo& info, std::string_view text) {
-    return std::ranges::any_of(info.notes,
-                               [&](const std::string& note) { return contains(note, text); });
-}
-
 ErrorParts openError(const std::filesystem::path& path) {
     return errorOf([&] { openFiles({path}); });
 }

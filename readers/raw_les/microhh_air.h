@@ -1,0 +1,18 @@
+// microhh_air.h: MicroHH's reference air: moist, horizontally uniform.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "readers/raw_les/raw_values.h"
+
+namespace raw {
+
+/// One value per level; empty where the files are not there.
+struct MicrohhAir {
+    std::vector<double> densityKgPerM3, pressurePa, temperatureK;
+};
+/// From rhoref.0000000 and thermo_basestate.0000000 of a case with `levels` levels.
+MicrohhAir readMicrohhAir(const std::string& folder, NumberType type, bool swapped,
+                          std::size_t levels);
+
+}  // namespace raw
