@@ -52,22 +52,25 @@ std::vector<std::string> modelCtls(const std::string& folder) {
     }
     std::ranges::sort(found);
     // The same fields interpolated to other levels, beside those of the model.
-    std::erase_if(found, [&](const std::string& path) {
-        return path.ends_with("_i.ctl") &&
-               std::ranges::binary_search(found, path.substr(0, path.size() - 6) + "_s.ctl");
-    });
-    return found;
+    std::vector<std::string> wanted;
+    for (const std::string& path : found) {
+        const bool interpolated =
+            path.ends_with("_i.ctl") &&
+            std::ranges::binary_search(found, path.substr(0, path.size() - 6) + "_s.ctl");
+        if (!interpolated) wanted.push_back(path);
+    }
+    return wanted;
 }
 
 std::optional<std::string> findCtlOf(const std::string& path) {
-    constexpr std::size_t kMaxTimes = 10'000;  // file names tried per descriptor
+    constexpr std::size_t kMaxFileNames = 10'000;  // file names tried per descriptor
     std::error_code error;
     const std::string folder = folderOf(path);
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         if (entry.path().extension() != ".ctl") continue;
         try {
             const Ctl ctl = parseCtl(readText(entry.path().string()));
-            const std::size_t times = ctl.isTemplate ? std::min(ctl.t.count, kMaxTimes) : 1;
+            const std::size_t times = ctl.isTemplate ? std::min(ctl.t.count, kMaxFileNames) : 1;
             for (std::size_t i = 0; i < times; ++i) {
                 if (fs::path(dataPath(ctl, folder, i)) == path) return entry.path().string();
             }
