@@ -106,9 +106,11 @@ Repairs& Repairs::operator+=(const Repairs& part) {
     return *this;
 }
 
+/// A value that is condensate in another order of bytes or another unit is no mark: a field may
+/// hold only one value.
 bool Repairs::hasMark() const {
-    // A field of nothing but one value is no field with marks.
-    return impossible > 1 && nearlyAll(marked, impossible);
+    return impossible > 0 && nearlyAll(marked, impossible) &&
+           !liesIn(bytesSwapped(mark), kLeastHidden) && !liesIn(mark / kGramsPerKilogram, 0.0f);
 }
 
 bool Repairs::nothing() const {

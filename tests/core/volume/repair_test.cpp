@@ -103,6 +103,15 @@ TEST_CASE("Grams per kilogram that are read as kilograms are refused as such") {
     CHECK(!contains(error.hint, "byte order"));
 }
 
+TEST_CASE("A cloud of one value in the wrong order or unit is refused, not taken for missing") {
+    const auto box = [](int x, int, int z, float value) { return x > 5 && z > 3 ? value : 0.0f; };
+    CHECK(contains(
+        fieldRefusal([=](int x, int y, int z) { return box(x, y, z, inOtherOrder(1e-3f)); }).hint,
+        "byte order"));
+    CHECK(contains(fieldRefusal([=](int x, int y, int z) { return box(x, y, z, 1.0f); }).hint,
+                   "g/kg"));
+}
+
 TEST_CASE("Numbers of another kind are refused as not being where they are looked for") {
     // The two halves of the field's doubles, as float32.
     const ErrorParts error = fieldRefusal([](int x, int y, int z) {
