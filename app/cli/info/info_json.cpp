@@ -31,7 +31,6 @@ Json gridJson(const DatasetInfo& info, const LayerSummary& layers) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         if (!info.edgesM[axis].empty()) json[kEdges[axis]] = info.edgesM[axis];
     }
-    if (!info.domain.empty()) json["domain"] = info.domain;
     return json;
 }
 
