@@ -28,6 +28,7 @@ struct KnownFile {
 class SeriesDataset : public Dataset {
   public:
     explicit SeriesDataset(const Series& series);
+    bool has(std::string_view variable, int time) const override;
     Array3f read(std::string_view variable, int time, std::optional<CellBox> box,
                  const Progress& progress) override;
     std::unique_ptr<Dataset> anotherHandle() const override {
@@ -43,6 +44,7 @@ class SeriesDataset : public Dataset {
     }
     void mergeVariables(const DatasetInfo& file);
     void sortTimes();
+    const KnownFile& fileOf(const TimeInfo& when) const;
     ReaderFile& opened(const KnownFile& file, const Progress& progress);
     void requireUnchanged(const DatasetInfo& now, const TimeInfo& when, std::string_view variable,
                           std::size_t index) const;
@@ -82,7 +84,8 @@ SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
     info_.notes.insert(info_.notes.end(), series.notes.begin(), series.notes.end());
 }
 
-/// A variable that only some files have is listed; reading it at another time is an error.
+/// A variable that only some files have is listed; reading it at another time is an error, and
+/// `has` tells.
 void SeriesDataset::mergeVariables(const DatasetInfo& file) {
     for (const VariableInfo& variable : file.variables) {
         if (info_.find(variable.name) == nullptr) info_.variables.push_back(variable);
@@ -105,6 +108,15 @@ void SeriesDataset::sortTimes() {
     const double origin = kept.front().seconds;
     for (TimeInfo& time : kept) time.seconds -= origin;
     info_.times = std::move(kept);
+}
+
+const KnownFile& SeriesDataset::fileOf(const TimeInfo& when) const {
+    return *std::ranges::find(*files_, when.file, &KnownFile::path);
+}
+
+bool SeriesDataset::has(std::string_view variable, int time) const {
+    const TimeInfo& when = info_.times.at(static_cast<std::size_t>(time));
+    return fileOf(when).variables.contains(variable);
 }
 
 ReaderFile& SeriesDataset::opened(const KnownFile& file, const Progress& progress) {
@@ -156,10 +168,10 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<C
                      .expected = fmt::format("0 to {}", info_.times.size() - 1)});
     }
     const TimeInfo& when = info_.times[static_cast<std::size_t>(time)];
-    const auto file = std::ranges::find(*files_, when.file, &KnownFile::path);
-    const auto index = file->variables.find(variable);
-    if (index == file->variables.end()) throw missing(when, *file, variable);
-    ReaderFile& source = opened(*file, progress);
+    const KnownFile& file = fileOf(when);
+    const auto index = file.variables.find(variable);
+    if (index == file.variables.end()) throw missing(when, file, variable);
+    ReaderFile& source = opened(file, progress);
     requireUnchanged(source.description(), when, variable, index->second);
     const glm::ivec3 size = source.description().variables[index->second].size;
     const CellBox all = box.value_or(CellBox{glm::ivec3(0), size});
@@ -178,6 +190,17 @@ Array3f SeriesDataset::read(std::string_view variable, int time, std::optional<C
 }
 
 }  // namespace
+
+bool Dataset::has(std::string_view variable, int) const {
+    return info_.find(variable) != nullptr;
+}
+
+DatasetInfo Dataset::infoAt(int time) const {
+    DatasetInfo there = info_;
+    std::erase_if(there.variables,
+                  [&](const VariableInfo& variable) { return !has(variable.name, time); });
+    return there;
+}
 
 std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
                                        const Progress& progress) {

@@ -37,6 +37,11 @@ class Dataset {
 
     const DatasetInfo& info() const { return info_; }
 
+    /// Whether one time has a variable: in a series, some files may lack it.
+    virtual bool has(std::string_view variable, int time) const;
+    /// `info` without the variables that one time lacks.
+    DatasetInfo infoAt(int time) const;
+
     /// Values of one variable at one time, in the units that `info` gives. `box` defaults to
     /// everything. Throws Error (unknown variable, failed read) or Cancelled.
     virtual Array3f read(std::string_view variable, int time, std::optional<CellBox> box = {},

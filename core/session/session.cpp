@@ -8,6 +8,7 @@
 
 #include "core/dataset/file_list.h"
 #include "core/volume/memory_setting.h"
+#include "core/volume/native_band.h"
 
 namespace neph {
 namespace {
@@ -251,13 +252,27 @@ void Session::show(const VolumeKey& key, const Held& held) {
     shownStale_ = false;
     failedKey_.reset();
     aheadDone_ = false;
-    const DatasetInfo& info = dataset_->info();
     sayNew(key.request.radii.notes);
-    sayNew(held->volume.notes);
-    if (held->summary.plan.coarsening > 1) sayNew({describe(held->summary.plan, info)});
-    if (held->summary.empty()) {
-        sayNew({fmt::format("{}: there is no hydrometeor at this time", held->volume.timeLabel)},
-               Message::Kind::warning);
+    const ReadPlan& plan = held->summary.plan;
+    const bool remapped = plan.coarsening > 1 || hasUnevenCells(dataset_->info());
+    if (remapped) sayNew({describe(plan, dataset_->info())});
+    sayOfTime(*held, key.request);
+}
+
+/// Replaces the messages about the time that was shown before; each names its time. What the
+/// request entails for every time has been said.
+void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
+    std::erase_if(messages, &Message::ofTime);
+    const auto add = [this](Message::Kind kind, const std::string& text) {
+        messages.push_back({kind, text, ++lastSerial_, true});
+    };
+    const std::vector<std::string>& lasting = request.radii.notes;
+    for (const std::string& note : held.volume.notes) {
+        if (std::ranges::find(lasting, note) == lasting.end()) add(Message::Kind::note, note);
+    }
+    if (held.summary.empty()) {
+        add(Message::Kind::warning,
+            fmt::format("{}: there is no hydrometeor at this time", held.volume.timeLabel));
     }
 }
 

@@ -33,6 +33,7 @@ struct Message {
     Kind kind = Kind::note;
     std::string text;
     std::uint64_t serial = 0;  ///< increases from 1
+    bool ofTime = false;       ///< about the time that is shown; goes when another is
 };
 
 /// The time that is shown first: the middle one, because models start without cloud and storms
@@ -145,6 +146,7 @@ class Session {
     void adoptTimes(const DatasetInfo& before, const DatasetInfo& now);
     void dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps);
     void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
+    void sayOfTime(const HeldVolume& held, const VolumeRequest& request);
 
     OpenSeries open_;
     std::vector<std::string> named_;            // by the user, for the open data

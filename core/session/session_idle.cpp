@@ -125,7 +125,8 @@ void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> 
     aheadDone_ = false;
     dropChanged(before, stamps);
     stamps_ = std::move(stamps);
-    if (now.size != before.size || now.spacingM != before.spacingM) {
+    if (now.size != before.size || now.spacingM != before.spacingM || now.edgesM != before.edgesM ||
+        now.domain != before.domain) {
         cache_.clear();
         shownStale_ = true;
     }

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/volume/possible_air.h"
 
 namespace neph {
 namespace {
@@ -54,6 +55,10 @@ CellBox wholeBox(const DatasetInfo& info) {
     return {glm::ivec3(0), info.size};
 }
 
+bool hasUnevenCells(const DatasetInfo& info) {
+    return !info.edgesM[0].empty() || !info.edgesM[1].empty();
+}
+
 std::vector<CellBox> bandsOf(const CellBox& box, int coarsening) {
     const std::size_t row = static_cast<std::size_t>(box.size().x) *
                             static_cast<std::size_t>(box.size().z) * sizeof(float);
@@ -94,6 +99,21 @@ const VariableInfo& requiredVariable(const Dataset& dataset, VariableRole role,
                  .expected = "a variable of that role from the reader"});
 }
 
+std::vector<std::string> absences(const Dataset& dataset, int time) {
+    std::vector<std::string> notes;
+    const DatasetInfo& all = dataset.info();
+    const DatasetInfo there = dataset.infoAt(time);
+    const TimeInfo& when = all.times.at(static_cast<std::size_t>(time));
+    for (std::size_t s = 0; s < kSpecies.size(); ++s) {
+        const auto species = static_cast<Species>(s);
+        const VariableInfo* known = all.find(VariableRole::mixingRatio, species);
+        if (known == nullptr || there.find(VariableRole::mixingRatio, species) != nullptr) continue;
+        notes.push_back(fmt::format("{} is not in {}: there is no {} at this time.", known->name,
+                                    when.file.filename().string(), info(species).id));
+    }
+    return notes;
+}
+
 ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time,
                         const CellBox& band, const Progress& progress) {
     CellBox box = band;
@@ -105,6 +125,7 @@ ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time
         box.upper = {1, 1, box.upper.z};
     }
     field.values = dataset.read(variable.name, time, box, progress);
+    requirePossibleAir(dataset, time, variable, box, field.values);
     return field;
 }
 
@@ -130,21 +151,13 @@ ColumnField readHeights(Dataset& dataset, int time, const CellBox& band, const P
 ColumnField readDensity(Dataset& dataset, int time, const CellBox& band, const Progress& progress) {
     const VariableInfo& variable =
         requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
-    ColumnField density = readColumns(dataset, variable, time, band, progress);
-    const auto bad = std::ranges::find_if(density.values.values, [](float value) {
-        return !(value > 0.0f) || !std::isfinite(value);
-    });
-    if (bad != density.values.values.end()) {
-        const auto index = static_cast<std::size_t>(bad - density.values.values.begin());
-        throw errorOf(dataset, time, variable, band, density, {index, "above 0 kg/m3"});
-    }
-    return density;
+    return readColumns(dataset, variable, time, band, progress);
 }
 
 Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const CellBox& band,
-                  Repairs& repairs, const Progress& progress) {
+                  Repairs& repairs, const Progress& progress, int countedFrom) {
     Array3f ratio = dataset.read(variable.name, time, band, progress);
-    repairs += repair(ratio);
+    repairs += repair(ratio, countedFrom);
     return ratio;
 }
 

@@ -31,6 +31,9 @@ struct ColumnField {
 /// All native columns of the data set.
 CellBox wholeBox(const DatasetInfo& info);
 
+/// Whether cells differ in width along x or y.
+bool hasUnevenCells(const DatasetInfo& info);
+
 /// Cuts `box` into bands from south to north, each of a multiple of `coarsening` rows (except the
 /// last) and about a megabyte per field.
 std::vector<CellBox> bandsOf(const CellBox& box, int coarsening);
@@ -40,12 +43,17 @@ std::vector<CellBox> bandsOf(const CellBox& box, int coarsening);
 const VariableInfo& requiredVariable(const Dataset& dataset, VariableRole role,
                                      std::string_view meaning);
 
+/// One sentence for each hydrometeor of the series that one time lacks.
+std::vector<std::string> absences(const Dataset& dataset, int time);
+
 /// Throws Error unless the variable has the cells of the grid, or is a vertical profile where
 /// `profiles` allows it.
 void requireOnGrid(const Dataset& dataset, const VariableInfo& variable, bool profiles);
 
 /// One variable in the columns of `band`; variables on interfaces have one level more than there
-/// are layers. Throws Error or Cancelled, as the functions below do.
+/// are layers. Throws Error if pressure, temperature or density is not that of possible air
+/// (core/plugin/reader_abi.h), or Cancelled, as the functions below do. For a density that is not,
+/// the error names the pressure or temperature of that cell that explains it.
 ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time,
                         const CellBox& band, const Progress& progress = {});
 
@@ -53,13 +61,14 @@ ColumnField readColumns(Dataset& dataset, const VariableInfo& variable, int time
 ColumnField readHeights(Dataset& dataset, int time, const CellBox& band,
                         const Progress& progress = {});
 
-/// Density of dry air, kg/m³. Throws Error unless it is above zero everywhere.
+/// Density of dry air, kg/m³.
 ColumnField readDensity(Dataset& dataset, int time, const CellBox& band,
                         const Progress& progress = {});
 
-/// Mixing ratio, kg/kg; impossible values are set to zero and counted in `repairs`.
+/// Mixing ratio, kg/kg; impossible values are set to zero and counted in `repairs`, from row
+/// `countedFrom` of the band on.
 Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const CellBox& band,
-                  Repairs& repairs, const Progress& progress = {});
+                  Repairs& repairs, const Progress& progress = {}, int countedFrom = 0);
 
 /// Called with a handle of the data set that no other thread uses at the same time.
 using BandWork = std::function<void(Dataset& dataset, std::size_t band, const Progress& progress)>;

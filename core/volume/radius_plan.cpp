@@ -141,6 +141,28 @@ RadiusPlan planRadii(const Look& look, const DatasetInfo& info) {
     return plan;
 }
 
+RadiusPlan planAt(const RadiusPlan& plan, const DatasetInfo& there, std::string_view timeLabel) {
+    RadiusPlan now = plan;
+    const auto lacks = [&](const std::string& name) {
+        return !name.empty() && there.find(name) == nullptr;
+    };
+    for (int i = 0; i < kSpeciesCount; ++i) {
+        const auto s = static_cast<Species>(i);
+        const RadiusRule& rule = plan.of(s);
+        if (there.find(VariableRole::mixingRatio, s) == nullptr) continue;
+        if (!lacks(rule.radiusVariable) && !lacks(rule.numberVariable) &&
+            !lacks(rule.temperatureVariable)) {
+            continue;
+        }
+        std::vector<std::string> notes;
+        now.rules[static_cast<std::size_t>(i)] = planRule(there, s, rule.source, notes);
+        for (const std::string& note : notes) {
+            now.notes.push_back(fmt::format("{}: {}", timeLabel, note));
+        }
+    }
+    return now;
+}
+
 RadiusGaps& RadiusGaps::operator+=(const RadiusGaps& other) {
     cells += other.cells;
     gaps += other.gaps;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/dataset/dataset.h"
@@ -41,6 +42,10 @@ struct RadiusPlan {
 /// The plan for `look`, as far as the data allow: file, number, scheme, then an assumed
 /// distribution. With one mass extinction for all fields everything is held as mass.
 RadiusPlan planRadii(const Look& look, const DatasetInfo& info);
+
+/// The same where one time lacks variables that others have: `there` is Dataset::infoAt(), and
+/// notes of what stands in begin with `timeLabel`.
+RadiusPlan planAt(const RadiusPlan& plan, const DatasetInfo& there, std::string_view timeLabel);
 
 /// The variables that the rule of a species names, on native cells; empty if it names none.
 struct RadiusCells {

@@ -2,12 +2,14 @@
 #include "core/volume/read_plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/dataset/grid_text.h"
 #include "core/volume/native_band.h"
 
 namespace neph {
@@ -16,6 +18,8 @@ namespace {
 constexpr int kMostLevels = 256;
 constexpr std::size_t kDepthSamples = 100'000;  // enough layers for a good estimate of the median
 constexpr int kFewestSampleRows = 3;
+constexpr double kMostEvenColumns = 16'384.0;  // along an axis, whatever a file says
+constexpr double kSamePlace = 1e-6;            // of a cell: positions that differ by rounding only
 constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here and on the GPU
 // One RGBA32F texture holds three optical classes and the skylight,
 // app/render/medium/medium_bake.cpp.
@@ -98,17 +102,47 @@ void placeLevels(const NativeLevels& native, const std::optional<BoxM>& region, 
     grid.size.z = static_cast<int>(last - first);
 }
 
-/// Native cells that a region touches.
-CellBox boxOf(const DatasetInfo& info, const std::optional<BoxM>& region) {
-    CellBox box = wholeBox(info);
+/// The columns of the domain at full resolution: the native ones, or even ones in their place.
+struct EvenColumns {
+    glm::dvec2 spacingM;
+    glm::ivec2 count;
+};
+
+EvenColumns evenColumns(const DatasetInfo& info) {
+    if (!hasUnevenCells(info)) return {info.spacingM, glm::ivec2(info.size)};
+    const glm::dvec2 extent = info.extentM();
+    const glm::dvec2 spacing = glm::max(info.spacingM, extent / kMostEvenColumns);
+    return {spacing, glm::max(glm::ivec2(glm::ceil(extent / spacing - kSamePlace)), 1)};
+}
+
+/// Even columns that a region touches.
+CellBox touched(const DatasetInfo& info, const std::optional<BoxM>& region) {
+    const EvenColumns columns = evenColumns(info);
+    CellBox box{glm::ivec3(0), {columns.count, info.size.z}};
     if (!region) return box;
     for (int axis = 0; axis < 2; ++axis) {
-        const double cell = info.spacingM[axis];
-        const double most = info.size[axis];
-        const double lower = std::floor(region->lowerM[axis] / cell + 1e-6);
-        const double upper = std::ceil(region->upperM[axis] / cell - 1e-6);
+        const double cell = columns.spacingM[axis];
+        const double most = columns.count[axis];
+        const double lower = std::floor(region->lowerM[axis] / cell + kSamePlace);
+        const double upper = std::ceil(region->upperM[axis] / cell - kSamePlace);
         box.lower[axis] = static_cast<int>(std::clamp(lower, 0.0, most));
         box.upper[axis] = static_cast<int>(std::clamp(upper, 0.0, most));
+    }
+    return box;
+}
+
+/// Native columns that lie in `even` ones.
+CellBox nativeBox(const DatasetInfo& info, const CellBox& even) {
+    if (!hasUnevenCells(info)) return even;
+    CellBox box = wholeBox(info);
+    const glm::dvec2 spacing = evenColumns(info).spacingM;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double from = (even.lower[axis] + kSamePlace) * spacing[axis];
+        const double to = (even.upper[axis] - kSamePlace) * spacing[axis];
+        int& lower = box.lower[axis];
+        int& upper = box.upper[axis];
+        while (lower < upper && info.edgeM(axis, lower + 1) <= from) ++lower;
+        while (lower < upper && info.edgeM(axis, upper - 1) >= to) --upper;
     }
     return box;
 }
@@ -117,9 +151,9 @@ CellBox boxOf(const DatasetInfo& info, const std::optional<BoxM>& region) {
 /// its limits.
 void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLevels& native,
                   const std::optional<BoxM>& region) {
-    if (glm::all(glm::greaterThan(plan.box.size(), glm::ivec3(0))) && plan.grid.size.z > 0) return;
+    if (glm::all(glm::greaterThan(plan.even.size(), glm::ivec3(0))) && plan.grid.size.z > 0) return;
     const DatasetInfo& info = dataset.info();
-    const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
+    const glm::dvec2 extent = info.extentM();
     const auto text = [](glm::dvec3 from, glm::dvec3 to) {
         std::string words;
         for (int axis = 0; axis < 3; ++axis) {
@@ -144,10 +178,11 @@ void coarsen(ReadPlan& plan, int coarsening, const DatasetInfo& info) {
     for (int s = 0; s < kSpeciesCount; ++s) {
         if (info.find(VariableRole::mixingRatio, static_cast<Species>(s)) != nullptr) ++species;
     }
+    const glm::dvec2 spacing = evenColumns(info).spacingM;
     for (int axis = 0; axis < 2; ++axis) {
-        plan.grid.size[axis] = (plan.box.size()[axis] + coarsening - 1) / coarsening;
-        plan.grid.spacingM[axis] = info.spacingM[axis] * coarsening;
-        plan.grid.originM[axis] = info.spacingM[axis] * plan.box.lower[axis];
+        plan.grid.size[axis] = (plan.even.size()[axis] + coarsening - 1) / coarsening;
+        plan.grid.spacingM[axis] = spacing[axis] * coarsening;
+        plan.grid.originM[axis] = spacing[axis] * plan.even.lower[axis];
     }
     const std::uint64_t medium = species > kClassesPerTexture ? 2 * kMediumBytes : kMediumBytes;
     plan.machineBytes = plan.grid.cellCount() * species * kVoxelBytes;
@@ -160,11 +195,6 @@ std::string sizeText(std::uint64_t bytes) {
                               : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
 
-std::string lengthText(double metres) {
-    return metres < 1000.0 ? fmt::format("{:.4g} m", metres)
-                           : fmt::format("{:.4g} km", metres / 1000.0);
-}
-
 }  // namespace
 
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
@@ -172,10 +202,11 @@ ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
     const DatasetInfo& info = dataset.info();
     const NativeLevels native = readLevels(dataset, time, progress);
     ReadPlan plan;
-    plan.box = boxOf(info, region);
+    plan.even = touched(info, region);
+    plan.box = nativeBox(info, plan.even);
     placeLevels(native, region, plan.grid);
     requireCells(dataset, plan, native, region);
-    const int coarsest = std::max(plan.box.size().x, plan.box.size().y);
+    const int coarsest = std::max(plan.even.size().x, plan.even.size().y);
     for (int coarsening = 1; coarsening <= coarsest; ++coarsening) {
         coarsen(plan, coarsening, info);
         if (plan.machineBytes <= budget.machine && plan.gpuBytes <= budget.gpu) break;
@@ -184,25 +215,37 @@ ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
 }
 
 std::string describe(const ReadPlan& plan, const DatasetInfo& info) {
-    const CellBox whole = wholeBox(info);
-    std::string text;
-    if (plan.box != whole) {
+    const bool whole = plan.even == touched(info, {});
+    std::vector<std::string> sentences;
+    if (!whole) {
+        const glm::dvec2 extent = info.extentM();
+        const glm::dvec2 spacing = evenColumns(info).spacingM;
         const auto corner = [&](glm::ivec3 cell, int axis) {
-            return info.spacingM[axis] * cell[axis] / 1000.0;
+            return std::min(spacing[axis] * cell[axis], extent[axis]) / 1000.0;
         };
-        const glm::ivec3 from = plan.box.lower, to = plan.box.upper;
-        text = fmt::format("Part of the domain: x {:.4g} to {:.4g} km, y {:.4g} to {:.4g} km.",
-                           corner(from, 0), corner(to, 0), corner(from, 1), corner(to, 1));
+        const glm::ivec3 from = plan.even.lower, to = plan.even.upper;
+        sentences.push_back(
+            fmt::format("Part of the domain: x {:.4g} to {:.4g} km, y {:.4g} to {:.4g} km.",
+                        corner(from, 0), corner(to, 0), corner(from, 1), corner(to, 1)));
     }
-    if (plan.coarsening == 1) return text;
-    ReadPlan full = plan;
-    coarsen(full, 1, info);
-    return fmt::format(
-        "{}{}Every {} x {} columns are averaged to one of {}: at full resolution {} would take {}, "
-        "not {}.",
-        text, text.empty() ? "" : " ", plan.coarsening, plan.coarsening,
-        lengthText(plan.grid.spacingM.x), plan.box == whole ? "the domain" : "it",
-        sizeText(full.gpuBytes), sizeText(plan.gpuBytes));
+    const std::string spacing = plan.grid.spacingM.x == plan.grid.spacingM.y
+                                    ? lengthText(plan.grid.spacingM.x)
+                                    : fmt::format("{} x {}", lengthText(plan.grid.spacingM.x),
+                                                  lengthText(plan.grid.spacingM.y));
+    if (hasUnevenCells(info)) {
+        sentences.push_back(
+            fmt::format("Cells of {} become even ones of {}.", cellWidthText(info), spacing));
+    }
+    if (plan.coarsening > 1) {
+        ReadPlan full = plan;
+        coarsen(full, 1, info);
+        sentences.push_back(fmt::format(
+            "Every {} x {} {}columns are averaged to one of {}: at full resolution {} would take "
+            "{}, not {}.",
+            plan.coarsening, plan.coarsening, hasUnevenCells(info) ? "even " : "", spacing,
+            whole ? "the domain" : "it", sizeText(full.gpuBytes), sizeText(plan.gpuBytes)));
+    }
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace neph

@@ -2,7 +2,8 @@
 //
 // A plan is made before any mixing ratio is read. Coarsening averages and never skips: every block
 // of `coarsening` x `coarsening` columns becomes one column with their mean content, so that the
-// mass of the domain is conserved.
+// mass of the domain is conserved. Where native cells differ in width, the columns that are
+// averaged are even ones over the same domain, of the spacing that the reader states.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -30,16 +31,17 @@ inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 /// What to read, and the grid that results.
 struct ReadPlan {
     CellBox box;         ///< native columns that are read, all levels
-    int coarsening = 1;  ///< native columns along each edge of a block
+    CellBox even;        ///< the even columns that they give; the same where native ones are even
+    int coarsening = 1;  ///< even columns along each edge of a block
     RegularGrid grid;    ///< resulting grid; its levels cover the requested region
     std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< expected memory
     bool operator==(const ReadPlan&) const = default;
 };
 
 /// The finest plan for `region` (default: everything) at `time` that fits `budget`, or the coarsest
-/// possible. Cells that the region touches are read whole. The level spacing is the median native
-/// layer depth, rounded so that the times of a series share it. Reads the lowest and the highest
-/// interface and some rows of heights. Throws Error if the region contains no cell.
+/// possible. (Even) cells that the region touches are read whole. The level spacing is the median
+/// native layer depth, rounded so that the times of a series share it. Reads the lowest and the
+/// highest interface and some rows of heights. Throws Error if the region contains no cell.
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
                   const MemoryBudget& budget = {}, const Progress& progress = {});
 

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/volume/blocks.h"
 #include "core/volume/native_band.h"
 #include "core/volume/repair.h"
 
@@ -29,76 +31,6 @@ double limitedSlope(std::span<const double> interfaces, std::span<const double> 
     const double central = std::abs(below + above) / reach;
     const double steepest = 2.0 * std::min(std::abs(below), std::abs(above)) / depth;
     return std::copysign(std::min(central, steepest), below);
-}
-
-/// Maps the native columns of one band to blocks.
-struct Blocks {
-    glm::ivec2 native;  ///< columns of the band
-    glm::ivec2 coarse;  ///< blocks of the band; those at the north and east edges may be incomplete
-    int edge;           ///< native columns along each edge of a full block
-
-    std::size_t count() const {
-        return static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(coarse.y);
-    }
-    /// Calls `visit(block, column)` for every native column.
-    template <typename Visit>
-    void each(Visit&& visit) const {
-        std::size_t column = 0;
-        for (int y = 0; y < native.y; ++y) {
-            std::size_t block =
-                static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(y / edge);
-            for (int x = 0; x < native.x; ++block) {
-                const int end = std::min(x + edge, native.x);
-                for (; x < end; ++x) visit(block, column++);
-            }
-        }
-    }
-};
-
-Blocks blocksOf(const CellBox& band, int coarsening) {
-    const glm::ivec2 native(band.size());
-    return {native, (native + coarsening - 1) / coarsening, coarsening};
-}
-
-/// Mean of each level of `field` over each block; block fastest.
-std::vector<double> blockMeans(const ColumnField& field, const Blocks& blocks) {
-    const auto levels = static_cast<std::size_t>(field.values.size.z);
-    std::vector<double> means(blocks.count() * levels);
-    std::vector<double> columns(blocks.count());
-    blocks.each([&](std::size_t block, std::size_t) { columns[block] += 1.0; });
-    for (std::size_t level = 0; level < levels; ++level) {
-        double* mean = means.data() + level * blocks.count();
-        blocks.each([&](std::size_t block, std::size_t column) {
-            mean[block] += static_cast<double>(field.at(column, level));
-        });
-        for (std::size_t block = 0; block < blocks.count(); ++block) mean[block] /= columns[block];
-    }
-    return means;
-}
-
-/// Averages a quantity per m³, such as content, over each block and the depth of the block's layer,
-/// so that its integral over the full area of the block is conserved. There is nothing beyond the
-/// border of the domain. Block fastest.
-std::vector<double> averaged(const Array3f& quantity, const ColumnField& heights,
-                             std::span<const double> interfaces, const Blocks& blocks) {
-    const auto layers = static_cast<std::size_t>(quantity.size.z);
-    const std::size_t layer = quantity.index(0, 0, 1);
-    const double share = 1.0 / (static_cast<double>(blocks.edge) * blocks.edge);
-    std::vector<double> means(blocks.count() * layers);
-    for (std::size_t k = 0; k < layers; ++k) {
-        double* mean = means.data() + k * blocks.count();
-        const float* values = quantity.values.data() + k * layer;
-        blocks.each([&](std::size_t block, std::size_t column) {
-            const double depth = static_cast<double>(heights.at(column, k + 1)) -
-                                 static_cast<double>(heights.at(column, k));
-            mean[block] += static_cast<double>(values[column]) * depth;
-        });
-        const double* lower = interfaces.data() + k * blocks.count();
-        for (std::size_t block = 0; block < blocks.count(); ++block) {
-            mean[block] *= share / (lower[block + blocks.count()] - lower[block]);
-        }
-    }
-    return means;
 }
 
 /// Remaps the blocks of one band to the levels of `out`, starting at row `firstRow`.
@@ -146,12 +78,8 @@ struct BandAir {
 class BandResampler {
   public:
     BandResampler(const ReadPlan& plan, const RadiusPlan& radii, int time,
-                  std::vector<SpeciesWork>& species)
-        : plan_(plan),
-          radii_(radii),
-          time_(time),
-          species_(species),
-          bands_(bandsOf(plan.box, plan.coarsening)) {}
+                  std::vector<SpeciesWork>& species, std::vector<TargetBand> bands)
+        : plan_(plan), radii_(radii), time_(time), species_(species), bands_(std::move(bands)) {}
 
     void run(Dataset& dataset, const Progress& progress) {
         overBands(
@@ -164,13 +92,14 @@ class BandResampler {
 
   private:
     /// Reads heights and density only for bands with condensate.
-    void take(Dataset& dataset, const CellBox& band, const Progress& progress) {
-        const Blocks blocks = blocksOf(band, plan_.coarsening);
-        const int firstRow = (band.lower.y - plan_.box.lower.y) / plan_.coarsening;
+    void take(Dataset& dataset, const TargetBand& target, const Progress& progress) {
+        const Blocks blocks(plan_, dataset.info(), target);
+        const CellBox& band = target.native;
         BandAir air;
         for (SpeciesWork& species : species_) {
             Repairs repairs;
-            Array3f quantity = readRatio(dataset, *species.ratio, time_, band, repairs, progress);
+            Array3f quantity =
+                readRatio(dataset, *species.ratio, time_, band, repairs, progress, target.ownRow);
             {
                 const std::lock_guard lock(mutex_);
                 species.repairs += repairs;
@@ -181,8 +110,8 @@ class BandResampler {
             if (!radii_.holdsMass(species.species())) {
                 toExtinction(dataset, band, air.density, species, quantity, progress);
             }
-            remap(air.interfaces, averaged(quantity, air.heights, air.interfaces, blocks),
-                  blocks.count(), plan_.grid, firstRow, *species.out);
+            remap(air.interfaces, blocks.averaged(quantity, air.heights, air.interfaces),
+                  blocks.count(), plan_.grid, target.firstRow, *species.out);
         }
     }
 
@@ -191,7 +120,7 @@ class BandResampler {
         BandAir air;
         air.heights = readHeights(dataset, time_, band, progress);
         air.density = readDensity(dataset, time_, band, progress);
-        air.interfaces = blockMeans(air.heights, blocks);
+        air.interfaces = blocks.means(air.heights);
         return air;
     }
 
@@ -240,31 +169,42 @@ class BandResampler {
     const RadiusPlan& radii_;
     const int time_;
     std::vector<SpeciesWork>& species_;
-    const std::vector<CellBox> bands_;
+    const std::vector<TargetBand> bands_;
     std::mutex mutex_;  // guards repairs and gaps; each band writes its own rows of the result
 };
 
-/// Collects what was assumed, missing or corrected.
-void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
-              SpeciesVolume& volume) {
-    std::vector<std::string> empty;
-    std::ranges::copy(radii.notes, std::back_inserter(volume.notes));
+/// Throws Error if what was read cannot be what the model wrote.
+void requireRead(const std::vector<SpeciesWork>& species, const Dataset& dataset, int time) {
+    std::vector<Repairs> all;
     for (const SpeciesWork& work : species) {
-        std::string gaps = describe(work.gaps, radii.of(work.species()), work.species());
-        if (!gaps.empty()) volume.notes.push_back(std::move(gaps));
-        std::ranges::move(describe(work.repairs, work.ratio->name),
-                          std::back_inserter(volume.notes));
+        requirePlausible(work.repairs, dataset, time, work.ratio->name);
+        all.push_back(work.repairs);
+    }
+    requireValues(all, dataset, time);
+}
+
+/// Collects what was assumed, missing or corrected. What holds at this time only names it.
+void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
+              const std::vector<std::string>& absent, SpeciesVolume& volume) {
+    std::vector<std::string> empty;
+    const auto add = [&](std::string_view note) {
+        volume.notes.push_back(fmt::format("{}: {}", volume.timeLabel, note));
+    };
+    std::ranges::copy(radii.notes, std::back_inserter(volume.notes));
+    for (const std::string& note : absent) add(note);
+    for (const SpeciesWork& work : species) {
+        const std::string gaps = describe(work.gaps, radii.of(work.species()), work.species());
+        if (!gaps.empty()) add(gaps);
+        for (const std::string& note : describe(work.repairs, work.ratio->name)) add(note);
         if (work.repairs.allZero) empty.push_back(work.ratio->name);
     }
-    if (species.empty()) {
+    if (species.empty() && absent.empty()) {
         volume.notes.push_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
     } else if (empty.size() == species.size()) {
         volume.notes.push_back(fmt::format(
             "There is no condensate at {}: every mixing ratio is zero.", volume.timeLabel));
     } else {
-        for (const std::string& name : empty) {
-            volume.notes.push_back(fmt::format("{}: zero everywhere at this time.", name));
-        }
+        for (const std::string& name : empty) add(name + ": zero everywhere at this time.");
     }
 }
 
@@ -315,18 +255,19 @@ void resampleColumn(std::span<const double> interfacesM, std::span<const double>
 
 SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& options,
                        const Progress& progress) {
-    const DatasetInfo& info = dataset.info();
+    const DatasetInfo info = dataset.infoAt(time);
     const ReadPlan plan = options.plan ? *options.plan : planRead(dataset, time);
     SpeciesVolume volume;
     volume.grid = plan.grid;
     volume.timeLabel = info.times.at(static_cast<std::size_t>(time)).label;
     volume.timeSeconds = info.times.at(static_cast<std::size_t>(time)).seconds;
+    const RadiusPlan radii = planAt(options.radii, info, volume.timeLabel);
     std::vector<SpeciesWork> species;
     for (std::size_t s = 0; s < kSpecies.size(); ++s) {
         const auto* ratio = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
         if (ratio == nullptr) continue;
         requireOnGrid(dataset, *ratio, false);
-        const RadiusRule& rule = options.radii.rules[s];
+        const RadiusRule& rule = radii.rules[s];
         for (const std::string* name :
              {&rule.radiusVariable, &rule.numberVariable, &rule.temperatureVariable}) {
             const VariableInfo* variable = info.find(*name);
@@ -339,8 +280,9 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
         species.push_back({ratio, &out});
     }
     requiredVariable(dataset, VariableRole::dryAirDensity, "the density of dry air");
-    BandResampler(plan, options.radii, time, species).run(dataset, progress);
-    addNotes(species, options.radii, volume);
+    BandResampler(plan, radii, time, species, targetBands(plan, info)).run(dataset, progress);
+    requireRead(species, dataset, time);
+    addNotes(species, radii, absences(dataset, time), volume);
     return volume;
 }
 

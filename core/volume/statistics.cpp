@@ -2,8 +2,11 @@
 #include "core/volume/statistics.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "core/volume/native_band.h"
 #include "core/volume/repair.h"
@@ -12,6 +15,8 @@ namespace neph {
 namespace {
 
 constexpr std::size_t kDepthsOfAll = 100'000;  // enough for a good estimate of the median
+constexpr float kOfStrongest = 0.5f;  // of the strongest updraft: what belongs to the main one
+constexpr std::array<std::string_view, 3> kWindNames{"W", "w", "winterp"};  // WRF, MicroHH, CM1
 
 void widen(std::optional<HeightRange>& range, const HeightRange& by) {
     if (!range) range = by;
@@ -19,11 +24,25 @@ void widen(std::optional<HeightRange>& range, const HeightRange& by) {
     range->topM = std::max(range->topM, by.topM);
 }
 
+/// A column with cloud.
+struct CloudyColumn {
+    float baseM;
+    float strength;  ///< of the updraft: upward wind, or condensate without
+};
+
 /// The contribution of one band of rows to the summary of its time.
 struct BandSummary {
-    TimeSummary found;             // without medianM and notes
-    std::vector<float> depths;     // of a sample of layers
-    std::vector<Repairs> repairs;  // of each species
+    TimeSummary found;                 // without medianM, bases and notes
+    std::vector<float> depths;         // of a sample of layers
+    std::vector<Repairs> repairs;      // of each species
+    std::vector<CloudyColumn> cloudy;  // all, from south to north
+};
+
+/// What is read of a time.
+struct Wanted {
+    std::vector<const VariableInfo*> ratios;  // of each species of the series; null where lacking
+    std::vector<Species> species;
+    const VariableInfo* wind = nullptr;  // upward; null without
 };
 
 /// Summarises one band of rows. Each species is read, used and dropped.
@@ -32,7 +51,7 @@ class BandLook {
     BandLook(Dataset& dataset, int time, const CellBox& band, const Progress& progress)
         : dataset_(dataset), time_(time), band_(band), progress_(progress) {}
 
-    BandSummary run(const std::vector<const VariableInfo*>& ratios, std::size_t depthStride) {
+    BandSummary run(const Wanted& wanted, std::size_t depthStride) {
         heights_ = readHeights(dataset_, time_, band_, progress_);
         columns_ =
             static_cast<std::size_t>(band_.size().x) * static_cast<std::size_t>(band_.size().y);
@@ -42,10 +61,13 @@ class BandLook {
         condensate_.assign(columns_, 0.0);
         cloud_.assign(columns_ * layers_, 0.0f);
         precipitation_.assign(columns_ * layers_, 0.0f);
-        for (const VariableInfo* variable : ratios) addSpecies(*variable);
+        for (std::size_t i = 0; i < wanted.ratios.size(); ++i) {
+            addSpecies(wanted.ratios[i], wanted.species[i]);
+        }
         result_.found.condensate = peakOf(condensate_);
         result_.found.cloud = rangeOf(cloud_);
         result_.found.precipitation = rangeOf(precipitation_);
+        if (result_.found.cloud) findBases(wanted.wind);
         return std::move(result_);
     }
 
@@ -87,30 +109,29 @@ class BandLook {
         result_.found.hasColumns = true;
     }
 
-    void addSpecies(const VariableInfo& variable) {
-        Repairs repairs;
-        const Array3f ratio = readRatio(dataset_, variable, time_, band_, repairs, progress_);
-        SpeciesPeak peak = densest(ratio);
-        peak.species = *variable.species;
-        peak.variable = variable.name;
+    /// A species that this time lacks has no peak, and no variable.
+    void addSpecies(const VariableInfo* variable, Species species) {
+        Repairs& repairs = result_.repairs.emplace_back();
+        SpeciesPeak& peak = result_.found.peaks.emplace_back();
+        peak.species = species;
+        if (variable == nullptr) return;
+        const Array3f ratio = readRatio(dataset_, *variable, time_, band_, repairs, progress_);
+        findDensest(ratio, peak);
+        peak.variable = variable->name;
         if (!airKgPerM2_.empty()) peak.column = heaviest(ratio);
-        result_.found.peaks.push_back(std::move(peak));
-        result_.repairs.push_back(repairs);
-        const bool isCloud = variable.species == Species::cloud || variable.species == Species::ice;
+        const bool isCloud = species == Species::cloud || species == Species::ice;
         std::vector<float>& sum = isCloud ? cloud_ : precipitation_;
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += ratio.values[i];
     }
 
-    SpeciesPeak densest(const Array3f& ratio) const {
+    void findDensest(const Array3f& ratio, SpeciesPeak& peak) const {
         const auto highest = std::ranges::max_element(ratio.values);
         const auto index = static_cast<std::size_t>(std::distance(ratio.values.begin(), highest));
         const std::size_t column = index % columns_;
         const std::size_t layer = index / columns_;
-        SpeciesPeak peak;
         peak.ratioKgPerKg = *highest;
         const double middle = 0.5 * (height(column, layer) + height(column, layer + 1));
         peak.positionM = {centreOf(column), middle};
-        return peak;
     }
 
     ColumnPeak heaviest(const Array3f& ratio) {
@@ -141,11 +162,52 @@ class BandLook {
         return range;
     }
 
+    /// Of each cloudy column its base, and how strong its updraft is.
+    void findBases(const VariableInfo* wind) {
+        const std::vector<float> strength = wind == nullptr ? condensateOf() : strongestWind(*wind);
+        for (std::size_t c = 0; c < columns_; ++c) {
+            for (std::size_t k = 0; k < layers_; ++k) {
+                if (cloud_[k * columns_ + c] < kCloudRatioKgPerKg) continue;
+                result_.cloudy.push_back({heights_.at(c, k), strength[c]});
+                break;
+            }
+        }
+    }
+
+    /// kg/m², or, where the density of air is unknown, the sum of mixing ratios.
+    std::vector<float> condensateOf() const {
+        if (!airKgPerM2_.empty()) return {condensate_.begin(), condensate_.end()};
+        std::vector<float> sums(columns_, 0.0f);
+        for (std::size_t i = 0; i < cloud_.size(); ++i) {
+            sums[i % columns_] += cloud_[i] + precipitation_[i];
+        }
+        return sums;
+    }
+
+    /// The strongest upward wind of each column; values that are missing do not count.
+    std::vector<float> strongestWind(const VariableInfo& wind) {
+        const ColumnField field = readColumns(dataset_, wind, time_, band_, progress_);
+        std::vector<float> strongest(columns_, 0.0f);
+        for (std::size_t i = 0; i < field.values.values.size(); ++i) {
+            float& most = strongest[i % columns_];
+            const float here = field.values.values[i];
+            if (std::isfinite(here) && here > most) most = here;
+        }
+        return strongest;
+    }
+
     glm::dvec2 centreOf(std::size_t column) const {
         const auto width = static_cast<std::size_t>(band_.size().x);
-        const glm::dvec2 cell(static_cast<double>(column % width),
-                              static_cast<double>(column / width));
-        return (glm::dvec2(band_.lower) + cell + 0.5) * dataset_.info().spacingM;
+        const glm::ivec2 cell =
+            glm::ivec2(band_.lower) +
+            glm::ivec2(static_cast<int>(column % width), static_cast<int>(column / width));
+        const DatasetInfo& info = dataset_.info();
+        glm::dvec2 centre = (glm::dvec2(cell) + 0.5) * info.spacingM;
+        for (int axis = 0; axis < 2; ++axis) {
+            if (info.edgesM[static_cast<std::size_t>(axis)].empty()) continue;
+            centre[axis] = 0.5 * (info.edgeM(axis, cell[axis]) + info.edgeM(axis, cell[axis] + 1));
+        }
+        return centre;
     }
 
     Dataset& dataset_;
@@ -189,6 +251,7 @@ void merge(BandSummary& all, const BandSummary& band) {
     if (band.found.cloud) widen(all.found.cloud, *band.found.cloud);
     if (band.found.precipitation) widen(all.found.precipitation, *band.found.precipitation);
     all.depths.insert(all.depths.end(), band.depths.begin(), band.depths.end());
+    all.cloudy.insert(all.cloudy.end(), band.cloudy.begin(), band.cloudy.end());
 }
 
 double medianOf(std::vector<float>& depths) {
@@ -197,20 +260,80 @@ double medianOf(std::vector<float>& depths) {
     return static_cast<double>(*middle);
 }
 
-std::vector<const VariableInfo*> hydrometeorsOf(const DatasetInfo& info) {
-    std::vector<const VariableInfo*> found;
+/// The variable that holds the upward wind, on layers or on interfaces. The reader interface has no
+/// role for it: it is not drawn, and only tells which columns are the main updraft.
+const VariableInfo* upwardWind(const DatasetInfo& info) {
+    const auto isWind = [&](const VariableInfo& variable) {
+        const bool named = variable.standardName == "upward_air_velocity" ||
+                           std::ranges::find(kWindNames, variable.name) != kWindNames.end();
+        const int levels = variable.size.z - info.size.z;
+        return named && glm::ivec2(variable.size) == glm::ivec2(info.size) &&
+               (levels == 0 || levels == 1);
+    };
+    const auto found = std::ranges::find_if(info.variables, isWind);
+    return found == info.variables.end() ? nullptr : &*found;
+}
+
+/// `there` is Dataset::infoAt().
+Wanted wantedOf(const DatasetInfo& all, const DatasetInfo& there) {
+    Wanted wanted;
     for (int s = 0; s < kSpeciesCount; ++s) {
-        const auto* variable = info.find(VariableRole::mixingRatio, static_cast<Species>(s));
-        if (variable != nullptr) found.push_back(variable);
+        const auto species = static_cast<Species>(s);
+        if (all.find(VariableRole::mixingRatio, species) == nullptr) continue;
+        wanted.ratios.push_back(there.find(VariableRole::mixingRatio, species));
+        wanted.species.push_back(species);
     }
-    return found;
+    wanted.wind = upwardWind(there);
+    return wanted;
+}
+
+/// The value that a share of all do not exceed (nearest rank); reorders them.
+double quantile(std::vector<float>& values, double share) {
+    const auto rank =
+        static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+    std::ranges::nth_element(values, at);
+    return static_cast<double>(*at);
+}
+
+std::optional<CloudBases> basesOf(const std::vector<CloudyColumn>& cloudy,
+                                  const VariableInfo* wind) {
+    if (cloudy.empty()) return {};
+    const float strongest = std::ranges::max(cloudy, {}, &CloudyColumn::strength).strength;
+    std::vector<float> all, updraft;
+    for (const CloudyColumn& column : cloudy) {
+        all.push_back(column.baseM);
+        if (column.strength >= kOfStrongest * strongest) updraft.push_back(column.baseM);
+    }
+    return CloudBases{.lowM = quantile(all, CloudBases::kLowShare),
+                      .middleM = quantile(all, 0.5),
+                      .updraftM = quantile(updraft, 0.5),
+                      .updraftVariable = wind == nullptr ? "" : wind->name};
+}
+
+/// Throws Error if what was read cannot be what the model wrote; else what was corrected.
+std::vector<std::string> notesOf(const Dataset& dataset, int time, const Wanted& wanted,
+                                 const std::vector<Repairs>& repairs) {
+    std::vector<std::string> notes = absences(dataset, time);
+    std::vector<Repairs> read;
+    for (std::size_t i = 0; i < wanted.ratios.size(); ++i) {
+        if (wanted.ratios[i] == nullptr) continue;
+        const std::string& name = wanted.ratios[i]->name;
+        requirePlausible(repairs[i], dataset, time, name);
+        read.push_back(repairs[i]);
+        std::ranges::move(describe(repairs[i], name), std::back_inserter(notes));
+    }
+    requireValues(read, dataset, time);
+    return notes;
 }
 
 }  // namespace
 
 TimeSummary summarise(Dataset& dataset, int time, const Progress& progress) {
     const DatasetInfo& info = dataset.info();
-    const std::vector<const VariableInfo*> ratios = hydrometeorsOf(info);
+    const DatasetInfo there = dataset.infoAt(time);
+    const Wanted wanted = wantedOf(info, there);
     const std::vector<CellBox> bands = bandsOf(wholeBox(info), 1);
     const glm::i64vec3 size = info.size;
     const auto cells = static_cast<std::size_t>(size.x * size.y * size.z);
@@ -219,17 +342,15 @@ TimeSummary summarise(Dataset& dataset, int time, const Progress& progress) {
     overBands(
         dataset, bands.size(),
         [&](Dataset& handle, std::size_t band, const Progress& ask) {
-            parts[band] = BandLook(handle, time, bands[band], ask).run(ratios, stride);
+            parts[band] = BandLook(handle, time, bands[band], ask).run(wanted, stride);
         },
         progress);
     BandSummary& all = parts.front();
     for (std::size_t band = 1; band < parts.size(); ++band) merge(all, parts[band]);
     all.found.time = time;
     all.found.layers.medianM = medianOf(all.depths);
-    for (std::size_t i = 0; i < ratios.size(); ++i) {
-        std::ranges::move(describe(all.repairs[i], ratios[i]->name),
-                          std::back_inserter(all.found.notes));
-    }
+    all.found.bases = basesOf(all.cloudy, wanted.wind);
+    all.found.notes = notesOf(dataset, time, wanted, all.repairs);
     return std::move(all.found);
 }
 

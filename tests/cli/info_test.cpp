@@ -17,9 +17,10 @@ TEST_CASE("info tells model, scheme, grid, times and where each hydrometeor is d
     const Outcome outcome = runProgram("info " + kStorm);
     CHECK(outcome.status == 0);
     for (const char* part :
-         {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1000 x 1000 m",
-          "110 x 120 km", "Cloud    base 0.00 km, top 15.46 km", "at full resolution",
-          "0001-01-01_00:30:00 to 0001-01-01_02:00:00", "90 min"}) {
+         {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1 km", "110 x 120 km",
+          "Cloud    base 0.00 km, top 15.46 km", "at full resolution",
+          "0001-01-01_00:30:00 to 0001-01-01_02:00:00, 90 min, every 30 min",
+          "Bases    of cloudy columns: 5th percentile ", "main updraft (", "updraft   top km"}) {
         CAPTURE(part);
         CHECK(contains(outcome.out, part));
     }
@@ -68,6 +69,7 @@ TEST_CASE("info gives cloud base and top and the heaviest columns as an independ
     CHECK(number("/times/0/precipitation/base_km") == 0.0);
     CHECK(number("/times/3/precipitation/top_km") == doctest::Approx(16.803547).epsilon(1e-5));
     CHECK(json.at("shown") == "at full resolution");
+    CHECK(contains(outcome.out, "\"cloud_threshold_g_per_kg\": 0.01,"));
 }
 
 TEST_CASE("info --time reads the times asked for and says how many that were") {

@@ -1,12 +1,16 @@
 // memory_dataset.h: a data set in memory for tests: heights, density, and species by function.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "core/base/error.h"
 #include "core/dataset/dataset.h"
 
 /// A dataset in memory: heights, unit or given density, and species by function.
@@ -17,8 +21,9 @@ class MemoryDataset : public neph::Dataset {
         info_.spacingM = {500.0, 250.0};
         info_.times = {{"2024-05-06_21:00:00", 0.0, "memory", 0}};
         add("z", neph::VariableRole::interfaceHeight, {}, size + glm::ivec3(0, 0, 1), height);
-        add("rho", neph::VariableRole::dryAirDensity, {}, size,
-            [](int, int, int z) { return 1.2f * std::exp(-0.05f * static_cast<float>(z)); });
+        add("rho", neph::VariableRole::dryAirDensity, {}, size, [](int, int, int z) {
+            return std::max(1.2f * std::exp(-0.05f * static_cast<float>(z)), 1e-3f);
+        });
     }
 
     void addRatio(neph::Species species, const std::function<float(int, int, int)>& value) {
@@ -26,8 +31,36 @@ class MemoryDataset : public neph::Dataset {
             info_.size, value);
     }
 
-    neph::Array3f read(std::string_view variable, int, std::optional<neph::CellBox> box,
+    /// Cells of these faces, metres; spacingM is the smallest width.
+    void stretch(const std::vector<double>& xM, const std::vector<double>& yM) {
+        info_.edgesM = {xM, yM};
+        for (int axis = 0; axis < 2; ++axis) {
+            const std::vector<double>& edges = axis == 0 ? xM : yM;
+            double least = edges.back();
+            for (std::size_t i = 1; i < edges.size(); ++i) {
+                least = std::min(least, edges[i] - edges[i - 1]);
+            }
+            info_.spacingM[axis] = least;
+        }
+    }
+
+    /// A later time, in a file of its own, with the same values but without some variables.
+    void addTime(const std::string& label, const std::string& file,
+                 std::set<std::string> lacking = {}) {
+        info_.times.push_back({label, 600.0 * static_cast<double>(info_.times.size()), file, 0});
+        lacking_[static_cast<int>(info_.times.size()) - 1] = std::move(lacking);
+    }
+    bool has(std::string_view variable, int time) const override {
+        const auto lacking = lacking_.find(time);
+        return info_.find(variable) != nullptr &&
+               (lacking == lacking_.end() || !lacking->second.contains(std::string(variable)));
+    }
+    /// For what a reader states besides the fields.
+    neph::DatasetInfo& stated() { return info_; }
+
+    neph::Array3f read(std::string_view variable, int time, std::optional<neph::CellBox> box,
                        const neph::Progress&) override {
+        if (!has(variable, time)) throw neph::Error({.what = "it is not there"});
         const neph::Array3f& field = fields_.at(std::string(variable));
         if (!box) return field;
         neph::Array3f part(box->size());
@@ -45,6 +78,7 @@ class MemoryDataset : public neph::Dataset {
         auto other = std::unique_ptr<MemoryDataset>(new MemoryDataset);
         other->info_ = info_;
         other->fields_ = fields_;
+        other->lacking_ = lacking_;
         return other;
     }
 
@@ -82,4 +116,5 @@ class MemoryDataset : public neph::Dataset {
     MemoryDataset() = default;
 
     std::map<std::string, neph::Array3f> fields_;
+    std::map<int, std::set<std::string>> lacking_;
 };

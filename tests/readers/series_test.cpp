@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/volume/resample.h"
 #include "tests/readers/reader_host.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"
@@ -86,6 +87,34 @@ TEST_CASE("A variable that only some files contain is an error at the times with
     CHECK(contains(error.what, "QSNOW"));
     CHECK(contains(error.expected, "other files"));
     CHECK(!error.hint.empty());
+}
+
+TEST_CASE("A hydrometeor that only some files contain is drawn where it is, and named where not") {
+    const TemporaryFolder folder;
+    WrfSpec with = at({"2024-05-06_21:00:00"}, 1e-3f);
+    with.fields["QSNOW"] = [](int, int, int, int) { return 2e-3f; };
+    writeWrf(folder / "with", with);
+    WrfSpec without;
+    without.times = {"2024-05-06_22:00:00"};
+    without.fields["QCLOUD"] = [](int, int, int, int) { return 1e-3f; };
+    writeWrf(folder / "without", without);
+    for (const char* first : {"with", "without"}) {
+        CAPTURE(first);
+        const auto dataset = openFiles(
+            {folder / first, folder / (first == std::string("with") ? "without" : "with")});
+        CHECK(dataset->has("QSNOW", 0));
+        CHECK(!dataset->has("QSNOW", 1));
+        CHECK(!dataset->has("QNOTHING", 0));
+        CHECK(dataset->infoAt(1).find("QSNOW") == nullptr);
+        CHECK(dataset->infoAt(0).find("QSNOW") != nullptr);
+        CHECK(resample(*dataset, 0).has(Species::snow));
+        const SpeciesVolume later = resample(*dataset, 1);
+        CHECK(!later.has(Species::snow));
+        CHECK(later.has(Species::cloud));
+        CHECK(std::ranges::any_of(later.notes, [](const std::string& note) {
+            return contains(note, "QSNOW is not in without: there is no snow at this time");
+        }));
+    }
 }
 
 TEST_CASE("Opening a series can be cancelled") {

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
+#include "core/dataset/grid_text.h"
 #include "core/volume/memory_setting.h"
 
 namespace neph::ui {
@@ -25,10 +26,6 @@ void wrapped(const std::string& text) {
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-}
-
-std::string kilometres(double metres) {
-    return fmt::format("{:.4g}", metres / kMPerKm);
 }
 
 /// A label, and beside it where all values begin the place for one.
@@ -65,15 +62,11 @@ void drawFiles(const DatasetInfo& info, int time) {
 void drawDomain(const DatasetInfo& info) {
     const std::string scheme = info.scheme.empty() ? "" : ", " + info.scheme;
     fact("Model", info.model + scheme);
-    const std::string spacing =
-        info.spacingM.x == info.spacingM.y
-            ? kilometres(info.spacingM.x)
-            : kilometres(info.spacingM.x) + " \u00d7 " + kilometres(info.spacingM.y);
-    fact("Grid", fmt::format("{} \u00d7 {} \u00d7 {} cells of {} km", info.size.x, info.size.y,
-                             info.size.z, spacing));
+    fact("Grid", fmt::format("{} \u00d7 {} \u00d7 {} cells of {}", info.size.x, info.size.y,
+                             info.size.z, cellWidthText(info, " \u00d7 ")));
     if (info.times.size() < 2) return fact("Time", info.times.front().label);
-    fact("Times", fmt::format("{}, from {} to {}", info.times.size(), info.times.front().label,
-                              info.times.back().label));
+    fact("Times", fmt::format("{}, from {} to {}, {}", info.times.size(), info.times.front().label,
+                              info.times.back().label, timeStepText(info)));
 }
 
 void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryBudget& budget) {
@@ -96,7 +89,7 @@ void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryB
 
 /// The whole domain, metres.
 BoxM domainOf(const DatasetInfo& info, const VolumeSummary& shown) {
-    const glm::dvec2 extent = glm::dvec2(info.size) * info.spacingM;
+    const glm::dvec2 extent = info.extentM();
     return {{0.0, 0.0, shown.domainHeightsM.x}, {extent.x, extent.y, shown.domainHeightsM.y}};
 }
 

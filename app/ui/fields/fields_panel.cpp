@@ -36,6 +36,11 @@ Absence absence(const Session& session, Species s) {
     const VolumeSummary* shown = session.shown();
     if (shown == nullptr) return {"no data yet", "There are no data yet."};
     const auto index = static_cast<std::size_t>(s);
+    const DatasetInfo* series = session.info();
+    if (!shown->present[index] && series != nullptr &&
+        series->find(VariableRole::mixingRatio, s) != nullptr) {
+        return {"not at this time", fmt::format("The file of this time has no {}.", info(s).id)};
+    }
     if (!shown->present[index]) {
         return {"not in the data", fmt::format("The model has no {}.", info(s).id)};
     }

@@ -209,7 +209,8 @@ TEST_CASE("Absent species are absent, species that are zero are there and noted"
     CHECK(volume.has(Species::cloud));
     CHECK(volume.has(Species::snow));
     CHECK(!volume.has(Species::ice));
-    CHECK(volume.notes == std::vector<std::string>{"Q_snow: zero everywhere at this time."});
+    CHECK(volume.notes ==
+          std::vector<std::string>{"2024-05-06_21:00:00: Q_snow: zero everywhere at this time."});
     CHECK(volume.timeLabel == "2024-05-06_21:00:00");
 }
 

@@ -1,0 +1,184 @@
+// info_json.cpp: the summary for programs.
+#include "app/cli/info/info_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "app/cli/info/info_findings.h"
+#include "app/cli/info/info_shown.h"
+
+namespace neph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 8> kRoleIds{
+    "other",        "mixing_ratio",    "dry_air_density",  "interface_height",
+    "air_pressure", "air_temperature", "effective_radius", "number_concentration"};
+
+Json gridJson(const DatasetInfo& info, const LayerSummary& layers) {
+    const glm::dvec2 extentM = info.extentM();
+    Json json{{"size", {info.size.x, info.size.y, info.size.z}},
+              {"spacing_m", {info.spacingM.x, info.spacingM.y}},
+              {"domain_km", {extentM.x * kKmPerM, extentM.y * kKmPerM}},
+              {"height_m", {layers.lowestM, layers.highestM}},
+              {"layer_depth_m",
+               {{"thinnest", layers.thinnestM},
+                {"median", layers.medianM},
+                {"thickest", layers.thickestM}}}};
+    constexpr std::array kEdges{"x_edges_m", "y_edges_m"};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (!info.edgesM[axis].empty()) json[kEdges[axis]] = info.edgesM[axis];
+    }
+    return json;
+}
+
+Json columnJson(const ColumnPeak& column) {
+    Json json{{"maximum_kg_per_m2", column.massKgPerM2}};
+    if (column.massKgPerM2 > 0.0) {
+        json["x_km"] = column.positionM.x * kKmPerM;
+        json["y_km"] = column.positionM.y * kKmPerM;
+    }
+    return json;
+}
+
+Json peakJson(const SpeciesPeak& peak) {
+    Json json{{"species", neph::info(peak.species).id},
+              {"variable", peak.variable},
+              {"maximum_g_per_kg", static_cast<double>(peak.ratioKgPerKg) * kGramPerKg}};
+    if (peak.ratioKgPerKg > 0.0f) {
+        json["x_km"] = peak.positionM.x * kKmPerM;
+        json["y_km"] = peak.positionM.y * kKmPerM;
+        json["height_km"] = peak.positionM.z * kKmPerM;
+    }
+    return json;
+}
+
+/// Null where there is none.
+Json rangeJson(const std::optional<HeightRange>& range) {
+    if (!range) return nullptr;
+    return {{"base_km", range->baseM * kKmPerM}, {"top_km", range->topM * kKmPerM}};
+}
+
+/// The range of a time, with the bases of columns.
+Json cloudJson(const TimeSummary& summary) {
+    Json json = rangeJson(summary.cloud);
+    if (!summary.bases) return json;
+    const CloudBases& bases = *summary.bases;
+    json["base_p5_km"] = bases.lowM * kKmPerM;
+    json["base_p50_km"] = bases.middleM * kKmPerM;
+    json["updraft_base_km"] = bases.updraftM * kKmPerM;
+    json["updraft_by"] = bases.updraftVariable.empty() ? "condensate" : bases.updraftVariable;
+    return json;
+}
+
+/// The range of all times; of bases of columns the lowest and the highest.
+Json cloudJson(const std::vector<TimeSummary>& summaries) {
+    Json json = rangeJson(rangeOf(summaries, &TimeSummary::cloud));
+    const auto add = [&](const char* key, double CloudBases::*base) {
+        if (const auto range = rangeOf(summaries, base)) {
+            json[key] = {range->leastM * kKmPerM, range->mostM * kKmPerM};
+        }
+    };
+    add("base_p5_km_range", &CloudBases::lowM);
+    add("base_p50_km_range", &CloudBases::middleM);
+    add("updraft_base_km_range", &CloudBases::updraftM);
+    return json;
+}
+
+/// What one time holds.
+Json summaryJson(const TimeSummary& summary) {
+    Json maxima = Json::array();
+    for (const SpeciesPeak& peak : summary.peaks) {
+        if (peak.variable.empty()) continue;  // this time lacks it
+        maxima.push_back(peakJson(peak));
+        if (summary.hasColumns) maxima.back()["column"] = columnJson(peak.column);
+    }
+    Json json{{"maxima", std::move(maxima)},
+              {"cloud", cloudJson(summary)},
+              {"precipitation", rangeJson(summary.precipitation)}};
+    if (summary.hasColumns) json["condensate"] = columnJson(summary.condensate);
+    return json;
+}
+
+Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
+    Json times = Json::array();
+    for (const TimeInfo& time : info.times) {
+        times.push_back({{"label", time.label},
+                         {"seconds", time.seconds},
+                         {"file", time.file.string()},
+                         {"index_in_file", time.indexInFile}});
+    }
+    for (const TimeSummary& summary : summaries) {
+        times[static_cast<std::size_t>(summary.time)].update(summaryJson(summary));
+    }
+    return times;
+}
+
+Json variablesJson(const DatasetInfo& info) {
+    Json variables = Json::array();
+    for (const VariableInfo& variable : info.variables) {
+        Json json{{"name", variable.name},
+                  {"standard_name", variable.standardName},
+                  {"units", variable.units},
+                  {"description", variable.description},
+                  {"role", kRoleIds.at(static_cast<std::size_t>(variable.role))},
+                  {"size", {variable.size.x, variable.size.y, variable.size.z}}};
+        if (variable.species) json["species"] = neph::info(*variable.species).id;
+        variables.push_back(std::move(json));
+    }
+    return variables;
+}
+
+/// Extremes over all times that were read, each with its time.
+Json speciesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
+    Json species = Json::array();
+    for (const auto& [peak, when] : densest(summaries)) {
+        Json json = peakJson(*peak);
+        if (peak->ratioKgPerKg > 0.0f) json["time"] = timeOf(info, *when).label;
+        if (when->hasColumns) {
+            const At<ColumnPeak> column = heaviest(summaries, species.size());
+            json["column"] = columnJson(*column.found);
+            if (column.found->massKgPerM2 > 0.0) {
+                json["column"]["time"] = timeOf(info, *column.when).label;
+            }
+        }
+        species.push_back(std::move(json));
+    }
+    return species;
+}
+
+Json condensateJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
+    const At<ColumnPeak> column = heaviest(summaries);
+    Json json = columnJson(*column.found);
+    if (column.found->massKgPerM2 > 0.0) json["time"] = timeOf(info, *column.when).label;
+    return json;
+}
+
+}  // namespace
+
+std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
+                     const MemoryBudget& budget) {
+    const DatasetInfo& info = dataset.info();
+    const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
+    Json json{{"type", "nephoscope-info"},
+              {"version", 1},
+              {"reader", info.reader},
+              {"model", info.model},
+              {"scheme", info.scheme},
+              {"grid", gridJson(info, summaries.back().layers)},
+              {"shown", shownHere(dataset, summaries.back().time, budget)},
+              {"cloud_threshold_g_per_kg", kCloudRatioGPerKg},
+              {"cloud", cloudJson(summaries)},
+              {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
+              {"species", speciesJson(info, summaries)},
+              {"times", timesJson(info, summaries)},
+              {"variables", variablesJson(info)},
+              {"attributes", info.attributes},
+              {"notes", allNotes(info, summaries)}};
+    if (summaries.front().hasColumns) json["condensate"] = condensateJson(info, summaries);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace neph
