@@ -142,7 +142,7 @@ void Slots::restore(const SessionState& state) {
         session.homeCamera = kept.document.camera;
         session.setPreset(kept.presetName);
         session.history.restart(kept.document);
-        session.open(kept.data, kept.document.time, kept.region);
+        session.open(kept.data, kept.document.time, kept.region, true);
     }
     compare_.second = slots_[1] != nullptr;
     compare_.active = compare_.second ? std::clamp(state.active, 0, 1) : 0;

@@ -14,6 +14,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/jobs.h"
@@ -65,9 +66,13 @@ class Session {
 
     /// Opens files, folders, or the bundled storm if nothing is named, as one series in the
     /// background, and shows `time` (negative counts from the end) or the default time, of `region`
-    /// or the whole domain. Errors become messages.
+    /// or the whole domain. Errors become messages. With `keepsView` the camera stays whatever the
+    /// domain.
     void open(std::span<const std::string> named, std::optional<int> time = {},
-              std::optional<BoxM> region = {});
+              std::optional<BoxM> region = {}, bool keepsView = false);
+    /// Whether data of another domain were opened since the last call, for which the camera is to
+    /// be chosen anew.
+    bool takeUnframed() { return std::exchange(unframed_, false); }
     /// The names that the open data were opened with; empty for the bundled storm.
     const std::vector<std::string>& named() const { return named_; }
     /// Copies data, document and what is shown from another session, which keeps its own; the
@@ -160,9 +165,10 @@ class Session {
     Held shown_, fresh_;
     std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
     bool shownStale_ = false;  // its file has changed since it was read
-    bool opening_ = false;     // other data are being opened: what is shown now is left alone
-    int seenTime_ = 0;         // document.time at the last poll
-    int direction_ = 1;        // in which the times were stepped through
+    bool unframed_ = false;
+    bool opening_ = false;  // other data are being opened: what is shown now is left alone
+    int seenTime_ = 0;      // document.time at the last poll
+    int direction_ = 1;     // in which the times were stepped through
     bool aheadDone_ = false;
     bool missedLast_ = false;  // the last time could not be read yet and is to be followed
     std::set<std::string> toldNotes_;

@@ -57,6 +57,7 @@ void applyPreset(const std::string& nameOrFile, PresetParts parts, Scene& scene)
     const LoadedPreset loaded = loadPreset(file);
     scene.presetName = presetNameOf(file.string());
     takeOver(loaded.preset, parts, scene.document.look, scene.document.camera);
+    scene.cameraAsked |= (parts & kPresetCamera) != 0 && loaded.preset.camera.has_value();
     for (const auto& texts : {loaded.warnings, loaded.notes}) {
         scene.warnings.insert(scene.warnings.end(), texts.begin(), texts.end());
     }
@@ -67,6 +68,7 @@ void applyPresets(const SceneRequest& request, bool started, Scene& scene) {
     const bool whole = !request.preset.empty() && request.parts == kPresetAll;
     if (!started && !whole && presetNameUse("default") != PresetNameUse::free) {
         applyPreset("default", kPresetAll, scene);
+        scene.cameraAsked = false;  // nobody named that preset
     }
     if (!request.preset.empty()) applyPreset(request.preset, request.parts, scene);
 }
@@ -83,6 +85,7 @@ Scene makeScene(const SceneRequest& request, const std::optional<Scene>& start) 
     }
     if (!request.camera.empty()) {
         scene.document.camera = loadCamera(request.camera, scene.warnings);
+        scene.cameraAsked = true;
     }
     return scene;
 }

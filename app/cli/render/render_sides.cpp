@@ -19,7 +19,7 @@ SideScene sceneOf(SceneRequest request, const SlotState* slot) {
     SideScene side;
     std::optional<Scene> start;
     if (slot != nullptr) {
-        start = Scene{slot->presetName, slot->document, {}};
+        start = Scene{slot->presetName, slot->document, {}, true};
         if (request.files.empty()) request.files = slot->data;
         if (!request.region) request.region = slot->region;
         side.time = slot->document.time;

@@ -102,6 +102,24 @@ TEST_CASE("Opening other data starts a new history at the look that is there") {
     CHECK_FALSE(session.undo());
 }
 
+TEST_CASE("Data of another domain ask for a camera of their own, unless one comes with them") {
+    const std::string cumulus = NEPH_TEST_SOURCE_DIR "/samples/cumulus";
+    Session session(testHost());
+    session.open(std::array{kStorm}, 0, {}, true);  // as a session file that has its camera
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+    session.open(std::array{kStorm}, 1);  // the same domain: the camera fits it still
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+    session.open(std::array{cumulus});
+    REQUIRE(settle(session));
+    CHECK(session.takeUnframed());
+    CHECK_FALSE(session.takeUnframed());  // once
+    session.document.time = 0;
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+}
+
 TEST_CASE("Loading a preset is one step that undo takes back") {
     const TemporaryFolder folder;
     Preset preset;
