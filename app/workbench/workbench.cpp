@@ -116,6 +116,7 @@ Workbench::Workbench(const WorkbenchRequest& request)
     session().setBudget(budget_);
     session().document = scene.document;
     session().homeCamera = scene.document.camera;
+    session().takeMetres(scene.inMetres);
     session().setPreset(scene.presetName);
     session().history.restart(scene.document);
     for (const std::string& warning : warnings) session().say(Message::Kind::warning, warning);

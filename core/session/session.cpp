@@ -95,6 +95,7 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
             cache_.put(key, held);
             show(key, held);
             document.time = seenTime_ = index;
+            bringMetres();
             history.restart(document);
             watch_.watch(paths, stamps);
         });
@@ -115,6 +116,8 @@ void Session::copyFrom(const Session& other) {
     presetName = other.presetName;
     presetLook = other.presetLook;
     presetCamera = other.presetCamera;
+    metres_ = other.metres_;
+    presetMetres_ = other.presetMetres_;
     setBudget(other.budget_);
     std::shared_ptr<Dataset> another =
         other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();

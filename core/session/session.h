@@ -21,6 +21,7 @@
 #include "core/dataset/dataset.h"
 #include "core/dataset/series_watch.h"
 #include "core/grid/boxes.h"
+#include "core/look/old_metres.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_difference.h"
 #include "core/session/history.h"
@@ -88,6 +89,9 @@ class Session {
     /// result is false.
     bool savePreset(const std::string& name, bool replace = false,
                     std::optional<PresetText> text = {});
+    /// Noise scales of the document that a file had in metres: brought to cells of the data, at
+    /// once or when there are some.
+    void takeMetres(FieldSet fields);
     /// Sets the preset that the document came from, as at the start of the program.
     void setPreset(const std::string& name);
 
@@ -150,6 +154,7 @@ class Session {
     void adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps);
     void adoptTimes(const DatasetInfo& before, const DatasetInfo& now);
     void dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps);
+    void bringMetres();
     void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
     void sayOfTime(const HeldVolume& held, const VolumeRequest& request);
 
@@ -164,7 +169,8 @@ class Session {
 
     Held shown_, fresh_;
     std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
-    bool shownStale_ = false;  // its file has changed since it was read
+    bool shownStale_ = false;                 // its file has changed since it was read
+    FieldSet metres_ = 0, presetMetres_ = 0;  // of document and presetLook: see takeMetres()
     bool unframed_ = false;
     bool opening_ = false;  // other data are being opened: what is shown now is left alone
     int seenTime_ = 0;      // document.time at the last poll

@@ -53,6 +53,7 @@ struct Scene {
     std::string presetName;
     Document document;
     std::vector<std::string> warnings;
+    FieldSet inMetres = 0;     ///< of the look: whose noise scale awaits bringToCells()
     bool cameraAsked = false;  ///< else the data decide where the camera stands
 };
 

@@ -10,7 +10,7 @@ using namespace neph;
 
 namespace {
 
-constexpr glm::ivec3 kSize{40, 30, 20};
+constexpr glm::ivec3 kSkySize{40, 30, 20};
 
 Array3f& fieldOf(SpeciesVolume& volume, Species s) {
     return volume.contentKgPerM3[static_cast<std::size_t>(s)];
@@ -19,9 +19,9 @@ Array3f& fieldOf(SpeciesVolume& volume, Species s) {
 /// 60 km by 45 km by 10 km, without cloud.
 SpeciesVolume emptySky() {
     SpeciesVolume volume;
-    volume.grid = {kSize, {0.0, 0.0, 0.0}, {1500.0, 1500.0, 500.0}};
-    fieldOf(volume, Species::cloud) = Array3f(kSize);
-    fieldOf(volume, Species::rain) = Array3f(kSize);
+    volume.grid = {kSkySize, {0.0, 0.0, 0.0}, {1500.0, 1500.0, 500.0}};
+    fieldOf(volume, Species::cloud) = Array3f(kSkySize);
+    fieldOf(volume, Species::rain) = Array3f(kSkySize);
     return volume;
 }
 
