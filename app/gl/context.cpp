@@ -105,6 +105,7 @@ Window::Window(int width, int height, const std::string& title) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, kGlMinor);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // whoever places it shows it
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     keepLibrariesLoaded();
     if (!window_) {

@@ -30,6 +30,7 @@ class HeadlessContext {
 /// A GLFW window whose context is current. Throws Error if there is no display.
 class Window {
   public:
+    /// Not shown yet: its place depends on the screen.
     Window(int width, int height, const std::string& title);
     ~Window();
     Window(const Window&) = delete;

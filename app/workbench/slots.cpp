@@ -18,7 +18,7 @@ int indexOf(const DatasetInfo& info, const std::string& label) {
 }
 
 SlotState stateOf(const Session& session) {
-    return {session.named(), session.region(), session.presetName, session.document};
+    return {session.named(), session.region(), session.presetName, session.document, 0};
 }
 
 }  // namespace
@@ -140,9 +140,10 @@ void Slots::restore(const SessionState& state) {
         Session& session = slots_[i]->session;
         session.document = kept.document;
         session.homeCamera = kept.document.camera;
-        session.setPreset(kept.presetName);
         session.history.restart(kept.document);
-        session.open(kept.data, kept.document.time, kept.region);
+        session.open(kept.data, kept.document.time, kept.region, true);
+        session.takeMetres(kept.inMetres);  // of the data that are being opened
+        session.setPreset(kept.presetName);
     }
     compare_.second = slots_[1] != nullptr;
     compare_.active = compare_.second ? std::clamp(state.active, 0, 1) : 0;

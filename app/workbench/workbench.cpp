@@ -63,8 +63,8 @@ class Workbench {
   private:
     std::unique_ptr<Slot> makeSlot();
     void offerServices();
-    void openFirst(const SceneRequest& request);
-    void frameFirst();
+    void openFirst(const SceneRequest& request, bool cameraAsked);
+    void frameOpened();
     void takeInput();
     void open(const std::vector<std::filesystem::path>& files);
     bool drawImages();
@@ -103,7 +103,6 @@ class Workbench {
     PixelBox place_;  // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
-    bool framesFirst_ = false;  // no camera was asked for: the first data choose it
 };
 
 Workbench::Workbench(const WorkbenchRequest& request)
@@ -117,6 +116,7 @@ Workbench::Workbench(const WorkbenchRequest& request)
     session().setBudget(budget_);
     session().document = scene.document;
     session().homeCamera = scene.document.camera;
+    session().takeMetres(scene.inMetres);
     session().setPreset(scene.presetName);
     session().history.restart(scene.document);
     for (const std::string& warning : warnings) session().say(Message::Kind::warning, warning);
@@ -127,28 +127,30 @@ Workbench::Workbench(const WorkbenchRequest& request)
                         std::filesystem::path(request.script).filename().string());
         ui::wantPlaces(true);
     }
-    openFirst(request.scene);
+    openFirst(request.scene, scene.cameraAsked);
 }
 
-void Workbench::openFirst(const SceneRequest& request) {
+void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
     ui_.sessionDialogs.autosave = &autosave_;
     ui_.sessionDialogs.offersCrashed = request.files.empty() && !script_;
     if (request.files.size() == 1 && kindOfFile(request.files.front()) == FileKind::session) {
         ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, request.files.front());
     } else {
-        framesFirst_ = request.preset.empty() && request.camera.empty();
         const auto time = request.times ? std::optional(request.times->first) : std::nullopt;
-        session().open(request.files, time, request.region);
+        session().open(request.files, time, request.region, cameraAsked);
     }
 }
 
-/// The first data are shown whole, whatever the size of the window, from the preset's side.
-void Workbench::frameFirst() {
-    if (!framesFirst_ || !session().shown()) return;
-    framesFirst_ = false;
-    ui::look(session(), View::fit, ui::aspectOf(ui_.layout()));
-    session().homeCamera = session().document.camera;
-    session().history.restart(session().document);
+/// Data that were opened are shown whole, whatever the size of the window, from the side that they
+/// would be seen from.
+void Workbench::frameOpened() {
+    for (Slot* slot : slots_.all()) {
+        Session& opened = slot->session;
+        if (!opened.takeUnframed()) continue;
+        ui::look(opened, View::fit, ui::aspectOf(ui_.layout()));
+        opened.homeCamera = opened.document.camera;
+        opened.history.restart(opened.document);
+    }
 }
 
 std::unique_ptr<Slot> Workbench::makeSlot() {
@@ -375,7 +377,7 @@ void Workbench::run() {
         if (script_) playScript();
         takeInput();
         for (Slot* slot : slots_.all()) slot->takeData();
-        frameFirst();
+        frameOpened();
         const bool drew = drawImages();
         handOverImages();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.

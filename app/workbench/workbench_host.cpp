@@ -47,7 +47,7 @@ ui::Key after(ui::Key first, int steps) {
     return static_cast<ui::Key>(static_cast<int>(first) + steps);
 }
 
-constexpr int kMinWidthPx = 960, kMinHeightPx = 600;  // both columns and an image between them
+constexpr glm::ivec2 kLeastPx{960, 600};  // both columns and an image between them
 
 ui::Key toKey(int key, int scancode) {
     for (const auto& [code, named] : kOthers) {
@@ -83,6 +83,42 @@ int toCode(ui::Key key) {
     return -1;
 }
 
+/// The part of a screen that windows may take; the whole screen where the window system says
+/// nothing of panels.
+ScreenBox workAreaOf(GLFWmonitor* monitor) {
+    ScreenBox area;
+    glfwGetMonitorWorkarea(monitor, &area.at.x, &area.at.y, &area.size.x, &area.size.y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    if (area.size.x > 0 || mode == nullptr) return area;
+    glfwGetMonitorPos(monitor, &area.at.x, &area.at.y);
+    area.size = {mode->width, mode->height};
+    return area;
+}
+
+ScreenBox placeOf(GLFWwindow* window) {
+    ScreenBox place;
+    glfwGetWindowPos(window, &place.at.x, &place.at.y);
+    glfwGetWindowSize(window, &place.size.x, &place.size.y);
+    return place;
+}
+
+WindowFrame frameOf(GLFWwindow* window) {
+    WindowFrame frame;
+    glfwGetWindowFrameSize(window, &frame.before.x, &frame.before.y, &frame.after.x,
+                           &frame.after.y);
+    return frame;
+}
+
+/// The monitor that shows most of a window, else the first; nullptr without any.
+GLFWmonitor* monitorOf(const ScreenBox& window) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    if (monitors == nullptr || count == 0) return nullptr;
+    return *std::max_element(monitors, monitors + count, [&](GLFWmonitor* a, GLFWmonitor* b) {
+        return sharedArea(window, workAreaOf(a)) < sharedArea(window, workAreaOf(b));
+    });
+}
+
 WorkbenchHost& hostOf(GLFWwindow* window) {
     return *static_cast<WorkbenchHost*>(glfwGetWindowUserPointer(window));
 }
@@ -92,7 +128,6 @@ WorkbenchHost& hostOf(GLFWwindow* window) {
 WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     GLFWwindow* handle = window.handle();
     glfwSetWindowUserPointer(handle, this);
-    glfwSetWindowSizeLimits(handle, kMinWidthPx, kMinHeightPx, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         if (action != GLFW_RELEASE) hostOf(w).onKey(key, scancode, mods);
     });
@@ -115,6 +150,28 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     ui::restyle(window.contentScale(), {});
     ImGui_ImplGlfw_InitForOpenGL(handle, true);  // chains the callbacks set above
     ImGui_ImplOpenGL3_Init("#version 450");
+    fitToScreen(false);  // the window system finds a place for a new window, if it is not too large
+    glfwShowWindow(handle);
+    glfwPollEvents();
+    fitToScreen(true);
+}
+
+/// A window on a screen that is smaller, or gone, is cut, and moved where asked for, so that all of
+/// it is seen.
+void WorkbenchHost::fitToScreen(bool moves) {
+    GLFWwindow* handle = window_.handle();
+    const ScreenBox wanted = placeOf(handle);
+    ScreenBox place = wanted;
+    glm::ivec2 least = kLeastPx;
+    if (GLFWmonitor* monitor = monitorOf(wanted)) {
+        const ScreenBox area = workAreaOf(monitor);
+        const WindowFrame frame = frameOf(handle);
+        place = fitOn(area, wanted, frame);
+        least = leastOn(area, kLeastPx, frame);
+    }
+    glfwSetWindowSizeLimits(handle, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    if (place.size != wanted.size) glfwSetWindowSize(handle, place.size.x, place.size.y);
+    if (moves && place.at != wanted.at) glfwSetWindowPos(handle, place.at.x, place.at.y);
 }
 
 WorkbenchHost::~WorkbenchHost() {
@@ -247,13 +304,16 @@ void WorkbenchHost::toggleFullScreen() {
     GLFWwindow* handle = window_.handle();
     fullScreen_ = !fullScreen_;
     if (!fullScreen_) {
-        glfwSetWindowMonitor(handle, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
-                             GLFW_DONT_CARE);
+        if (GLFWmonitor* monitor = monitorOf(windowed_)) {  // the screen it was on may have gone
+            windowed_ = fitOn(workAreaOf(monitor), windowed_, frame_);
+        }
+        glfwSetWindowMonitor(handle, nullptr, windowed_.at.x, windowed_.at.y, windowed_.size.x,
+                             windowed_.size.y, GLFW_DONT_CARE);
         return;
     }
-    glfwGetWindowPos(handle, &windowed_.x, &windowed_.y);
-    glfwGetWindowSize(handle, &windowed_.z, &windowed_.w);
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    windowed_ = placeOf(handle);
+    frame_ = frameOf(handle);
+    GLFWmonitor* monitor = monitorOf(windowed_);
     const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
     if (mode == nullptr) {
         fullScreen_ = false;

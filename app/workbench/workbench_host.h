@@ -9,6 +9,7 @@
 #include "app/ui/panel/layout.h"
 #include "app/ui/widgets/chord.h"
 #include "app/workbench/script_player.h"
+#include "app/workbench/window_fit.h"
 #include "core/grid/boxes.h"
 #include "core/image/image.h"
 #include "core/session/settings.h"
@@ -72,6 +73,7 @@ class WorkbenchHost {
 
     void onKey(int key, int scancode, int mods);
     void onMouseButton(int button, bool down);
+    void fitToScreen(bool moves);
     void onOther() { unseen_ = true; }
     void onFocus();
     void onDrop(int count, const char** paths);
@@ -94,7 +96,8 @@ class WorkbenchHost {
     std::deque<Press> presses_;       // of mouse buttons, that ImGui has not seen through
     std::vector<int> tapped_, held_;  // keys pressed since the last frame, and those held for it
     std::vector<std::filesystem::path> dropped_;
-    glm::ivec4 windowed_{0};  // x, y, width, height to go back to from full screen
+    ScreenBox windowed_;  // to go back to from full screen
+    WindowFrame frame_;   // of it
     bool fullScreen_ = false;
     bool focused_ = false;
     std::optional<PlayedInput> played_;

@@ -44,21 +44,28 @@ struct Wedge {
     double eyeAt(double slope) const { return (least - most) / (2.0 * slope); }
 };
 
-/// Moves the eye along its view direction, and sideways, until the box just fits.
-void fitBox(CameraPose& pose, const RegularGrid& grid, const BoxM& box, double aspect) {
+/// Moves the eye along its view direction, and sideways, until the boxes just fit.
+void fitBoxes(CameraPose& pose, const RegularGrid& grid, std::span<const BoxM> boxes,
+              double aspect) {
     const Camera camera = placeCamera(pose, grid, aspect);
     const double up = camera.tanHalfFovY * (1.0 - kMargin), across = up * aspect;
+    constexpr double kMost = std::numeric_limits<double>::max();
     Wedge horizontal, vertical;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p{(corner & 1) != 0 ? box.upperM.x : box.lowerM.x,
-                           (corner & 2) != 0 ? box.upperM.y : box.lowerM.y,
-                           (corner & 4) != 0 ? box.upperM.z : box.lowerM.z};
-        const double depth = glm::dot(p, camera.forward);
-        horizontal.add(glm::dot(p, camera.right), depth, across);
-        vertical.add(glm::dot(p, camera.up), depth, up);
+    double near = kMost, far = -kMost;
+    for (const BoxM& box : boxes) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 p{(corner & 1) != 0 ? box.upperM.x : box.lowerM.x,
+                               (corner & 2) != 0 ? box.upperM.y : box.lowerM.y,
+                               (corner & 4) != 0 ? box.upperM.z : box.lowerM.z};
+            const double depth = glm::dot(p, camera.forward);
+            horizontal.add(glm::dot(p, camera.right), depth, across);
+            vertical.add(glm::dot(p, camera.up), depth, up);
+            near = std::min(near, depth);
+            far = std::max(far, depth);
+        }
     }
     const double eye = std::min(horizontal.eyeAt(across), vertical.eyeAt(up));
-    const double depth = glm::dot((box.lowerM + box.upperM) / 2.0, camera.forward);
+    const double depth = (near + far) / 2.0;
     const glm::dvec3 target =
         camera.right * horizontal.middle() + camera.up * vertical.middle() + camera.forward * depth;
     pose.target = glm::clamp(shareOf(target, grid), kMinTarget, kMaxTarget);
@@ -145,7 +152,7 @@ std::optional<CameraPose> poseOf(const Observer& observer, const RegularGrid& gr
     return pose;
 }
 
-CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const BoxM& box,
+CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, std::span<const BoxM> boxes,
                   double aspect) {
     switch (view) {
         case View::fit:
@@ -160,7 +167,7 @@ CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const Box
                 90.0f * static_cast<float>(static_cast<int>(view) - static_cast<int>(View::north));
             pose.elevationDeg = kAlongGroundDeg;
     }
-    fitBox(pose, grid, box, aspect);
+    fitBoxes(pose, grid, boxes, aspect);
     return pose;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/camera/camera.h"
@@ -49,9 +50,9 @@ enum class View : int { fit, plan, north, east, south, west, below };
 inline constexpr std::array<std::string_view, 7> kViewNames{"fit",   "plan", "north", "east",
                                                             "south", "west", "below"};
 
-/// `pose` turned to a standard view, with all of `box` as large as possible in an image of this
-/// aspect ratio, except for a margin. The distance is limited to that of a pose.
-CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, const BoxM& box,
+/// `pose` turned to a standard view, with all of `boxes`, at least one, as large as possible in an
+/// image of this aspect ratio, except for a margin. The distance is limited to that of a pose.
+CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, std::span<const BoxM> boxes,
                   double aspect);
 
 /// Position of a point in the image, in [-1, 1] if inside; empty if it is behind the eye.

@@ -2,9 +2,11 @@
 #include "core/dataset/file_list.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/resources.h"
+#include "core/plugin/file_address.h"
 
 namespace neph {
 
@@ -18,6 +20,18 @@ std::vector<fs::path> listFiles(std::span<const std::string> named) {
         if (fs::exists(name, error)) {
             files.emplace_back(name);
             continue;
+        }
+        if (std::string advice = addressAdvice(name); !advice.empty()) {
+            throw Error({.where = name,
+                         .what = "is an address in the network, and only files are opened",
+                         .hint = std::move(advice)});
+        }
+        std::error_code none;
+        if (fs::is_symlink(name, none)) {
+            throw Error({.where = name,
+                         .what = "is a link to a file that is not there",
+                         .found = fs::read_symlink(name, none).string(),
+                         .hint = "make the link again, or name the file itself"});
         }
         const bool bare = !name.empty() && name.find('/') == name.npos && !name.starts_with('.');
         const auto sample = bare ? findResource("samples/" + name) : std::nullopt;

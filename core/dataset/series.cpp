@@ -8,12 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/dataset/file_list.h"
 #include "core/dataset/header_cache.h"
+#include "core/plugin/file_kind.h"
 
 namespace neph {
 namespace {
@@ -44,6 +46,13 @@ bool takenWhole(const fs::path& folder, const PluginHost& host, const Progress& 
     }
 }
 
+Error notRead(const fs::path& path, const RecognisedFile& known) {
+    return Error({.where = path.string(),
+                  .what = "no reader knows this format",
+                  .found = known.what,
+                  .hint = known.step});
+}
+
 /// Replaces folders by their files, unless a reader accepts the folder as a whole.
 std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host,
                                     const Progress& progress) {
@@ -54,6 +63,8 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
             candidates.push_back({path});
             continue;
         }
+        const auto known = recogniseFile(path);
+        if (known) throw notRead(path, *known);
         std::vector<fs::path> files = filesIn(std::span(&path, 1));
         if (files.empty()) {
             throw Error({.where = path.string(),
@@ -110,6 +121,11 @@ class SeriesMaker {
         std::string reason;  ///< of the first
         std::vector<std::string> otherGrid;
         std::string grid;  ///< of the first
+        struct Kind {
+            std::vector<std::string> names;
+            RecognisedFile known;  ///< of the first
+        };
+        std::map<std::string_view, Kind> kinds;  ///< by id: data, but not as a reader takes them
     };
 
     /// The first readable candidate determines the reader.
@@ -127,13 +143,29 @@ class SeriesMaker {
                 candidate.fault = error;
             }
         }
-        throw Error({.where = candidates_.front().folder.string(),
-                     .what = "holds no file that can be read",
-                     .found = fmt::format("{} files; {}: {}", candidates_.size(),
-                                          candidates_.front().path.filename().string(),
-                                          candidates_.front().fault->parts().what),
-                     .expected = "output of one model run",
-                     .hint = "`nephoscope readers` lists what can be read"});
+        throw nothingRead();
+    }
+
+    /// The error where no candidate can be read. It speaks of the first whose kind is recognised
+    /// and that is more than text, as what a run leaves beside its output is.
+    Error nothingRead() const {
+        const Candidate* told = &candidates_.front();
+        std::optional<RecognisedFile> known;
+        for (const Candidate& candidate : candidates_) {
+            auto kind = recogniseFile(candidate.path);
+            if (!kind || kind->row->aside) continue;
+            told = &candidate;
+            known = std::move(kind);
+            break;
+        }
+        return Error({.where = told->folder.string(),
+                      .what = "holds no file that can be read",
+                      .found = fmt::format("{} file{}; {}: {}", candidates_.size(),
+                                           candidates_.size() == 1 ? "" : "s",
+                                           told->path.filename().string(),
+                                           known ? known->what : told->fault->parts().what),
+                      .expected = "output of one model run",
+                      .hint = known ? known->step : "`nephoscope readers` lists what can be read"});
     }
 
     void describeRest(const Progress& progress) {
@@ -210,6 +242,13 @@ class SeriesMaker {
         const std::string name = candidate.path.filename().string();
         LeftOut* left = candidate.mayFail() ? &leftOut_[candidate.folder] : nullptr;
         if (!candidate.description) {
+            const auto known = recogniseFile(candidate.path);
+            if (known && !known->row->aside) {
+                LeftOut::Kind& kind = left->kinds[known->row->id];
+                if (kind.names.empty()) kind.known = *known;
+                kind.names.push_back(name);
+                return;
+            }
             if (left->unreadable.empty()) left->reason = candidate.fault->parts().what;
             left->unreadable.push_back(name);
             return;
@@ -255,6 +294,12 @@ class SeriesMaker {
             series_.notes.push_back(fmt::format(
                 "{} in {} left out, as not of this series: {} ({}).", count(left.unreadable.size()),
                 of, listed(left.unreadable), left.reason));
+        }
+        for (const auto& [id, kind] : left.kinds) {
+            series_.notes.push_back(
+                fmt::format("{} in {} left out: {} ({}). {}{}.", count(kind.names.size()), of,
+                            listed(kind.names), kind.known.what, kind.known.step,
+                            kind.names.size() > 1 ? "; so for the others" : ""));
         }
         if (!left.otherGrid.empty()) {
             series_.notes.push_back(fmt::format(

@@ -18,6 +18,11 @@ inline glm::dvec3 compassDirWorld(float azimuthDeg, float elevationDeg) {
             std::sin(elevation)};
 }
 
+/// Side of a square cell of the same area.
+inline double meanCellM(const glm::dvec2& spacingM) {
+    return spacingM.x == spacingM.y ? spacingM.x : std::sqrt(spacingM.x * spacingM.y);
+}
+
 /// A block of cells; `originM` is the lower corner of the first cell.
 struct RegularGrid {
     glm::ivec3 size{0};

@@ -60,6 +60,7 @@ enum class Holding : int { absent, content, extinction };
 /// cell. Both are additive, so remapping and averaging conserve their column integrals.
 struct SpeciesVolume {
     RegularGrid grid;
+    double nativeCellM = 0.0;  ///< horizontal cell of the data before averaging; 0: the grid's own
     /// kg of hydrometeor per m³ of air, size `grid.size`, or empty.
     std::array<Array3f, kSpeciesCount> contentKgPerM3{};
     /// Extinction coefficient, 1/m, size `grid.size`, or empty. For a mixing scale of 1.
@@ -68,6 +69,10 @@ struct SpeciesVolume {
     double timeSeconds = 0.0;        ///< since the first time of the series
     std::vector<std::string> notes;  ///< what was clipped, masked or assumed, one sentence each
 
+    /// The unit of lengths that a look gives in cells.
+    double cellM() const {
+        return nativeCellM > 0.0 ? nativeCellM : meanCellM(glm::dvec2(grid.spacingM));
+    }
     /// False where the model has no such species.
     bool has(Species s) const { return holding(s) != Holding::absent; }
     Holding holding(Species s) const {

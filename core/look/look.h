@@ -20,6 +20,8 @@ enum class ExtinctionMode : int { physical, equal };
 /// How extinction follows from a radius that comes from the model: large spheres, or the fits of
 /// the radiation code that WRF runs with.
 enum class RadiationOptics : int { geometric, wrfRrtmg };
+/// Whether mixing scales hold as they are, or for cells of kLookCellM: see mixingScaleAt().
+enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
@@ -38,10 +40,14 @@ struct SpeciesLook {
     glm::vec3 colour{1.0f};
     PhaseSpec phase;
     float noiseAmount = 0.0f;
-    float noiseScaleM = 8000.0f;
+    float noiseScaleCells = 8.0f;  ///< of the data's native horizontal cells
     NoiseCharacter noiseCharacter = NoiseCharacter::billow;
     bool operator==(const SpeciesLook&) const = default;
 };
+
+/// Native cell of the storm that looks are tuned on; parameters that adapt to the cell size are
+/// the same there either way.
+inline constexpr double kLookCellM = 1000.0;
 
 /// The defaults written here are the defaults everywhere: tuned by eye on the bundled storm where
 /// no source is named. What the rows' help cites is not repeated here.
@@ -53,6 +59,7 @@ struct Look {
     bool noise = true;
     ExtinctionMode extinction = ExtinctionMode::physical;
     RadiationOptics radiationOptics = RadiationOptics::geometric;
+    MixingRule mixing = MixingRule::asGiven;
     ColourMode colour = ColourMode::natural;
 
     LightForm lightForm = LightForm::printed;

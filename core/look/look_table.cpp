@@ -103,6 +103,14 @@ void addModes(std::vector<Parameter>& table) {
                 "How much light particles of the model's radius take away: large spheres, or as "
                 "WRF's RRTMG has ice and snow. Acts on fields whose radius is not a constant. "
                 "docs/physics.md §7");
+    rows.choice(
+        "mixing", "Mixing scales", &Look::mixing, Stage::medium,
+        {{"as_given", "As given", "The same share of the mixing ratio, whatever the data."},
+         {"by_cell", "By cell size",
+          "For cells of 1 km; finer cells keep more, up to all that the model has."}},
+        "Whether mixing scales below 1 hold for any data, or for cells of 1 km: in cells of 100 m "
+        "they are then ten times as large, at most 1, so that a small cloud is as opaque cell for "
+        "cell as a storm. docs/physics.md §8");
     rows.choice("colour", "Colour", &Look::colour, Stage::medium,
                 {{"natural", "Natural", "White particles, coloured by the light alone."},
                  {"fields", "By field", "Each field in its field colour, [Riley03] table 2."}},

@@ -90,11 +90,10 @@ void addNoise(FieldRows& rows) {
                 "Portion of the field that the noise multiplies, [Riley03] §4.5; above 1 the thin "
                 "parts are eaten away.")
         .overruled = {[](const Look& look) { return !look.noise; }, "Detail noise is off"};
-    Parameter& scale =
-        rows.number("noise_scale", "Noise scale", "m", &SpeciesLook::noiseScaleM, {50.0, 1e5, true},
-                    Stage::medium, "Length of the largest features of the noise.");
-    scale.displayUnit = "km";
-    scale.displayScale = 1e-3;
+    rows.number("noise_cells", "Noise scale", "cells", &SpeciesLook::noiseScaleCells,
+                {0.05, 1000.0, true}, Stage::medium,
+                "Length of the largest features of the noise, in horizontal cells of the data: "
+                "detail adapts to a storm of 1 km cells and to a cumulus of 20 m ones.");
     rows.choice("noise_character", "Noise character", &SpeciesLook::noiseCharacter, Stage::medium,
                 {{"billow", "Billow", "Rounded heaps, as convective cloud has."},
                  {"wisp", "Wisp", "Streaks, as cirrus has."}},

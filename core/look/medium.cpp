@@ -9,25 +9,26 @@
 namespace neph {
 namespace {
 
-MediumClass classFor(const Look& look, const SpeciesLook& field) {
+MediumClass classFor(const Look& look, const SpeciesLook& field, double cellM) {
     MediumClass made;
     made.albedo = field.albedo;
     made.colour = look.colour == ColourMode::fields ? field.colour : glm::vec3(1.0f);
     made.phase = look.phaseMode == PhaseMode::perField ? field.phase : look.uniformPhase;
     if (look.noise && field.noiseAmount > 0.0f) {
         made.noiseAmount = field.noiseAmount;
-        made.noiseScaleM = field.noiseScaleM;
+        made.noiseScaleM = noiseScaleM(field, cellM);
         made.noiseCharacter = field.noiseCharacter;
     }
     return made;
 }
 
-float extinctionPerHeld(const Look& look, const SpeciesLook& field, Holding holding) {
-    if (holding == Holding::extinction) return field.mixingScale;
+float extinctionPerHeld(const Look& look, const SpeciesLook& field, Holding holding, double cellM) {
+    const float scale = mixingScaleAt(look, field, cellM);
+    if (holding == Holding::extinction) return scale;
     const float k = look.extinction == ExtinctionMode::equal
                         ? look.equalExtinctionM2PerKg
                         : glsl::massExtinctionM2PerKg(field.effectiveRadiusM, field.densityKgPerM3);
-    return k * field.mixingScale;
+    return k * scale;
 }
 
 /// The logarithmic display puts black this far below the smallest value, or light at right angles
@@ -63,18 +64,25 @@ float displayed(float value, PhaseDisplay display, DisplayRange range) {
 
 }  // namespace
 
-MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings) {
+float mixingScaleAt(const Look& look, const SpeciesLook& field, double cellM) {
+    const auto scale = static_cast<double>(field.mixingScale);
+    if (look.mixing == MixingRule::asGiven || scale >= 1.0) return field.mixingScale;
+    return static_cast<float>(std::min(1.0, scale * std::max(1.0, kLookCellM / cellM)));
+}
+
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings,
+                      double cellM) {
     MediumPlan plan;
     plan.classOf.fill(-1);
     for (std::size_t s = 0; s < holdings.size(); ++s) {
         const SpeciesLook& field = look.species[s];
         const bool absent = holdings[s] == Holding::absent;
         if (absent || !field.visible || field.mixingScale <= 0.0f) continue;
-        const MediumClass wanted = classFor(look, field);
+        const MediumClass wanted = classFor(look, field, cellM);
         auto found = std::find(plan.classes.begin(), plan.classes.end(), wanted);
         if (found == plan.classes.end()) found = plan.classes.insert(found, wanted);
         plan.classOf[s] = static_cast<int>(found - plan.classes.begin());
-        plan.extinctionPerHeld[s] = extinctionPerHeld(look, field, holdings[s]);
+        plan.extinctionPerHeld[s] = extinctionPerHeld(look, field, holdings[s], cellM);
     }
     return plan;
 }

@@ -35,7 +35,19 @@ struct MediumPlan {
     bool operator==(const MediumPlan&) const = default;
 };
 
-MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings);
+/// Length of the largest features of a field's noise, in data of such cells.
+inline float noiseScaleM(const SpeciesLook& field, double cellM) {
+    return static_cast<float>(static_cast<double>(field.noiseScaleCells) * cellM);
+}
+
+/// What a field's content is multiplied by, in data of such cells. With MixingRule::byCell a scale
+/// below 1 is one that makes a cell of 1 km as transparent as it should look; a smaller cell keeps
+/// more, so that light crosses as many cells, up to all that the model has.
+float mixingScaleAt(const Look& look, const SpeciesLook& field, double cellM);
+
+/// `cellM` is the data's native horizontal cell (SpeciesVolume::cellM).
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings,
+                      double cellM);
 
 /// The phase functions of the classes as the image shows them (`light.phase_display`): tables of
 /// kPhaseTableSize entries, dimensionless, 1 for full isotropic scatter in the physical display and

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/base/number_text.h"
+#include "core/look/old_metres.h"
 
 namespace neph {
 namespace {
@@ -162,6 +163,11 @@ std::string nearestParameterId(std::string_view id) {
 
 const Parameter& parameter(std::string_view id) {
     if (const Parameter* row = findParameter(id)) return *row;
+    if (const Parameter* row = replacedInCells(id)) {
+        throw Error({"", fmt::format("there is no parameter {}, in metres, any more", id), "", "",
+                     row->id + " has the length in cells of the data: divide the metres by the "
+                               "horizontal spacing that `nephoscope info` tells"});
+    }
     const std::string near = nearestParameterId(id);
     throw Error(
         {"", fmt::format("there is no parameter {}", id), "", "",

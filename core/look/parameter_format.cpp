@@ -87,30 +87,36 @@ std::string formatParameters(std::span<const Parameter> rows, const ParameterSet
     return object.dump();
 }
 
-std::vector<const Parameter*> parseParameters(std::string_view json,
-                                              std::span<const Parameter> rows,
-                                              std::string_view where, ParameterSet& values,
-                                              std::vector<std::string>& warnings) {
+ParsedParameters parseParameters(std::string_view json, std::span<const Parameter> rows,
+                                 std::string_view where, ParameterSet& values,
+                                 std::vector<std::string>& warnings) {
     const Json object = parseStrictJson<Json>(json, where);
     std::vector<std::string_view> known;
     for (const Parameter& row : rows) known.push_back(row.id);
-    std::vector<const Parameter*> named;
+    ParsedParameters parsed;
     for (const auto& [key, value] : object.items()) {
-        const auto row = std::ranges::find(rows, key, &Parameter::id);
+        const Parameter* replaced = replacedInCells(key);
+        const auto row =
+            std::ranges::find(rows, replaced == nullptr ? key : replaced->id, &Parameter::id);
         if (row == rows.end()) {
             warnings.push_back(unknownJsonKey(where, key, known));
             continue;
         }
-        const auto read = toValue(*row, value);
+        auto read = toValue(*row, value);
         if (!read) {
             throw Error({std::string(where),
                          fmt::format("parameter {} cannot take this value", key), excerpt(value),
                          rangeText(*row), ""});
         }
+        if (replaced != nullptr) {
+            if (object.contains(row->id)) continue;  // the file has both: the newer one counts
+            read = asLookCells(std::get<float>(*read));
+            parsed.inMetres |= noiseScaleField(*row);
+        }
         setValue(values, *row, *read, where);
-        named.push_back(&*row);
+        parsed.named.push_back(&*row);
     }
-    return named;
+    return parsed;
 }
 
 }  // namespace neph

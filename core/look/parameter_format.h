@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/look/old_metres.h"
 #include "core/look/parameter.h"
 
 namespace neph {
@@ -16,12 +17,17 @@ namespace neph {
 /// The object of all of `rows` on one line, in their order; reads back bit for bit.
 std::string formatParameters(std::span<const Parameter> rows, const ParameterSet& values);
 
+/// What an object of parameters named.
+struct ParsedParameters {
+    std::vector<const Parameter*> named;
+    FieldSet inMetres = 0;  ///< whose noise scale an older version wrote: see old_metres.h
+};
+
 /// Reads an object of some of `rows` into `values` and returns which it named; `where` opens the
 /// messages. Unknown keys are reported in `warnings`, each with the nearest known one. Throws Error
 /// naming key, value and range.
-std::vector<const Parameter*> parseParameters(std::string_view json,
-                                              std::span<const Parameter> rows,
-                                              std::string_view where, ParameterSet& values,
-                                              std::vector<std::string>& warnings);
+ParsedParameters parseParameters(std::string_view json, std::span<const Parameter> rows,
+                                 std::string_view where, ParameterSet& values,
+                                 std::vector<std::string>& warnings);
 
 }  // namespace neph

@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resources.h"
+#include "core/plugin/file_kind.h"
 
 namespace neph {
 namespace {
@@ -43,7 +44,6 @@ std::string firstBytes(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     in.read(bytes.data(), bytes.size());
     const auto count = static_cast<std::size_t>(in.gcount());
-    if (count == 0) return "an empty file";
     std::string text;
     for (char c : std::string_view(bytes.data(), count)) {
         text += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '.';
@@ -72,6 +72,23 @@ void requireReadable(const fs::path& file) {
                      .what = fmt::format("cannot be read: {}", std::strerror(errno)),
                      .hint = "check its permissions"});
     }
+}
+
+/// The error for what no reader takes; `readers` are those there are.
+Error unknownFormat(const fs::path& file, const std::string& readers) {
+    const std::optional<RecognisedFile> known = recogniseFile(file);
+    std::error_code none;
+    const bool folder = fs::is_directory(file, none);
+    return Error({.where = file.string(),
+                  .what = "no reader knows this format",
+                  .found = known    ? known->what
+                           : folder ? "a folder"
+                                    : firstBytes(file),
+                  .expected = readers,
+                  .hint = known ? known->step
+                                : "give the model's own output files (`nephoscope readers` lists "
+                                  "what can be read); bare numbers need a `nephoscope-brick` "
+                                  "sidecar that describes them (docs/raw-les.md)"});
 }
 
 }  // namespace
@@ -191,14 +208,7 @@ std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
                      .hint = "`nephoscope readers` lists where they are looked for and why they "
                              "were rejected; NEPHOSCOPE_READER_PATH adds folders"});
     }
-    std::error_code none;
-    throw Error({.where = file.string(),
-                 .what = "no reader knows this format",
-                 .found = fs::is_directory(file, none) ? "a folder" : firstBytes(file),
-                 .expected = known,
-                 .hint =
-                     "give the model's own output files; `nephoscope readers` lists what can be "
-                     "read"});
+    throw unknownFormat(file, known);
 }
 
 }  // namespace neph

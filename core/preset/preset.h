@@ -14,6 +14,7 @@
 
 #include "core/camera/camera.h"
 #include "core/look/look.h"
+#include "core/look/old_metres.h"
 
 namespace neph {
 
@@ -35,7 +36,9 @@ struct PresetText {
 struct LoadedPreset {
     Preset preset;
     std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
-    std::vector<std::string> notes;     ///< sampling that the file names, which no preset holds
+    FieldSet inMetres = 0;              ///< whose noise scale awaits bringToCells()
+    std::vector<std::string>
+        notes;  ///< metres, and sampling that the file names, which no preset holds
 };
 
 /// Reads a preset from text; `where` starts the messages. Missing keys get their defaults. Throws

@@ -32,8 +32,16 @@ std::string readPresetText(const std::filesystem::path& file) {
 void readLook(std::string_view values, std::string_view where, LoadedPreset& loaded) {
     ParameterSet read;
     std::string sampling;
-    for (const Parameter* row :
-         parseParameters(values, parameterTable(), where, read, loaded.warnings)) {
+    const ParsedParameters parsed =
+        parseParameters(values, parameterTable(), where, read, loaded.warnings);
+    loaded.inMetres = parsed.inMetres;
+    if (parsed.inMetres != 0) {
+        loaded.notes.push_back(fmt::format(
+            "{}: noise_scale of {} is in metres, as older versions wrote it; noise_cells "
+            "has it in cells of the data (of {:g} m where none are open)",
+            where, namesOf(parsed.inMetres), kLookCellM));
+    }
+    for (const Parameter* row : parsed.named) {
         if (row->part != ParameterPart::sampling) continue;
         sampling += (sampling.empty() ? "" : ", ") + row->id;
     }

@@ -28,6 +28,11 @@ VolumeKey keyFor(const DatasetInfo& info, int time, const VolumeRequest& request
     return {when.indexInFile, when.file.string(), request};
 }
 
+/// Whether a camera pose shows the same place in both.
+bool sameExtent(const RegularGrid& a, const RegularGrid& b) {
+    return a.originM == b.originM && a.extentM() == b.extentM();
+}
+
 }  // namespace
 
 int defaultTime(const DatasetInfo& info) {
@@ -45,7 +50,7 @@ Session::Session(OpenSeries open, std::function<void()> wake,
     : open_(std::move(open)), watch_(wake, watchInterval), jobs_(std::move(wake)) {}
 
 void Session::open(std::span<const std::string> named, std::optional<int> time,
-                   std::optional<BoxM> region) {
+                   std::optional<BoxM> region, bool keepsView) {
     std::vector<std::filesystem::path> paths;
     try {
         paths = listFiles(named);
@@ -54,7 +59,7 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
         return;
     }
     const std::vector<std::string> names(named.begin(), named.end());
-    auto work = [this, open = open_, names, paths, time, region, budget = budget_,
+    auto work = [this, open = open_, names, paths, time, region, keepsView, budget = budget_,
                  look = document.look](const Progress& progress) {
         std::vector<FileStamp> stamps = stampsOf(paths);  // before reading, to notice growth
         auto dataset =
@@ -67,30 +72,33 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
             readVolume(*dataset, index, request, [&progress](double share) {
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
             }));
-        return Jobs::Finish(
-            [this, names, paths, stamps = std::move(stamps), dataset, index, request, held] {
-                opening_ = false;
-                dataset_ = dataset;
-                named_ = names;
-                paths_ = paths;
-                stamps_ = stamps;
-                region_ = request.region;
-                cache_.clear();
-                shown_.reset();
-                failedKey_.reset();
-                grown_.reset();
-                unreadable_.clear();
-                toldNotes_.clear();
-                missedLast_ = false;
-                settledSerial = lastSerial_;
-                sayNew(dataset->info().notes);
-                const VolumeKey key = keyFor(dataset->info(), index, request);
-                cache_.put(key, held);
-                show(key, held);
-                document.time = seenTime_ = index;
-                history.restart(document);
-                watch_.watch(paths, stamps);
-            });
+        return Jobs::Finish([this, names, paths, stamps = std::move(stamps), dataset, index,
+                             request, held, keepsView] {
+            opening_ = false;
+            unframed_ =
+                !keepsView && !(shown_ && sameExtent(shown_->summary.grid, held->summary.grid));
+            dataset_ = dataset;
+            named_ = names;
+            paths_ = paths;
+            stamps_ = stamps;
+            region_ = request.region;
+            cache_.clear();
+            shown_.reset();
+            failedKey_.reset();
+            grown_.reset();
+            unreadable_.clear();
+            toldNotes_.clear();
+            missedLast_ = false;
+            settledSerial = lastSerial_;
+            sayNew(dataset->info().notes);
+            const VolumeKey key = keyFor(dataset->info(), index, request);
+            cache_.put(key, held);
+            show(key, held);
+            document.time = seenTime_ = index;
+            bringMetres();
+            history.restart(document);
+            watch_.watch(paths, stamps);
+        });
     };
     opening_ = true;
     readingKey_.reset();
@@ -108,11 +116,13 @@ void Session::copyFrom(const Session& other) {
     presetName = other.presetName;
     presetLook = other.presetLook;
     presetCamera = other.presetCamera;
+    metres_ = other.metres_;
+    presetMetres_ = other.presetMetres_;
     setBudget(other.budget_);
     std::shared_ptr<Dataset> another =
         other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();
     if (!another || !other.shown_) {
-        open(other.named_, other.document.time, other.region_);
+        open(other.named_, other.document.time, other.region_, true);
         return;
     }
     dataset_ = std::move(another);
@@ -279,7 +289,7 @@ void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
 /// Poses are relative to the grid that is shown: another part of the same domain must be seen from
 /// the same place, now and in every step of the history.
 void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
-    if (before.originM == now.originM && before.extentM() == now.extentM()) return;
+    if (sameExtent(before, now)) return;
     const auto change = [&](Document& state) {
         state.camera = sameView(state.camera, before, now).value_or(homeCamera);
     };

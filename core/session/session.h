@@ -14,12 +14,14 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/jobs.h"
 #include "core/dataset/dataset.h"
 #include "core/dataset/series_watch.h"
 #include "core/grid/boxes.h"
+#include "core/look/old_metres.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_difference.h"
 #include "core/session/history.h"
@@ -65,9 +67,13 @@ class Session {
 
     /// Opens files, folders, or the bundled storm if nothing is named, as one series in the
     /// background, and shows `time` (negative counts from the end) or the default time, of `region`
-    /// or the whole domain. Errors become messages.
+    /// or the whole domain. Errors become messages. With `keepsView` the camera stays whatever the
+    /// domain.
     void open(std::span<const std::string> named, std::optional<int> time = {},
-              std::optional<BoxM> region = {});
+              std::optional<BoxM> region = {}, bool keepsView = false);
+    /// Whether data of another domain were opened since the last call, for which the camera is to
+    /// be chosen anew.
+    bool takeUnframed() { return std::exchange(unframed_, false); }
     /// The names that the open data were opened with; empty for the bundled storm.
     const std::vector<std::string>& named() const { return named_; }
     /// Copies data, document and what is shown from another session, which keeps its own; the
@@ -83,6 +89,9 @@ class Session {
     /// result is false.
     bool savePreset(const std::string& name, bool replace = false,
                     std::optional<PresetText> text = {});
+    /// Noise scales of the document that a file had in metres: brought to cells of the data, at
+    /// once or when there are some.
+    void takeMetres(FieldSet fields);
     /// Sets the preset that the document came from, as at the start of the program.
     void setPreset(const std::string& name);
 
@@ -145,6 +154,7 @@ class Session {
     void adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps);
     void adoptTimes(const DatasetInfo& before, const DatasetInfo& now);
     void dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps);
+    void bringMetres();
     void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
     void sayOfTime(const HeldVolume& held, const VolumeRequest& request);
 
@@ -159,10 +169,12 @@ class Session {
 
     Held shown_, fresh_;
     std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
-    bool shownStale_ = false;  // its file has changed since it was read
-    bool opening_ = false;     // other data are being opened: what is shown now is left alone
-    int seenTime_ = 0;         // document.time at the last poll
-    int direction_ = 1;        // in which the times were stepped through
+    bool shownStale_ = false;                 // its file has changed since it was read
+    FieldSet metres_ = 0, presetMetres_ = 0;  // of document and presetLook: see takeMetres()
+    bool unframed_ = false;
+    bool opening_ = false;  // other data are being opened: what is shown now is left alone
+    int seenTime_ = 0;      // document.time at the last poll
+    int direction_ = 1;     // in which the times were stepped through
     bool aheadDone_ = false;
     bool missedLast_ = false;  // the last time could not be read yet and is to be followed
     std::set<std::string> toldNotes_;

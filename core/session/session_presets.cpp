@@ -1,6 +1,8 @@
 // session_presets.cpp: applies presets to the document, and saves the document as one.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/preset/preset_files.h"
 #include "core/session/session.h"
@@ -9,16 +11,33 @@ namespace neph {
 
 void Session::setPreset(const std::string& name) {
     presetName = name;
+    presetMetres_ = metres_;
     presetLook = document.look;
     presetCamera = document.camera;
     if (name.empty()) return;
     try {
-        const Preset preset = neph::loadPreset(findPreset(name)).preset;
+        const LoadedPreset loaded = neph::loadPreset(findPreset(name));
+        const Preset& preset = loaded.preset;
         presetLook = preset.look;
         presetCamera = preset.camera;
+        presetMetres_ = loaded.inMetres;
+        bringMetres();
         if (preset.camera) homeCamera = *preset.camera;
     } catch (const Error&) {  // deleted or unreadable: compare with the current look instead
     }
+}
+
+void Session::takeMetres(FieldSet fields) {
+    metres_ = fields;
+    bringMetres();
+}
+
+void Session::bringMetres() {
+    if (!dataset_ || opening_) return;
+    const double cellM = meanCellM(dataset_->info().spacingM);
+    bringToCells(presetLook, std::exchange(presetMetres_, 0), cellM);
+    const std::string told = bringToCells(document.look, std::exchange(metres_, 0), cellM);
+    if (!told.empty()) say(Message::Kind::note, told);
 }
 
 /// Commits pending changes first, so that undo returns to the look before the preset.
@@ -27,6 +46,7 @@ void Session::takePreset(const LoadedPreset& loaded, PresetParts parts, const st
     for (const std::string& note : loaded.notes) say(Message::Kind::note, note);
     history.commit(document);
     takeOver(loaded.preset, parts, document.look, document.camera);
+    if ((parts & kPresetFields) != 0) takeMetres(loaded.inMetres);
     if ((parts & kPresetCamera) != 0 && loaded.preset.camera) homeCamera = *loaded.preset.camera;
     const bool whole = parts == kPresetAll;
     const std::string step = whole ? label : fmt::format("{}: {}", label, presetPartsText(parts));
@@ -43,6 +63,8 @@ bool Session::loadPreset(const std::string& nameOrFile, PresetParts parts) {
         presetName = name;
         presetLook = loaded.preset.look;
         presetCamera = loaded.preset.camera;
+        presetMetres_ = loaded.inMetres;
+        bringMetres();
         return true;
     } catch (const Error& error) {
         say(Message::Kind::error, error.message());

@@ -163,15 +163,18 @@ CameraPath readPath(const Reader& slot) {
 }
 
 /// Reads look and sampling. Older sessions have both in "look".
-void readParameters(const Reader& slot, ParameterSet& values) {
+FieldSet readParameters(const Reader& slot, ParameterSet& values) {
+    FieldSet inMetres = 0;
     const auto read = [&](std::string_view key, std::span<const Parameter> rows) {
         const Json* json = slot.find(key);
         if (json == nullptr) return;
-        parseParameters(jsonObject(*json, key, slot.where).dump(), rows, slot.where, values,
-                        slot.warnings);
+        inMetres |= parseParameters(jsonObject(*json, key, slot.where).dump(), rows, slot.where,
+                                    values, slot.warnings)
+                        .inMetres;
     };
     read("look", parameterTable());
     read("sampling", samplingTable());
+    return inMetres;
 }
 
 SlotState readSlot(const Reader& from, const fs::path& folder) {
@@ -181,7 +184,7 @@ SlotState readSlot(const Reader& from, const fs::path& folder) {
     slot.region = readRegion(from);
     slot.presetName = readName(from, "preset");
     from.read("time", slot.document.time, std::numeric_limits<int>::max());
-    readParameters(from, slot.document);
+    slot.inMetres = readParameters(from, slot.document);
     if (const Json* camera = from.find("camera")) {
         slot.document.camera = parseCamera(camera->dump(), from.where, from.warnings);
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid/boxes.h"
+#include "core/look/old_metres.h"
 #include "core/session/history.h"
 #include "core/volume/read_plan.h"
 
@@ -19,6 +20,7 @@ struct SlotState {
     std::optional<BoxM> region;
     std::string presetName;  ///< last loaded or saved
     Document document;
+    FieldSet inMetres = 0;  ///< of the look: whose noise scale awaits bringToCells()
     bool operator==(const SlotState&) const = default;
 };
 

@@ -6,16 +6,15 @@
 #include <limits>
 #include <numeric>
 
+#include "core/volume/framing.h"
 #include "core/volume/resample.h"
 
 namespace neph {
 namespace {
 
-// Thresholds of the visible region: thinner cloud is not seen even across a storm. A droplet cloud
-// of this content has a mean free path of 6.7 km ([Riley03] eq. 3, 10 µm), and so has this
-// extinction.
+// Threshold of the visible region where content is held. A droplet cloud of this content has a mean
+// free path of 6.7 km ([Riley03] eq. 3, 10 µm), as kVisibleExtinctionPerM.
 constexpr float kVisibleContentKgPerM3 = 1e-6f;
-constexpr float kVisibleExtinctionPerM = 1.5e-4f;
 constexpr double kMarginShare = 0.1;  // tuned by eye
 
 // Exponent of the lowest histogram bin: far below what is visible; eight decades above it is more
@@ -103,6 +102,7 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
         summary.clouds = BoxM{grid.originM + glm::dvec3(bounds.lower) * grid.spacingM,
                               grid.originM + glm::dvec3(bounds.upper) * grid.spacingM};
     }
+    summary.seen = seenParts(volume);
     return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/dataset/dataset.h"
 #include "core/grid/boxes.h"
@@ -23,6 +24,9 @@ struct VolumeRequest {
     RadiusPlan radii;  ///< as the look requires
     bool operator==(const VolumeRequest&) const = default;
 };
+
+/// Thinner cloud is not seen even across a storm: a mean free path of 6.7 km.
+inline constexpr float kVisibleExtinctionPerM = 1.5e-4f;
 
 /// Number of cells by value of one species, in bins of equal width in the logarithm. Values are as
 /// held: kg/m³, or 1/m where model radii turned content into extinction.
@@ -48,6 +52,7 @@ struct VolumeSummary {
     std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
     std::array<FieldHistogram, kSpeciesCount> histograms{};
     std::optional<BoxM> clouds;  ///< bounding box of what is dense enough to be seen
+    std::vector<BoxM> seen;      ///< as seenParts(); empty: nothing
     std::string timeLabel;
     bool empty() const;  ///< no hydrometeor anywhere
 };

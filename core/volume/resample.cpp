@@ -259,6 +259,7 @@ SpeciesVolume resample(Dataset& dataset, int time, const ResampleOptions& option
     const ReadPlan plan = options.plan ? *options.plan : planRead(dataset, time);
     SpeciesVolume volume;
     volume.grid = plan.grid;
+    volume.nativeCellM = meanCellM(info.spacingM);
     volume.timeLabel = info.times.at(static_cast<std::size_t>(time)).label;
     volume.timeSeconds = info.times.at(static_cast<std::size_t>(time)).seconds;
     const RadiusPlan radii = planAt(options.radii, info, volume.timeLabel);

@@ -187,14 +187,14 @@ TEST_CASE("A session's slots, camera and path are where an image starts from") {
 TEST_CASE("A comparison is A on the left, B on the right, and a line between") {
     const TemporaryFolder folder;
     const auto render = [&](const std::string& more, const char* name) {
-        const Outcome outcome =
-            runProgram("render cumulus --size 40x20 " + more + " --out " + quoted(folder / name));
+        const Outcome outcome = runProgram("render cumulus --camera default --size 40x20 " + more +
+                                           " --out " + quoted(folder / name));
         CHECK_MESSAGE(outcome.status == 0, outcome.err);
         return readPng(folder / name);
     };
     const std::string coarse = "--quality 0.25 --samples 1 ";
     const Image8 a = render(coarse + "--time 1", "a.png");
-    const Image8 b = render("--time 2 --preset fig04-field-colours --camera default", "b.png");
+    const Image8 b = render("--time 2 --preset fig04-field-colours", "b.png");
     const Image8 both = render(
         coarse + "--time 1 --preset-b fig04-field-colours --time-b 2 --split 0.25", "ab.png");
     REQUIRE(both.size == a.size);

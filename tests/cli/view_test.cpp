@@ -29,6 +29,30 @@ TEST_CASE("An image is taken from a side, or from a place, as the command line s
     CHECK(contains(cameraOf("--observer 2,1,2,45,10,50"), "azimuth 225 elevation -10 fov 50"));
 }
 
+TEST_CASE("Where no camera is asked for, all cloud is in the image, as in the window") {
+    const std::string fit = cameraOf("--view fit");
+    const std::string preset = cameraOf("--camera default");
+    REQUIRE(!fit.empty());
+    CHECK(contains(preset, "distance 0.55 azimuth 246"));  // presets/default.json
+    CHECK(fit != preset);
+    CHECK(cameraOf("") == fit);
+    CHECK(cameraOf("--set view.exposure=1") == fit);
+    CHECK(cameraOf("--preset default --parts light,view") == fit);
+    CHECK(cameraOf("--preset default") == preset);
+    CHECK(contains(cameraOf("--preset fig01-cumulus"), "distance 1.9 azimuth 205"));
+}
+
+TEST_CASE("A preset without a camera leaves it to the data") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "bright.json";
+    std::ofstream(file) << R"({"type": "nephoscope-look", "version": 1,
+                              "look": {"view.exposure": 1.5}})";
+    const std::string named = "--preset '" + file.string() + "'";
+    const std::string camera = cameraOf(named);
+    CHECK(contains(camera, "elevation 12 fov 40"));  // the direction of no preset
+    CHECK(camera == cameraOf(named + " --view fit"));
+}
+
 TEST_CASE("A view that is not known and an observer that cannot be are bad usage, and say why") {
     const auto refusal = [](const std::string& arguments) {
         const Outcome outcome = runProgram(kSmall + arguments);

@@ -181,6 +181,20 @@ void seedDocuments() {
     }
 }
 
+/// Beginnings of formats that are recognised but not read.
+void seedFileKinds() {
+    using namespace std::string_literals;
+    seed("file_kind", "gzip", "\x1f\x8b\x08\x0c\0\0\0\0\0\3\2\0abrun.tar\0 and more"s);
+    seed("file_kind", "zip", "PK\3\4"s + std::string(22, '\0') + "\6\0\0\0qc.npy"s);
+    seed("file_kind", "grib", "\1\r\r\n001 \r\r\nYTQA50 ECMF\r\r\nGRIB\0\4\0\1"s);
+    seed("file_kind", "hdf5", std::string(512, '\0') + "\x89HDF\r\n\x1a\nRCP\0THETA\0"s);
+    seed("file_kind", "vti", "<?xml?>\n<!-- a --><VTKFile type=\"ImageData\">");
+    seed("file_kind", "npy", "\x93NUMPY\1\0\x76\0{'descr': '<f4', 'shape': (2, 3), }"s);
+    seed("file_kind", "lfs", "version https://git-lfs.github.com/spec/v1\noid a\nsize 12\n");
+    seed("file_kind", "fortran", "\4\0\0\0abcd\4\0\0\0"s);
+    seed("file_kind", "namelist", "! a\n &time_control\n");
+}
+
 void seedSessions() {
     neph::SessionState state;
     state.slots.resize(2);
@@ -241,6 +255,7 @@ int main(int count, char** arguments) {
     seedReaderTexts();
     seedDocuments();
     seedSessions();
+    seedFileKinds();
     seedMessages();
     return 0;
 }

@@ -110,7 +110,7 @@ inline Look lookOf(const Mode& mode) {
     look.sunAzimuthDeg = 225.0f;
     look.sunElevationDeg = 40.0f;
     look.of(Species::graupel).albedo = 0.8f;
-    for (SpeciesLook& field : look.species) field.noiseScaleM = 1500.0f;
+    for (SpeciesLook& field : look.species) field.noiseScaleCells = 3.0f;
     return look;
 }
 

@@ -173,6 +173,39 @@ TEST_CASE("A folder without a readable file is an error that names what was trie
     CHECK(contains(error.found, "namelist.input"));
 }
 
+TEST_CASE("Compressed files in a folder are never left out unsaid, and the note has the command") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "README") << "text";
+    for (const char* name : {"wrfout_d01_b.gz", "wrfout_d01_c.gz"}) {
+        std::ofstream(folder / name) << "\x1f\x8b\x08\x01 and more";
+    }
+    const ErrorParts error = errorOf([&] { openFiles({folder.path()}); });
+    CHECK(contains(error.what, "holds no file that can be read"));
+    CHECK(contains(error.found, "3 files; wrfout_d01_b.gz: a file compressed with gzip"));
+    CHECK(contains(error.hint, "gunzip -k " + (folder / "wrfout_d01_b.gz").string()));
+    writeWrf(folder / "wrfout_d01_a", {});
+    const auto dataset = openFiles({folder.path()});
+    CHECK(noted(*dataset, "2 files"));
+    CHECK(noted(*dataset, "wrfout_d01_b.gz, wrfout_d01_c.gz (a file compressed with gzip)"));
+    CHECK(noted(*dataset, "1 file"));  // README
+}
+
+TEST_CASE(
+    "A folder that is a Zarr store, and a file of another format in a series, say what to do") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "run.zarr" / "QCLOUD");
+    std::ofstream(folder / "run.zarr" / ".zgroup") << R"({"zarr_format": 2})";
+    const ErrorParts store = errorOf([&] { openFiles({folder / "run.zarr"}); });
+    CHECK(contains(store.found, "a Zarr store"));
+    CHECK(contains(store.hint, "open_zarr"));
+    writeWrf(folder / "a", {});
+    std::ofstream(folder / "b.grb2") << std::string("GRIB\0\0\0\2 and more", 17);
+    const ErrorParts grib = errorOf([&] { openFiles({folder / "a", folder / "b.grb2"}); });
+    CHECK(contains(grib.where, "b.grb2"));
+    CHECK(contains(grib.found, "GRIB, edition 2"));
+    CHECK(contains(grib.hint, "wgrib2"));
+}
+
 TEST_CASE("Every file that is named must be readable") {
     const TemporaryFolder folder;
     writeWrf(folder / "a", {});

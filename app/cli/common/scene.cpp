@@ -57,6 +57,8 @@ void applyPreset(const std::string& nameOrFile, PresetParts parts, Scene& scene)
     const LoadedPreset loaded = loadPreset(file);
     scene.presetName = presetNameOf(file.string());
     takeOver(loaded.preset, parts, scene.document.look, scene.document.camera);
+    if ((parts & kPresetFields) != 0) scene.inMetres = loaded.inMetres;
+    scene.cameraAsked |= (parts & kPresetCamera) != 0 && loaded.preset.camera.has_value();
     for (const auto& texts : {loaded.warnings, loaded.notes}) {
         scene.warnings.insert(scene.warnings.end(), texts.begin(), texts.end());
     }
@@ -67,6 +69,7 @@ void applyPresets(const SceneRequest& request, bool started, Scene& scene) {
     const bool whole = !request.preset.empty() && request.parts == kPresetAll;
     if (!started && !whole && presetNameUse("default") != PresetNameUse::free) {
         applyPreset("default", kPresetAll, scene);
+        scene.cameraAsked = false;  // nobody named that preset
     }
     if (!request.preset.empty()) applyPreset(request.preset, request.parts, scene);
 }
@@ -79,10 +82,12 @@ Scene makeScene(const SceneRequest& request, const std::optional<Scene>& start) 
     for (const auto* settings : {&request.settings, &request.engineSettings}) {
         for (const Setting& setting : *settings) {
             setValue(scene.document, *setting.row, setting.value);
+            scene.inMetres &= ~noiseScaleField(*setting.row);
         }
     }
     if (!request.camera.empty()) {
         scene.document.camera = loadCamera(request.camera, scene.warnings);
+        scene.cameraAsked = true;
     }
     return scene;
 }

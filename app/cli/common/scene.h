@@ -53,6 +53,8 @@ struct Scene {
     std::string presetName;
     Document document;
     std::vector<std::string> warnings;
+    FieldSet inMetres = 0;     ///< of the look: whose noise scale awaits bringToCells()
+    bool cameraAsked = false;  ///< else the data decide where the camera stands
 };
 
 /// Look and camera of the request, upon those of `start` where given; the time is left as it is.

@@ -61,7 +61,8 @@ class Drawer {
         sizePx_ = render.sizePx;
         const double aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         pose_ = side_->what().scene.document.camera;
-        if (render.from.given()) pose_ = poseOf(render.from, pose_, side_->shown(), aspect);
+        const RenderView from = firstView(render.from, side_->what().scene);
+        pose_ = poseOf(from, pose_, side_->shown(), aspect);
         camera_ = placeCamera(pose_, side_->shown().grid, aspect);
     }
 

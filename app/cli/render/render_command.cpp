@@ -138,8 +138,9 @@ CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
 DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     Side& side = *sides_[index];
     side.show(timeOf(index, shot), goesOn_);
-    if (request_.from.given() && !fromPose_) {
-        fromPose_ = neph::poseOf(request_.from, poseOf(index, shot), side.shown(), aspect());
+    const RenderView from = firstView(request_.from, sides_.front()->what().scene);
+    if (from.given() && !fromPose_) {
+        fromPose_ = neph::poseOf(from, poseOf(index, shot), side.shown(), aspect());
     }
     printAll("note", side.newNotes());
     DrawnSide drawn;

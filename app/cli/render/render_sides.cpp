@@ -19,7 +19,7 @@ SideScene sceneOf(SceneRequest request, const SlotState* slot) {
     SideScene side;
     std::optional<Scene> start;
     if (slot != nullptr) {
-        start = Scene{slot->presetName, slot->document, {}};
+        start = Scene{slot->presetName, slot->document, {}, slot->inMetres, true};
         if (request.files.empty()) request.files = slot->data;
         if (!request.region) request.region = slot->region;
         side.time = slot->document.time;
@@ -82,7 +82,11 @@ Side::Side(SideScene what, const MemoryBudget& budget, const Progress& progress)
       request_{what_.request.region, budget,
                planRadii(what_.scene.document.look, dataset_->info())},
       renderer_(std::make_unique<render::Renderer>(resourcePath("shaders"))),
-      notes_(dataset_->info().notes) {}
+      notes_(dataset_->info().notes) {
+    Scene& scene = what_.scene;
+    notes_.push_back(bringToCells(scene.document.look, std::exchange(scene.inMetres, 0),
+                                  meanCellM(info().spacingM)));
+}
 
 std::vector<int> Side::times() const {
     if (!what_.request.times && what_.time) {

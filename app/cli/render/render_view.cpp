@@ -11,6 +11,7 @@
 
 #include "app/cli/common/usage.h"
 #include "core/base/names.h"
+#include "core/volume/framing.h"
 
 namespace neph {
 namespace {
@@ -72,11 +73,15 @@ View parseView(const std::string& name) {
                       near.empty() ? "" : fmt::format("did you mean {}?", near)});
 }
 
+RenderView firstView(const RenderView& asked, const Scene& scene) {
+    if (asked.given() || scene.cameraAsked) return asked;
+    return {.observer = {}, .view = View::fit};
+}
+
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
                   double aspect) {
     if (from.view) {
-        const BoxM whole{shown.grid.originM, shown.grid.upperM()};
-        return viewOf(*from.view, pose, shown.grid, shown.clouds.value_or(whole), aspect);
+        return framed(*from.view, pose, shown, aspect);
     }
     if (!from.observer) return pose;
     if (const auto stood = poseOf(*from.observer, shown.grid)) return *stood;

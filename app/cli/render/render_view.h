@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/common/scene.h"
 #include "core/camera/camera_moves.h"
 #include "core/volume/held_volume.h"
 
@@ -20,6 +21,9 @@ Observer parseObserver(const std::string& text);
 
 /// By its name. Throws UsageError.
 View parseView(const std::string& name);
+
+/// What was asked for; where no camera was, all of the cloud, as the window shows it at first.
+RenderView firstView(const RenderView& asked, const Scene& scene);
 
 /// The camera to look at `shown` with, in an image of this aspect; `pose` has what is not told.
 /// Throws UsageError where an observer is too far away.

@@ -146,6 +146,7 @@ std::size_t VolumeTextures::bytes() const {
 VolumeTextures uploadVolume(const SpeciesVolume& volume) {
     VolumeTextures textures;
     textures.grid = volume.grid;
+    textures.cellM = volume.cellM();
     textures.holdings = volume.holdings();
     Blocks blocks((volume.grid.size + kBlockVoxels - 1) / kBlockVoxels, 0);
     for (std::size_t s = 0; s < textures.held.size(); ++s) {

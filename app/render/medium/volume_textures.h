@@ -14,6 +14,7 @@ namespace neph::render {
 /// top of the range: 11 bits of precision over nine decades. Absent species have one empty voxel.
 struct VolumeTextures {
     RegularGrid grid;
+    double cellM = 1.0;  ///< as SpeciesVolume::cellM
     std::array<gl::Texture, kSpeciesCount> held;
     std::array<float, kSpeciesCount> perTexel{};  ///< held value = texel × perTexel
     std::array<Holding, kSpeciesCount> holdings{};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/camera/camera_path_edit.h"
+#include "core/volume/framing.h"
 
 namespace neph::ui {
 namespace {
@@ -36,15 +37,9 @@ double aspectOf(const Layout& layout) {
     return size.x / size.y;
 }
 
-BoxM framedBox(const Session& session) {
-    const RegularGrid grid = gridOf(session);
-    if (session.shown() && session.shown()->clouds) return *session.shown()->clouds;
-    return {grid.originM, grid.upperM()};
-}
-
 void look(Session& session, View view, double aspect) {
-    session.document.camera =
-        viewOf(view, session.document.camera, gridOf(session), framedBox(session), aspect);
+    if (!session.shown()) return;
+    session.document.camera = framed(view, session.document.camera, *session.shown(), aspect);
 }
 
 void lookFromGround(Session& session, CameraTools& tools) {

@@ -15,10 +15,8 @@ RegularGrid gridOf(const Session& session);
 /// Width / height of the image.
 double aspectOf(const Layout& layout);
 
-/// What views frame: the clouds that are seen, or the whole of what is shown where there are none.
-BoxM framedBox(const Session& session);
-
-/// Turns the camera to a side, with all that is framed in an image of `aspect`.
+/// Turns the camera to a side, with all that is seen in an image of `aspect`; nothing before data
+/// are there.
 void look(Session& session, View view, double aspect);
 
 /// From the ground, in the eye's direction from the target, to the target.

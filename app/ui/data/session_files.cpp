@@ -141,7 +141,7 @@ bool reopenLast(const PanelContext& context, SessionDialogs& dialogs) {
 
 void reloadData(Session& session) {
     const std::vector<std::string> named = session.named();
-    session.open(named, session.document.time, session.region());
+    session.open(named, session.document.time, session.region(), true);
 }
 
 void noteOpened(const PanelContext& context, SessionDialogs& dialogs) {

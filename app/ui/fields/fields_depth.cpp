@@ -19,7 +19,8 @@ const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session&
                       probe.look == document.look;
     if (same) return probe.depth;
     const Camera camera = placeCamera(document.camera, held->volume.grid, 1.0);
-    const MediumPlan plan = planMedium(document.look, held->volume.holdings());
+    const MediumPlan plan =
+        planMedium(document.look, held->volume.holdings(), held->volume.cellM());
     probe = {held, document.camera, document.look,
              opticalDepthAlong(held->volume, plan, camera.eyeWorld, camera.forward)};
     return probe.depth;

@@ -10,6 +10,7 @@
 
 #include "app/ui/widgets/words.h"
 #include "core/base/names.h"
+#include "core/plugin/file_address.h"
 #include "core/session/file_kind.h"
 #include "core/session/session_file.h"
 
@@ -138,6 +139,7 @@ std::vector<int> shownEntries(const FileBrowser& browser) {
 }
 
 std::size_t laterPath(const std::string& line) {
+    if (const auto address = addressIn(line)) return *address;
     const std::size_t slashes = line.rfind("//");
     const std::size_t home = line.rfind("/~");
     std::size_t at = 0;
@@ -225,6 +227,10 @@ std::optional<std::vector<std::string>> accept(FileBrowser& browser) {
             names.push_back((browser.folder / name).string());
         }
         return names;
+    }
+    if (const std::string advice = addressAdvice(browser.line); opens && !advice.empty()) {
+        browser.fault = "An address in the network: " + advice;
+        return {};
     }
     std::error_code error;
     const fs::path path = pathOf(browser);

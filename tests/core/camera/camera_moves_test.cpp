@@ -124,7 +124,7 @@ TEST_CASE("From every side all of the box is in the image, and fills it but for 
                 CAPTURE(aspect);
                 CAPTURE(kViewNames[i]);
                 const CameraPose pose =
-                    viewOf(static_cast<View>(i), CameraPose{}, kGrid, box, aspect);
+                    viewOf(static_cast<View>(i), CameraPose{}, kGrid, {&box, 1}, aspect);
                 const glm::dvec2 most = reach(placeCamera(pose, kGrid, aspect), box);
                 CHECK(std::max(most.x, most.y) == doctest::Approx(0.95).epsilon(1e-4));
                 CHECK(pose.fovDeg == 40.0f);
@@ -135,7 +135,7 @@ TEST_CASE("From every side all of the box is in the image, and fills it but for 
 
 TEST_CASE("Views look where their names say") {
     const auto forward = [](View view) {
-        return placeCamera(viewOf(view, CameraPose{}, kGrid, kAll, 1.5), kGrid, 1.5).forward;
+        return placeCamera(viewOf(view, CameraPose{}, kGrid, {&kAll, 1}, 1.5), kGrid, 1.5).forward;
     };
     CHECK(glm::length(forward(View::north) - glm::dvec3(0.0, -1.0, 0.0)) < 1e-6);
     CHECK(glm::length(forward(View::east) - glm::dvec3(-1.0, 0.0, 0.0)) < 1e-6);
@@ -143,10 +143,11 @@ TEST_CASE("Views look where their names say") {
     CHECK(glm::length(forward(View::west) - glm::dvec3(1.0, 0.0, 0.0)) < 1e-6);
     CHECK(forward(View::plan).z < -0.99999);
     CHECK(forward(View::below).z > 0.99999);
-    const Camera plan = placeCamera(viewOf(View::plan, CameraPose{}, kGrid, kAll, 1.5), kGrid, 1.5);
+    const Camera plan =
+        placeCamera(viewOf(View::plan, CameraPose{}, kGrid, {&kAll, 1}, 1.5), kGrid, 1.5);
     CHECK(plan.up.y > 0.99999);  // north is on top, and east to the right
     CHECK(plan.right.x > 0.99999);
-    const CameraPose fitted = viewOf(View::fit, CameraPose{}, kGrid, kAll, 1.5);
+    const CameraPose fitted = viewOf(View::fit, CameraPose{}, kGrid, {&kAll, 1}, 1.5);
     CHECK(fitted.azimuthDeg == 180.0f);
     CHECK(fitted.elevationDeg == 12.0f);
 }

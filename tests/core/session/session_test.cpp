@@ -102,6 +102,46 @@ TEST_CASE("Opening other data starts a new history at the look that is there") {
     CHECK_FALSE(session.undo());
 }
 
+TEST_CASE("Data of another domain ask for a camera of their own, unless one comes with them") {
+    const std::string cumulus = NEPH_TEST_SOURCE_DIR "/samples/cumulus";
+    Session session(testHost());
+    session.open(std::array{kStorm}, 0, {}, true);  // as a session file that has its camera
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+    session.open(std::array{kStorm}, 1);  // the same domain: the camera fits it still
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+    session.open(std::array{cumulus});
+    REQUIRE(settle(session));
+    CHECK(session.takeUnframed());
+    CHECK_FALSE(session.takeUnframed());  // once
+    session.document.time = 0;
+    REQUIRE(settle(session));
+    CHECK_FALSE(session.takeUnframed());
+}
+
+TEST_CASE("Metres of an older preset become cells of the data, now or when there are some") {
+    const std::string cumulus = NEPH_TEST_SOURCE_DIR "/samples/cumulus";  // cells of 67 m
+    const TemporaryFolder folder;
+    std::ofstream(folder / "old.json") << R"({"type": "nephoscope-look", "version": 1,
+        "look": {"cloud.noise_scale": 670}})";
+    const auto cells = [](const Look& look) { return look.of(Species::cloud).noiseScaleCells; };
+    Session before(testHost()), after(testHost());
+    REQUIRE(before.loadPreset((folder / "old.json").string()));
+    before.open(std::array{cumulus});
+    REQUIRE(settle(before));
+    CHECK(cells(before.document.look) == doctest::Approx(10.0));
+    CHECK(before.presetLook == before.document.look);  // nothing is shown as changed
+    after.open(std::array{cumulus});
+    REQUIRE(settle(after));
+    REQUIRE(after.loadPreset((folder / "old.json").string()));
+    CHECK(cells(after.document.look) == doctest::Approx(10.0));
+    CHECK(after.presetLook == after.document.look);
+    before.open(std::array{kStorm});  // cells now, and so they stay
+    REQUIRE(settle(before));
+    CHECK(cells(before.document.look) == doctest::Approx(10.0));
+}
+
 TEST_CASE("Loading a preset is one step that undo takes back") {
     const TemporaryFolder folder;
     Preset preset;

@@ -20,7 +20,7 @@ SpeciesVolume uniformRain() {
 }
 
 double rainAlong(const SpeciesVolume& volume, const glm::dvec3& eye, const glm::dvec3& dir) {
-    const MediumPlan plan = planMedium(Look{}, volume.holdings());
+    const MediumPlan plan = planMedium(Look{}, volume.holdings(), volume.cellM());
     const OpticalDepth depth = opticalDepthAlong(volume, plan, eye, glm::normalize(dir));
     CHECK(depth.total() == depth.of[static_cast<std::size_t>(Species::rain)]);
     return depth.total();
@@ -65,7 +65,7 @@ TEST_CASE("Fields count with their scale and as they are held, and not when they
     Look look;
     look.of(Species::ice).mixingScale = 0.5f;
     const auto along = [&] {
-        const MediumPlan plan = planMedium(look, volume.holdings());
+        const MediumPlan plan = planMedium(look, volume.holdings(), volume.cellM());
         return opticalDepthAlong(volume, plan, {-5e3, 1e3, 1e3}, {1.0, 0.0, 0.0});
     };
     CHECK(along().of[static_cast<std::size_t>(Species::ice)] == Approx(4.0));

@@ -119,7 +119,7 @@ TEST_CASE("Six species, each with a phase function, an albedo and a detail of it
         const auto share = static_cast<float>(s) / 6.0f;
         field.phase.kind = phases[s];
         field.albedo = 1.0f - 0.3f * share;
-        field.noiseScaleM = 1000.0f + 1000.0f * share;
+        field.noiseScaleCells = 2.0f + 2.0f * share;
         field.noiseAmount = 0.4f + share;
     }
     for (const ColourMode colour : {ColourMode::natural, ColourMode::fields}) {

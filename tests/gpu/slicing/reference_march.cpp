@@ -78,7 +78,7 @@ void addSkylight(Medium& m) {
 Medium makeMedium(const SpeciesVolume& volume, const Look& look) {
     Medium m;
     m.grid = volume.grid;
-    m.plan = planMedium(look, volume.holdings());
+    m.plan = planMedium(look, volume.holdings(), volume.cellM());
     for (std::size_t c = 0; c < m.plan.classes.size(); ++c) {
         m.extinctionPerM[c].assign(m.grid.cellCount(), 0.0);
     }

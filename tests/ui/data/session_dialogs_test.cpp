@@ -85,6 +85,11 @@ TEST_CASE("A session that is named is restored, a preset is loaded, and both are
     CHECK(window.restored == 1);
     ui::openFiles(window.state, {(folder / "none").string()});
     CHECK(contains(window.lastMessage(), "no such file"));
+    ui::openFiles(window.state, {"https://a.org/wrfout_d01"});
+    CHECK(contains(window.lastMessage(), "curl -fLO https://a.org/wrfout_d01"));
+    fs::create_symlink("/gone/wrfout", folder / "link");
+    ui::openFiles(window.state, {(folder / "link").string()});
+    CHECK(contains(window.lastMessage(), "/gone/wrfout"));
 }
 
 TEST_CASE("A session whose data have moved waits for an answer and loses nothing") {

@@ -137,6 +137,16 @@ TEST_CASE("What is not there is told with the nearest name, and a sample needs n
     CHECK(accept(tree.browser) == Names{"cumulus"});
 }
 
+TEST_CASE("An address that is typed or pasted behind a path is told from a path") {
+    Tree tree;
+    tree.type("https://a.org/wrfout_d01");
+    CHECK(ui::laterPath(tree.browser.line) == 0);
+    CHECK_FALSE(accept(tree.browser).has_value());
+    CHECK(contains(tree.browser.fault, "curl -fLO https://a.org/wrfout_d01"));
+    CHECK(ui::laterPath("/home/me/https://a.org/x") == 9);
+    CHECK(ui::laterPath("/home/me//data/x") == 9);
+}
+
 TEST_CASE("A file that is there is replaced when asked twice, and gets the ending of sessions") {
     Tree tree;
     begin(tree.browser, BrowseFor::saveSession, {});

@@ -167,7 +167,7 @@ Stage MarchEngine::stageFor(const FrameInputs& inputs, std::optional<Stage> chan
 }
 
 void MarchEngine::prepare(const Look& look, RenderContext& context) {
-    const MediumPlan plan = planMedium(look, context.volume.holdings);
+    const MediumPlan plan = planMedium(look, context.volume.holdings, context.volume.cellM);
     const gl::Texture* noise = stackedNoise(plan, context);
     context.medium.update<PackedMedium>(plan, [&](PackedMedium& medium) {
         context.timer.pass("bake medium");

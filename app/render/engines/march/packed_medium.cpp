@@ -70,11 +70,11 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visi
     }
 }
 
-std::vector<Detail> detailsOf(const Look& look, const Visible& visible) {
+std::vector<Detail> detailsOf(const Look& look, const Visible& visible, double cellM) {
     std::vector<Detail> details;
     for (const int s : visible.species) {
         const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
-        details.push_back({field.noiseAmount, field.noiseScaleM, field.noiseCharacter});
+        details.push_back({field.noiseAmount, noiseScaleM(field, cellM), field.noiseCharacter});
     }
     return details;
 }
@@ -100,7 +100,7 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
                     gl::ProgramCache& programs, PackedMedium& out) {
     const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
     const Visible visible = visibleIn(out.plan);
-    const std::vector<Detail> details = detailsOf(look, visible);
+    const std::vector<Detail> details = detailsOf(look, visible, volume.cellM);
     const DetailKinds kinds = kindsOf(details);
     std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
                                    fmt::format("DETAIL {}", detailed ? 1 : 0)};
@@ -161,9 +161,9 @@ void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail d
     Look plain = look;
     plain.noise = false;
     const MediumPlan plan =
-        planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings);
+        planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings, volume.cellM);
     makeTextures(volume, plan.classes.size() > kClassesBesideSkylight, out);
-    out.look = planMedium(look, volume.holdings);
+    out.look = planMedium(look, volume.holdings, volume.cellM);
     out.plan = plan;
     out.detail = detail;
     packExtinction(volume, look, noise, programs, out);
