@@ -6,6 +6,8 @@
 
 #include "tests/cli/program.h"
 #include "tests/environment.h"
+#include "tests/readers/wrf_maker.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -82,6 +84,23 @@ TEST_CASE("info --time reads the times asked for and says how many that were") {
     CHECK(contains(runProgram("info --time 9 " + kStorm).err, "error"));
 }
 
+TEST_CASE("A time that is refused is named, and the others are summarised") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18:00:00", "2021-08-14_18:10:00"};
+    spec.fields["QCLOUD"] = [](int, int, int, int) { return 1e-3f; };
+    spec.fields["P"] = [](int x, int, int, int t) { return t == 1 && x == 2 ? 1e9f : 0.0f; };
+    writeWrf(folder / "a", spec);
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const Outcome outcome = runProgram("info --json " + path);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json.at("species")[0].at("time") == "2021-08-14_18:00:00");
+    REQUIRE(json.at("notes").size() >= 1);
+    CHECK(contains(json.at("notes")[0].get<std::string>(), "2021-08-14_18:10:00 cannot be shown"));
+    CHECK(runProgram("info --time 1 " + path).status == 1);
+}
+
 TEST_CASE("info on what cannot be read fails with file, found, expected and hint") {
     const Outcome outcome = runProgram("info '" NEPH_TEST_SOURCE_DIR "/LICENSE'");
     CHECK(outcome.status == 1);
@@ -94,7 +113,7 @@ TEST_CASE("info on what cannot be read fails with file, found, expected and hint
 TEST_CASE("readers lists the plugin with file, version and ABI, and why another was rejected") {
     const Outcome outcome = runProgram("readers");
     CHECK(outcome.status == 0);
-    for (const char* part : {"wrf_netcdf 1.0", "wrf_netcdf.so", "ABI         1", "Looked for in"}) {
+    for (const char* part : {"wrf_netcdf 1.1", "wrf_netcdf.so", "ABI         1", "Looked for in"}) {
         CHECK(contains(outcome.out, part));
     }
     const Environment path("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE");

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+
+#include "core/base/error.h"
 
 namespace neph {
 namespace {
@@ -43,11 +46,20 @@ double massOf(const ColumnPeak& column) {
 
 }  // namespace
 
-std::vector<TimeSummary> summariseTimes(Dataset& dataset, const std::optional<TimeRange>& asked) {
-    std::vector<TimeSummary> summaries;
+TimeSummaries summariseTimes(Dataset& dataset, const std::optional<TimeRange>& asked) {
+    TimeSummaries summaries;
+    std::optional<Error> first;
     for (int time : timesToRead(dataset.info(), asked)) {
-        summaries.push_back(summarise(dataset, time));
+        try {
+            summaries.read.push_back(summarise(dataset, time));
+        } catch (const Error& error) {
+            if (!first) first = error;
+            const std::string& label = dataset.info().times[static_cast<std::size_t>(time)].label;
+            summaries.refused.push_back(fmt::format("{} cannot be shown: {} ({}).", label,
+                                                    error.parts().what, error.parts().found));
+        }
     }
+    if (summaries.read.empty()) throw *first;
     return summaries;
 }
 
@@ -111,14 +123,15 @@ std::string updraftVariable(const std::vector<TimeSummary>& summaries) {
     return {};
 }
 
-std::vector<std::string> allNotes(const DatasetInfo& info,
-                                  const std::vector<TimeSummary>& summaries) {
+std::vector<std::string> allNotes(const DatasetInfo& info, const TimeSummaries& summaries) {
     std::vector<std::string> notes = info.notes;
-    if (summaries.size() < info.times.size()) {
-        notes.push_back(fmt::format("{} of {} times were read; --time all reads every one.",
-                                    summaries.size(), info.times.size()));
+    notes.insert(notes.end(), summaries.refused.begin(), summaries.refused.end());
+    const std::size_t tried = summaries.read.size() + summaries.refused.size();
+    if (tried < info.times.size()) {
+        notes.push_back(fmt::format("{} of {} times were read; --time all reads every one.", tried,
+                                    info.times.size()));
     }
-    for (const TimeSummary& summary : summaries) {
+    for (const TimeSummary& summary : summaries.read) {
         const std::string& label = timeOf(info, summary).label;
         for (const std::string& note : summary.notes) {
             notes.push_back(fmt::format("{}: {}", label, note));

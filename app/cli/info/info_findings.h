@@ -14,8 +14,15 @@ namespace neph {
 inline constexpr double kGramPerKg = 1e3;
 inline constexpr double kKmPerM = 1e-3;
 
+/// The times that were read, at least one, and a sentence for each that was refused.
+struct TimeSummaries {
+    std::vector<TimeSummary> read;
+    std::vector<std::string> refused;
+};
+
 /// The times asked for, else every time when that takes seconds, else the first and the last.
-std::vector<TimeSummary> summariseTimes(Dataset& dataset, const std::optional<TimeRange>& asked);
+/// Throws Error if all of them are refused.
+TimeSummaries summariseTimes(Dataset& dataset, const std::optional<TimeRange>& asked);
 
 const TimeInfo& timeOf(const DatasetInfo& info, const TimeSummary& summary);
 
@@ -47,8 +54,7 @@ std::optional<BaseRange> rangeOf(const std::vector<TimeSummary>& summaries,
 /// The variable by which the main updraft was found; empty if by condensate, or without cloud.
 std::string updraftVariable(const std::vector<TimeSummary>& summaries);
 
-/// Notes of the series, and of the times that were read, which each of them names.
-std::vector<std::string> allNotes(const DatasetInfo& info,
-                                  const std::vector<TimeSummary>& summaries);
+/// Notes of the series, and of its times, which each of them names.
+std::vector<std::string> allNotes(const DatasetInfo& info, const TimeSummaries& summaries);
 
 }  // namespace neph

@@ -161,7 +161,8 @@ Json condensateJson(const DatasetInfo& info, const std::vector<TimeSummary>& sum
 std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
                      const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
-    const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
+    const TimeSummaries found = summariseTimes(dataset, times);
+    const std::vector<TimeSummary>& summaries = found.read;
     Json json{{"type", "nephoscope-info"},
               {"version", 1},
               {"reader", info.reader},
@@ -176,7 +177,7 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
               {"times", timesJson(info, summaries)},
               {"variables", variablesJson(info)},
               {"attributes", info.attributes},
-              {"notes", allNotes(info, summaries)}};
+              {"notes", allNotes(info, found)}};
     if (summaries.front().hasColumns) json["condensate"] = condensateJson(info, summaries);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -139,7 +139,8 @@ std::string seriesLines(const DatasetInfo& info, const std::vector<TimeSummary>&
 std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
                      const MemoryBudget& budget) {
     const DatasetInfo& info = dataset.info();
-    const std::vector<TimeSummary> summaries = summariseTimes(dataset, times);
+    const TimeSummaries found = summariseTimes(dataset, times);
+    const std::vector<TimeSummary>& summaries = found.read;
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
@@ -147,7 +148,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += seriesLines(info, summaries);
-    const std::vector<std::string> notes = allNotes(info, summaries);
+    const std::vector<std::string> notes = allNotes(info, found);
     if (!notes.empty()) text += fmt::format("\nNotes\n  {}\n", fmt::join(notes, "\n  "));
     return text;
 }
