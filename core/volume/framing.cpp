@@ -17,9 +17,9 @@ glm::ivec3 blockCells(const RegularGrid& grid) {
 }
 
 /// Boxes of cells, one for each block; empty ones have no upper corner.
-class Blocks {
+class SeenBlocks {
   public:
-    explicit Blocks(const RegularGrid& grid)
+    explicit SeenBlocks(const RegularGrid& grid)
         : cells_(blockCells(grid)),
           boxes_((grid.size + cells_ - 1) / cells_,
                  {glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(0)}) {}
@@ -48,7 +48,7 @@ class Blocks {
 
 std::vector<BoxM> seenParts(const SpeciesVolume& volume) {
     const RegularGrid& grid = volume.grid;
-    Blocks blocks(grid);
+    SeenBlocks blocks(grid);
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         const SpeciesInfo& known = info(static_cast<Species>(s));
         const float m2PerKg = glsl::massExtinctionM2PerKg(known.radiusM, known.densityKgPerM3);
