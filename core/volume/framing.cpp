@@ -17,9 +17,9 @@ glm::ivec3 blockCells(const RegularGrid& grid) {
 }
 
 /// Boxes of cells, one for each block; empty ones have no upper corner.
-class SeenBoxes {
+class SeenBlocks {
   public:
-    explicit SeenBoxes(const RegularGrid& grid)
+    explicit SeenBlocks(const RegularGrid& grid)
         : cells_(blockCells(grid)),
           boxes_((grid.size + cells_ - 1) / cells_,
                  {glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(0)}) {}
@@ -48,15 +48,15 @@ class SeenBoxes {
 
 std::vector<BoxM> seenParts(const SpeciesVolume& volume) {
     const RegularGrid& grid = volume.grid;
-    SeenBoxes seen(grid);
+    SeenBlocks blocks(grid);
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         const SpeciesInfo& known = info(static_cast<Species>(s));
         const float m2PerKg = glsl::massExtinctionM2PerKg(known.radiusM, known.densityKgPerM3);
-        seen.add(volume.contentKgPerM3[s], kVisibleExtinctionPerM / m2PerKg);
-        seen.add(volume.extinctionPerM[s], kVisibleExtinctionPerM);
+        blocks.add(volume.contentKgPerM3[s], kVisibleExtinctionPerM / m2PerKg);
+        blocks.add(volume.extinctionPerM[s], kVisibleExtinctionPerM);
     }
     std::vector<BoxM> parts;
-    for (const CellBox& box : seen.boxes()) {
+    for (const CellBox& box : blocks.boxes()) {
         if (box.upper.x == 0) continue;
         parts.push_back({grid.originM + glm::dvec3(box.lower) * grid.spacingM,
                          grid.originM + glm::dvec3(box.upper) * grid.spacingM});
