@@ -37,7 +37,8 @@ TEST_CASE("Each mass of the stretched CM1 storm is that of its file" *
         REQUIRE(plan.coarsening == coarsening);
         const SpeciesVolume volume = resample(*dataset, 2, {plan});
         CHECK(volume.grid.extentM().x >= 72'000.0);
-        for (const auto& [name, massKg] : massesKg) {
+        for (const auto& each : massesKg) {
+            const auto& name = each.first;
             CAPTURE(name);
             double sum = 0.0;
             const Species species = *dataset->info().find(name)->species;
@@ -46,7 +47,7 @@ TEST_CASE("Each mass of the stretched CM1 storm is that of its file" *
             }
             const glm::dvec3 cell = volume.grid.spacingM;
             // The masses are given to six digits.
-            CHECK(sum * cell.x * cell.y * cell.z == doctest::Approx(massKg).epsilon(5e-6));
+            CHECK(sum * cell.x * cell.y * cell.z == doctest::Approx(each.second).epsilon(5e-6));
         }
     }
 }

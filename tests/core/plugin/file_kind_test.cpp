@@ -124,12 +124,13 @@ const std::map<std::string, std::function<void(const fs::path&)>>& samples() {
 TEST_CASE("Every kind is told by its content, whatever its name") {
     const TemporaryFolder folder;
     REQUIRE(samples().size() == fileKinds().size());
-    for (const auto& [id, make] : samples()) {
+    for (const auto& sample : samples()) {
+        const std::string& id = sample.first;
         CAPTURE(id);
         for (const char* name : {"wrfout_d01.nc", "bare", "a b.tar.gz", "x.zst"}) {
             const fs::path path = folder / id / name;
             fs::create_directories(path.parent_path());
-            make(path);
+            sample.second(path);
             const auto known = recogniseFile(path);
             REQUIRE(known.has_value());
             CHECK(known->row->id == id);
