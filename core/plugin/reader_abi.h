@@ -40,6 +40,9 @@ typedef struct NephHeader {
 #define NEPH_MOST_TEMPERATURE_K 400.0
 #define NEPH_LEAST_DENSITY_KG_PER_M3 1e-6
 #define NEPH_MOST_DENSITY_KG_PER_M3 2.0
+/* Water vapour, kg per kg of dry air: advection leaves small negative values. */
+#define NEPH_LEAST_VAPOUR_KG_PER_KG (-0.01)
+#define NEPH_MOST_VAPOUR_KG_PER_KG 0.1
 
 /* Result of a call. */
 typedef int32_t NephStatus;

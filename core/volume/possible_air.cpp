@@ -32,8 +32,31 @@ struct Limits {
 constexpr Limits kPressure{NEPH_LEAST_PRESSURE_PA, NEPH_MOST_PRESSURE_PA, "Pa"};
 constexpr Limits kTemperature{NEPH_LEAST_TEMPERATURE_K, NEPH_MOST_TEMPERATURE_K, "K"};
 constexpr Limits kDensity{NEPH_LEAST_DENSITY_KG_PER_M3, NEPH_MOST_DENSITY_KG_PER_M3, "kg/m3"};
-// Only to explain a density: a little below zero is noise of the model's advection.
-constexpr Limits kVapour{-0.1, 1.0, "kg/kg"};
+constexpr Limits kVapour{NEPH_LEAST_VAPOUR_KG_PER_KG, NEPH_MOST_VAPOUR_KG_PER_KG, "kg/kg"};
+
+// Density falls by a factor e in this height, from that at the ground, within a fifth of the
+// standard atmosphere's up to 20 km and a factor of 1.3 up to 80 km. [USSA76]
+constexpr double kScaleHeightM = 7200.0;
+constexpr double kGroundDensityKgPerM3 = 1.225;
+// No weather makes air that much denser or thinner at its height, but a wrong unit does: of
+// pressure by 100, of heights by 1000.
+constexpr double kMostDeviation = 5.0;
+
+/// A value outside its limits that would be plausible in another unit.
+struct WrongUnit {
+    VariableRole role;
+    double least, most;
+    std::string_view hint;
+};
+constexpr std::array kWrongUnits{
+    WrongUnit{VariableRole::airTemperature, -95.0, 65.0,
+              "the temperature is probably in °C: correct the attribute units of the file"},
+    WrongUnit{VariableRole::airTemperature, 400.0, 1000.0,
+              "a potential temperature is probably taken for its deviation from 300 K: correct the "
+              "variable, or name it as what it is"},
+    WrongUnit{VariableRole::other, 0.1, 60.0,
+              "water vapour is probably in g/kg: correct the attribute units of the file"},
+};
 
 std::optional<Limits> limitsOf(VariableRole role) {
     if (role == VariableRole::airPressure) return kPressure;
@@ -50,7 +73,21 @@ std::string valueText(float value, const char* unit) {
 struct Fault {
     std::string cause;        ///< "air_pressure is missing there"; empty if nothing explains it
     bool otherOrder = false;  ///< possible if the bytes are swapped
+    std::string_view unit{};  ///< the hint if another unit is likely
 };
+
+/// Whether a value is possible with its bytes swapped; a missing one tells nothing.
+bool fitsSwapped(float value, const Limits& limits) {
+    return !std::isnan(value) && limits.allow(bytesSwapped(value));
+}
+
+std::string_view unitHint(VariableRole role, float value) {
+    const auto v = static_cast<double>(value);
+    for (const WrongUnit& wrong : kWrongUnits) {
+        if (wrong.role == role && v >= wrong.least && v <= wrong.most) return wrong.hint;
+    }
+    return {};
+}
 
 /// The first of the quantities that a density is made of which is impossible in `cell`.
 Fault faultOf(Dataset& dataset, int time, glm::ivec3 cell) {
@@ -68,7 +105,7 @@ Fault faultOf(Dataset& dataset, int time, glm::ivec3 cell) {
         const float value = dataset.read(variable->name, time, one).values.front();
         if (limits.allow(value)) continue;
         return {fmt::format("{} is {} there", variable->name, valueText(value, limits.unit)),
-                limits.allow(bytesSwapped(value))};
+                fitsSwapped(value, limits), unitHint(variable->role, value)};
     }
     return {};
 }
@@ -93,7 +130,7 @@ void requirePossibleAir(Dataset& dataset, int time, const VariableInfo& variable
     const std::size_t layer = field.index(0, 0, 1);
     const glm::ivec3 cell =
         box.lower + glm::ivec3(index % width, index % layer / width, index / layer);
-    Fault fault{"", limits->allow(bytesSwapped(*bad))};
+    Fault fault{"", fitsSwapped(*bad, *limits), unitHint(variable.role, *bad)};
     if (variable.role == VariableRole::dryAirDensity && !fault.otherOrder) {
         fault = faultOf(dataset, time, cell);
     }
@@ -106,11 +143,40 @@ void requirePossibleAir(Dataset& dataset, int time, const VariableInfo& variable
                               variable.description.empty() ? "" : " (" + variable.description + ")",
                               fault.cause.empty() ? "" : ": ", fault.cause),
          .expected = limits->text(),
-         .hint = fault.otherOrder
+         .hint = !fault.unit.empty() ? std::string(fault.unit)
+                 : fault.otherOrder
                      ? "with its bytes in the opposite order the value is possible: state the byte "
                        "order (big_endian or little_endian in a .ctl, byte_order in a sidecar)"
                      : "the run blew up, the file is damaged, or it marks missing values in a way "
                        "that it does not state: leave this time out, or mend the file"});
+}
+
+void requireAirOfHeight(Dataset& dataset, int time, const ColumnField& heights,
+                        const ColumnField& density) {
+    const std::size_t columns =
+        heights.profile || density.profile
+            ? 1
+            : density.values.values.size() / static_cast<std::size_t>(density.values.size.z);
+    const auto levels = static_cast<std::size_t>(density.values.size.z);
+    for (std::size_t k = 0; k < levels; ++k) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            const double heightM = 0.5 * (static_cast<double>(heights.at(c, k)) +
+                                          static_cast<double>(heights.at(c, k + 1)));
+            const double usual = kGroundDensityKgPerM3 * std::exp(-heightM / kScaleHeightM);
+            const auto found = static_cast<double>(density.at(c, k));
+            if (found <= kMostDeviation * usual && kMostDeviation * found >= usual) continue;
+            const TimeInfo& when = dataset.info().times.at(static_cast<std::size_t>(time));
+            throw Error(
+                {.where = when.file.string(),
+                 .what =
+                     fmt::format("the density of air does not fit its height at {}", when.label),
+                 .found = fmt::format("{:.3g} kg/m3 at {:.0f} m above sea level", found, heightM),
+                 .expected = fmt::format("about {:.2g} kg/m3, at most {:.0f} times more or less",
+                                         usual, kMostDeviation),
+                 .hint = "the unit of pressure (hPa or Pa) or of heights (km or m) is probably not "
+                         "what the file states: correct it"});
+        }
+    }
 }
 
 }  // namespace neph

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/dataset/dataset.h"
+#include "core/volume/native_band.h"
 
 namespace neph {
 
@@ -14,6 +15,11 @@ namespace neph {
 /// of that cell that explains it.
 void requirePossibleAir(Dataset& dataset, int time, const VariableInfo& variable,
                         const CellBox& box, const Array3f& values);
+
+/// Throws Error if the density of a cell is far from what air has at its height: a wrong unit of
+/// pressure or of heights makes every value wrong and none impossible.
+void requireAirOfHeight(Dataset& dataset, int time, const ColumnField& heights,
+                        const ColumnField& density);
 
 /// The value with its bytes in the opposite order.
 float bytesSwapped(float value);

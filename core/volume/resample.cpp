@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/volume/blocks.h"
 #include "core/volume/native_band.h"
+#include "core/volume/possible_air.h"
 #include "core/volume/repair.h"
 
 namespace neph {
@@ -120,6 +121,7 @@ class BandResampler {
         BandAir air;
         air.heights = readHeights(dataset, time_, band, progress);
         air.density = readDensity(dataset, time_, band, progress);
+        requireAirOfHeight(dataset, time_, air.heights, air.density);
         air.interfaces = blocks.means(air.heights);
         return air;
     }

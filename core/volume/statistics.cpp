@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/volume/native_band.h"
+#include "core/volume/possible_air.h"
 #include "core/volume/repair.h"
 
 namespace neph {
@@ -99,6 +100,7 @@ class BandLook {
     void weighCells() {
         if (dataset_.info().find(VariableRole::dryAirDensity) == nullptr) return;
         const ColumnField density = readDensity(dataset_, time_, band_, progress_);
+        requireAirOfHeight(dataset_, time_, heights_, density);
         airKgPerM2_.resize(columns_ * layers_);
         for (std::size_t k = 0; k < layers_; ++k) {
             for (std::size_t c = 0; c < columns_; ++c) {

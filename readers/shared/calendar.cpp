@@ -125,7 +125,7 @@ std::optional<double> timeOfDay(Scanner& text) {
         if (!value || *value > most) return {};
         seconds += *value * unit;
         unit /= 60.0;
-        if (!text.take(":")) break;
+        if (!text.take(":_")) break;  // colons are replaced where file systems forbid them
     }
     if (text.take(".")) text.dropDigits();  // fractions of seconds do not matter to model output
     return seconds;

@@ -13,7 +13,8 @@ enum class Calendar { gregorian, julian, noLeap, allLeap, days360 };
 std::optional<Calendar> calendarNamed(std::string_view name);
 
 /// Seconds from 0001-01-01 00:00:00 to a date "YYYY-MM-DD", optionally followed by a blank, T or _
-/// and "hh", "hh:mm" or "hh:mm:ss", with a fraction and a Z allowed; nothing for any other text.
+/// and "hh", "hh:mm" or "hh:mm:ss" (or with _ for :), with a fraction and a Z allowed; nothing for
+/// any other text.
 std::optional<double> secondsOfDate(std::string_view text, Calendar calendar = Calendar::gregorian);
 
 /// The inverse, as WRF writes it: "YYYY-MM-DD_hh:mm:ss", to the nearest second.

@@ -40,6 +40,12 @@ constexpr std::array kKinds{
          "TITLE",
          "GEOGRID",
          "open the wrfout files that wrf.exe writes"},
+    Kind{"is a file of analysis nudging (wrffdda)",
+         {},
+         {"U_NDG_OLD", "U_NDG_NEW"},
+         kAtt,
+         kAtt,
+         "open the wrfout files of the run"},
     Kind{"is a file of lateral boundaries (wrfbdy)",
          {"bdy_width"},
          {},
@@ -120,6 +126,18 @@ constexpr std::array kKinds{
         "open the case directory with the model's own binary files, where heights and density are, "
         "or write the fields as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
     Kind{"holds data on pressure levels (a reanalysis or an analysis)",
+         {"pressure_level"},
+         {},
+         kAtt,
+         kAtt,
+         kBrick},
+    Kind{"holds data on a grid of latitude and longitude",
+         {"latitude", "longitude", "level"},
+         {},
+         kAtt,
+         kAtt,
+         kBrick},
+    Kind{"holds data on pressure levels (a reanalysis or an analysis)",
          {"isobaricInhPa"},
          {},
          kAtt,
@@ -167,6 +185,12 @@ bool hasVariable(const NcFile& file, const char* name) {
 
 bool isForeign(const NcFile& file) {
     return kindOf(file) != nullptr;
+}
+
+bool hasWrfNames(const NcFile& file) {
+    constexpr std::array kNames{"PH", "PHB", "PB", "QVAPOR", "QCLOUD", "QRAIN", "QICE", "PH_2"};
+    return file.text("TITLE").value_or("").find("WRF") != std::string::npos ||
+           std::ranges::any_of(kNames, [&](const char* name) { return hasVariable(file, name); });
 }
 
 Failure adviceFor(const NcFile& file) {

@@ -6,8 +6,11 @@
 
 namespace wrf {
 
-/// Whether the file is that of another known model or program.
+/// Whether the file is that of another known model or program, or input of WRF.
 bool isForeign(const NcFile& file);
+
+/// Whether a file has names that only WRF and what processes its output use.
+bool hasWrfNames(const NcFile& file);
 
 /// The error for a file without the fields of WRF output.
 Failure adviceFor(const NcFile& file);

@@ -141,7 +141,10 @@ class AirFinder {
                 listOf(variable->axes),
                 fmt::format("numbers on {}: {} x {} x {} in x, y, z", axes, length[0], length[1],
                             length[2] + (field.onInterfaces ? 1 : 0)),
-                "open wrfout files as written by the model"};
+                field.onInterfaces
+                    ? "if levels were cut out, cut both axes: ncks -d bottom_top,0,9 "
+                      "-d bottom_top_stag,0,10 IN.nc OUT.nc"
+                    : "open wrfout files as written by the model"};
         }
         std::vector<std::string> names;
         for (const NcVariable& v : file.variables()) {

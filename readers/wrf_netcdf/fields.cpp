@@ -17,6 +17,7 @@ struct KnownName {
     NephRole role;
     NephSpecies species;
     std::string_view standardName = "";
+    bool alias = false;  ///< of other programs: used where none of WRF's names is there
 };
 constexpr NephRole kRatio = NEPH_ROLE_MIXING_RATIO;
 constexpr NephRole kNumber = NEPH_ROLE_NUMBER_CONCENTRATION;
@@ -52,6 +53,17 @@ constexpr std::array kKnown{
     KnownName{"QNSNOW", kNumber, NEPH_SPECIES_SNOW},
     KnownName{"QNGRAUPEL", kNumber, NEPH_SPECIES_GRAUPEL},
     KnownName{"QNHAIL", kNumber, NEPH_SPECIES_HAIL},
+    KnownName{"qc", kRatio, NEPH_SPECIES_CLOUD, "", true},
+    KnownName{"clwmr", kRatio, NEPH_SPECIES_CLOUD, "", true},
+    KnownName{"qi", kRatio, NEPH_SPECIES_ICE, "", true},
+    KnownName{"icmr", kRatio, NEPH_SPECIES_ICE, "", true},
+    KnownName{"qr", kRatio, NEPH_SPECIES_RAIN, "", true},
+    KnownName{"rwmr", kRatio, NEPH_SPECIES_RAIN, "", true},
+    KnownName{"qs", kRatio, NEPH_SPECIES_SNOW, "", true},
+    KnownName{"snmr", kRatio, NEPH_SPECIES_SNOW, "", true},
+    KnownName{"qg", kRatio, NEPH_SPECIES_GRAUPEL, "", true},
+    KnownName{"grle", kRatio, NEPH_SPECIES_GRAUPEL, "", true},
+    KnownName{"qh", kRatio, NEPH_SPECIES_HAIL, "", true},
 };
 
 /// Mixing ratios that are no hydrometeors of their own: vapour, parts and sums of the others.
@@ -62,6 +74,8 @@ constexpr std::array<const char*, 6> kSpeciesNames{"cloud water", "ice",     "ra
                                                    "snow",        "graupel", "hail"};
 constexpr std::array<const char*, 6> kUsualNames{"QCLOUD", "QICE",   "QRAIN",
                                                  "QSNOW",  "QGRAUP", "QHAIL"};
+// A stored variable that has given its name to the sum which it is a part of.
+constexpr const char* kAlone = " alone";
 
 const char* unitOf(NephRole role) {
     return role == kRatio ? "kg kg-1" : role == kRadius ? "m" : "kg-1";
@@ -118,7 +132,7 @@ class HydrometeorFinder {
             return field.role == known.role && field.species == known.species;
         });
         // QNDROP is another name of QNCLOUD, not a second kind of droplets.
-        if (same != fields_.end() && known.species != NEPH_SPECIES_ICE) {
+        if (same != fields_.end() && (known.alias || known.species != NEPH_SPECIES_ICE)) {
             notes_.push_back(
                 fmt::format("{} is not used: {} stands for the same.", variable->name, same->name));
             return;
@@ -140,7 +154,12 @@ class HydrometeorFinder {
         const auto& length = tiles_.axes().length;
         std::vector<std::string> names;
         for (const Term& term : field.terms) names.push_back(term.variable->name);
-        field.name = fmt::format("{}", fmt::join(names, "+"));
+        // A sum has the name that it would have without further parts, so that files of a series
+        // which differ in their parts agree.
+        field.name = names.front();
+        if (field.species == NEPH_SPECIES_ICE && field.role != kRadius) {
+            field.name = field.role == kRatio ? "QICE" : "QNICE";
+        }
         field.units = unitOf(field.role);
         field.description = field.terms.size() == 1 ? field.terms.front().variable->description
                                                     : "sum of " + joined(names);
@@ -181,12 +200,14 @@ class HydrometeorFinder {
     void noteParts() {
         for (const Field& field : fields_) {
             if (field.role != kRatio || field.terms.size() < 2) continue;
+            std::vector<std::string> names;
+            for (const Term& term : field.terms) names.push_back(term.variable->name);
             const bool rime = tiles_.first().variable("QIR") != nullptr;
-            notes_.push_back(fmt::format(
-                "{} is the sum of {} variables: {}{}.",
-                kSpeciesNames[static_cast<std::size_t>(field.species)], field.terms.size(),
-                field.name, rime ? "; QIR and QIR2, the mass of rime, are parts of them" : ""));
-            notes_.back()[0] = static_cast<char>(std::toupper(notes_.back()[0]));
+            std::string species = kSpeciesNames[static_cast<std::size_t>(field.species)];
+            species[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(species[0])));
+            notes_.push_back(
+                fmt::format("{} is the sum of {}{}.", species, fmt::join(names, " + "),
+                            rime ? "; QIR and QIR2, the mass of rime, are parts of them" : ""));
         }
     }
 
@@ -208,7 +229,10 @@ class HydrometeorFinder {
         std::vector<std::string> found;
         for (const NcVariable& variable : tiles_.first().variables()) {
             const std::string name = upper(variable.name);
-            const bool known = std::ranges::find(kKnown, name, &KnownName::name) != kKnown.end() ||
+            const auto isName = [&](const KnownName& each) {
+                return upper(std::string(each.name)) == name;
+            };
+            const bool known = std::ranges::any_of(kKnown, isName) ||
                                std::ranges::find(kNoHydrometeors, name) != kNoHydrometeors.end();
             if (known || !name.starts_with('Q') || !variable.number) continue;
             const auto shape = tiles_.shapeOf(variable);
@@ -241,12 +265,13 @@ std::vector<Field> otherFields(const Tiles& tiles, const std::vector<Field>& tak
     std::vector<Field> fields;
     for (const NcVariable& variable : tiles.first().variables()) {
         const auto shape = tiles.shapeOf(variable);
-        const bool known = std::ranges::find(taken, variable.name, &Field::name) != taken.end();
+        const auto same = std::ranges::find(taken, variable.name, &Field::name);
+        const bool known = same != taken.end() && same->terms.size() < 2;
         // Plain integers are categories and masks.
         const bool listed = variable.number && (!variable.integer || variable.packing.packed());
         if (!listed || !shape || known) continue;
         Field field;
-        field.name = variable.name;
+        field.name = variable.name + (same != taken.end() ? kAlone : "");
         field.standardName = variable.standardName;
         if (variable.name == "QVAPOR") field.standardName = "humidity_mixing_ratio";
         field.units = variable.units;

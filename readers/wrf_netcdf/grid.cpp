@@ -17,6 +17,10 @@ constexpr double kMetresPerDegree = kEarthRadiusM * std::numbers::pi / 180.0;
 // Larger spacings in degrees, and smaller ones in metres, do not occur on latitude-longitude grids.
 constexpr double kMostDegrees = 10.0;
 constexpr int kLatitudeLongitude = 6;  // of MAP_PROJ
+// Cells of any model, or of any grid in degrees.
+constexpr double kLeastM = 1e-3, kMostM = 1e6;
+// Distances by latitudes are those of a sphere and of floats.
+constexpr double kSameDistance = 0.1;
 
 /// All values of a variable on the horizontal grid at the first time; none if it is not there.
 std::vector<float> flatField(const Tiles& tiles, const char* name) {
@@ -86,6 +90,42 @@ std::optional<double> stepOfLatitudes(const Tiles& tiles, std::size_t axis) {
     return metres;
 }
 
+/// Length of a degree of longitude in the mean, as a share of that at the equator; 1 where a map
+/// scale factor says it, or no latitude is there.
+double shareOfEquator(const Tiles& tiles) {
+    if (!flatField(tiles, "MAPFAC_MX").empty()) return 1.0;
+    const auto latitude = flatField(tiles, "XLAT");
+    if (latitude.empty()) return 1.0;
+    double sum = 0.0;
+    for (const float degrees : latitude) {
+        sum += std::cos(static_cast<double>(degrees) * std::numbers::pi / 180.0);
+    }
+    return sum / static_cast<double>(latitude.size());
+}
+
+/// A note and a corrected width where columns are further apart than DX says, as in a file of which
+/// every other column was kept.
+void compareWithDistance(const Tiles& tiles, std::size_t axis, double& spacing,
+                         std::vector<std::string>& notes) {
+    auto distance = stepOfCoordinate(tiles, axis);
+    if (!distance) distance = stepOfLatitudes(tiles, axis);
+    if (!distance) return;
+    const double ratio = std::abs(*distance) / spacing;
+    if (std::abs(ratio - 1.0) <= kSameDistance) return;
+    const double whole = std::round(ratio);
+    const char* name = axis == 0 ? "DX" : "DY";
+    if (whole >= 2.0 && std::abs(ratio - whole) <= kSameDistance * whole) {
+        notes.push_back(
+            fmt::format("Columns are {:.0f} times {} apart, as if others were left out: "
+                        "cells are taken as {:.6g} m.",
+                        whole, name, whole * spacing));
+        spacing *= whole;
+        return;
+    }
+    notes.push_back(fmt::format("{} gives cells of {:.6g} m, but coordinates say {:.6g} m.", name,
+                                spacing, std::abs(*distance)));
+}
+
 struct Spacing {
     double metres = 0.0;
     bool fromAttribute = false;
@@ -96,13 +136,15 @@ Spacing nominalSpacing(const Tiles& tiles, std::size_t axis, std::vector<std::st
     const char* name = axis == 0 ? "DX" : "DY";
     const NcFile& file = tiles.first();
     const auto stated = file.number(name);
-    if (stated && std::isfinite(*stated) && *stated > 0.0) {
+    if (stated && *stated >= kLeastM && *stated <= kMostM) {
         const bool degrees =
             file.number("MAP_PROJ").value_or(0.0) == kLatitudeLongitude && *stated < kMostDegrees;
         if (!degrees) return {*stated, true};
-        notes.push_back(fmt::format("{} of {:g} is taken as degrees: {:.0f} m at the equator.",
-                                    name, *stated, *stated * kMetresPerDegree));
-        return {*stated * kMetresPerDegree, true};
+        const double share = axis == 0 ? shareOfEquator(tiles) : 1.0;
+        const double metres = *stated * kMetresPerDegree * share;
+        notes.push_back(fmt::format("{} of {:g} is taken as degrees: {:.0f} m{}.", name, *stated,
+                                    metres, share < 1.0 ? " at the mean latitude" : ""));
+        return {metres, true};
     }
     if (!stated) {
         const char* from = "the coordinate of the axis";
@@ -111,7 +153,7 @@ Spacing nominalSpacing(const Tiles& tiles, std::size_t axis, std::vector<std::st
             step = stepOfLatitudes(tiles, axis);
             from = "XLAT and XLONG";
         }
-        if (step && *step > 0.0) {
+        if (step && *step >= kLeastM && *step <= kMostM) {
             notes.push_back(fmt::format("The attribute {} is missing: {:.6g} m by {} instead.",
                                         name, *step, from));
             return {*step, false};
@@ -131,25 +173,21 @@ std::string rangeText(const Widths& widths) {
                : fmt::format("{:.4g} to {:.4g}", least, greatest);
 }
 
-}  // namespace
-
-std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes) {
-    const std::array nominal{nominalSpacing(tiles, 0, notes), nominalSpacing(tiles, 1, notes)};
-    std::array<double, 2> spacing{nominal[0].metres, nominal[1].metres};
-    const auto projection = tiles.first().number("MAP_PROJ");
-    if (projection == 0.0 || !nominal[0].fromAttribute || !nominal[1].fromAttribute) return spacing;
+/// Divides by the mean map scale factor, where the file has one.
+void applyMapFactors(const Tiles& tiles, std::array<double, 2>& spacing,
+                     std::vector<std::string>& notes) {
     std::array<std::optional<Widths>, 2> widths{widthsOf(flatField(tiles, "MAPFAC_MX")),
                                                 widthsOf(flatField(tiles, "MAPFAC_MY"))};
     if (!widths[0] || !widths[1]) {
         widths[0] = widths[1] = widthsOf(flatField(tiles, "MAPFAC_M"));
     }
     if (!widths[0]) {
-        if (projection) {
-            notes.push_back(
-                "MAPFAC_M is missing: cells are taken as DX by DY, without the map scale "
-                "factor.");
-        }
-        return spacing;
+        const bool there = !flatField(tiles, "MAPFAC_M").empty();
+        notes.push_back(
+            fmt::format("MAPFAC_M {}: cells are taken as DX by DY, without the map scale "
+                        "factor.",
+                        there ? "has impossible values" : "is missing"));
+        return;
     }
     double deviation = 0.0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -165,7 +203,51 @@ std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& no
         rangeText(*widths[0]), same ? "" : " in x and " + rangeText(*widths[1]) + " in y",
         std::max(1.0 / widths[0]->least, 1.0 / widths[1]->least), spacing[0], spacing[1],
         1e2 * deviation));
+}
+
+/// Latitude or longitude of the south-west corner at a record; nothing if it is not there or 0, as
+/// in idealised runs.
+std::optional<double> cornerOf(const Tiles& tiles, const char* name, std::size_t record) {
+    const NcVariable* variable = tiles.first().variable(name);
+    const auto shape = variable == nullptr ? std::nullopt : tiles.shapeOf(*variable);
+    if (!shape || !shape->flat || !variable->number) return {};
+    float value = 0.0f;
+    tiles.read(*variable, record, Box{{0, 0, 0}, {1, 1, 1}}, {&value, 1});
+    if (!std::isfinite(value) || value == 0.0f) return {};
+    return static_cast<double>(value);
+}
+
+}  // namespace
+
+std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes) {
+    const std::array nominal{nominalSpacing(tiles, 0, notes), nominalSpacing(tiles, 1, notes)};
+    std::array<double, 2> spacing{nominal[0].metres, nominal[1].metres};
+    const auto projection = tiles.first().number("MAP_PROJ");
+    if (!nominal[0].fromAttribute || !nominal[1].fromAttribute) return spacing;
+    const bool mapped = projection ? *projection != 0.0 : !flatField(tiles, "MAPFAC_M").empty();
+    if (mapped) applyMapFactors(tiles, spacing, notes);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        compareWithDistance(tiles, axis, spacing[axis], notes);
+    }
+    if (tiles.flipsRows()) {
+        notes.push_back("Rows are stored from north to south: they are turned.");
+    }
     return spacing;
+}
+
+std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last) {
+    constexpr double kMovedDegrees = 1e-3;
+    for (const char* name : {"XLAT", "XLONG"}) {
+        const auto before = cornerOf(tiles, name, first);
+        const auto after = cornerOf(tiles, name, last);
+        if (before && after && std::abs(*after - *before) > kMovedDegrees) {
+            return fmt::format(
+                "The domain moves between the times of the file (its corner from {:.3f} "
+                "to {:.3f} in {}): each time is shown from its own corner.",
+                *before, *after, name);
+        }
+    }
+    return {};
 }
 
 std::string domainOf(const Tiles& tiles) {
@@ -183,16 +265,11 @@ std::string domainOf(const Tiles& tiles) {
     if (i && j && (*i > 1.0 || *j > 1.0)) {
         add(fmt::format("corner at {:.0f}, {:.0f} of its parent", *i, *j));
     }
-    std::array<float, 2> corner{};
-    for (const std::size_t part : {0U, 1U}) {
-        const NcVariable* variable = file.variable(part == 0 ? "XLAT" : "XLONG");
-        const auto shape = variable == nullptr ? std::nullopt : tiles.shapeOf(*variable);
-        if (!shape || !shape->flat || !variable->number) return text;
-        tiles.read(*variable, 0, Box{{0, 0, 0}, {1, 1, 1}}, std::span(corner).subspan(part, 1));
+    const auto cornerLatitude = cornerOf(tiles, "XLAT", 0);
+    const auto cornerLongitude = cornerOf(tiles, "XLONG", 0);
+    if (cornerLatitude && cornerLongitude) {
+        add(fmt::format("corner {:.2f} N {:.2f} E", *cornerLatitude, *cornerLongitude));
     }
-    const bool placed = std::isfinite(corner[0]) && std::isfinite(corner[1]) &&
-                        (corner[0] != 0.0f || corner[1] != 0.0f);
-    if (placed) add(fmt::format("corner {:.2f} N {:.2f} E", corner[0], corner[1]));
     return text;
 }
 

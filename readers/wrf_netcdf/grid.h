@@ -12,6 +12,9 @@ namespace wrf {
 /// map scale factor; without DX, from coordinates. Notes say what was applied. Throws Failure.
 std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes);
 
+/// A sentence if the domain moves between two records; empty otherwise.
+std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last);
+
 /// A text that differs between domains: number, centre, and corner; empty if the file states none.
 std::string domainOf(const Tiles& tiles);
 

@@ -112,16 +112,20 @@ double NcPacking::wrapped(double number) const {
     return number;
 }
 
-float NcPacking::valueOf(double stored) const {
+double NcPacking::valueOf(double stored) const {
     const double number = wrapped(stored);
     const double value = number * scale_ + offset_;
     const bool missing = std::abs(number) >= kNothingWritten || isMissing(number, value);
-    return missing ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);
+    return missing ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+void NcPacking::unpack(std::span<double> values) const {
+    for (double& value : values) value = valueOf(value);
 }
 
 void NcPacking::unpack(std::span<const double> stored, std::span<float> values) const {
     std::ranges::transform(stored, values.begin(),
-                           [this](double number) { return valueOf(number); });
+                           [this](double number) { return static_cast<float>(valueOf(number)); });
 }
 
 void NcPacking::unpack(std::span<float> values) const {
@@ -133,7 +137,9 @@ void NcPacking::unpack(std::span<float> values) const {
         }
         return;
     }
-    for (float& value : values) value = valueOf(static_cast<double>(value));
+    for (float& value : values) {
+        value = static_cast<float>(valueOf(static_cast<double>(value)));
+    }
 }
 
 }  // namespace wrf

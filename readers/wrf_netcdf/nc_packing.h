@@ -23,10 +23,12 @@ class NcPacking {
     void unpack(std::span<const double> stored, std::span<float> values) const;
     /// The same in place, for variables that are stored as floats.
     void unpack(std::span<float> values) const;
+    /// The same in place, without rounding to floats.
+    void unpack(std::span<double> values) const;
 
   private:
     double wrapped(double number) const;
-    float valueOf(double stored) const;
+    double valueOf(double stored) const;
     bool isMissing(double number, double value) const;
 
     bool packed_ = false;

@@ -31,11 +31,11 @@ std::optional<Term> termOf(const NcVariable& variable, std::string_view wanted, 
 }
 
 Failure wrongUnit(const NcVariable& variable, std::string_view wanted) {
-    return Failure{fmt::format("the units of variable {} are of another kind", variable.name),
+    return Failure{fmt::format("the units of variable {} cannot be converted", variable.name),
                    fmt::format("\"{}\"", variable.units),
                    fmt::format("what converts to {}", wanted),
-                   fmt::format("if the attribute is wrong, set it: ncatted -a units,{},o,c,\"{}\" "
-                               "FILE",
+                   fmt::format("if the attribute is wrong, state the unit that the values are in: "
+                               "ncatted -a units,{},o,c,\"{}\" FILE",
                                variable.name, wanted)};
 }
 

@@ -81,6 +81,7 @@ Tiles::Tiles(const std::string& path) {
     }
     if (!tile) {
         tiles_.push_back({std::move(file), {0, 0}, columns_});
+        flipsRows_ = runsSouth();
         return;
     }
     columns_ = {x->whole, y->whole};
@@ -92,7 +93,13 @@ Tiles::Tiles(const std::string& path) {
 }
 
 Tiles::Tile Tiles::open(const std::string& path) const {
-    Tile tile{std::make_unique<NcFile>(path)};
+    Tile tile;
+    try {
+        tile.file = std::make_unique<NcFile>(path);
+    } catch (Failure& failure) {
+        failure.where = path;
+        throw;
+    }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto patch = patchOf(*tile.file, axis);
         const NcDimension* dimension = tile.file->dimension(axes_.centre[axis]);
@@ -156,8 +163,54 @@ std::optional<Shape> Tiles::shapeOf(const NcVariable& variable) const {
     return shape;
 }
 
+/// Whether the rows of the only file run from north to south, by a coordinate that falls along y,
+/// or by latitudes that fall. On a polar projection latitudes may fall beyond the pole.
+bool Tiles::runsSouth() const {
+    constexpr double kPolar = 2.0;  // of MAP_PROJ
+    const NcFile& file = first();
+    if (columns_[1] < 2) return false;
+    const NcVariable* coordinate = file.variable(axes_.centre[1]);
+    if (coordinate != nullptr && coordinate->number && coordinate->axes.size() == 1 &&
+        coordinate->axes[0].name == axes_.centre[1]) {
+        const std::array<std::size_t, 1> start{0}, count{columns_[1]};
+        const auto positions = file.readDoubles(*coordinate, start, count);
+        return positions.back() < positions.front();
+    }
+    const NcVariable* latitude = file.variable("XLAT");
+    const auto shape = latitude == nullptr ? std::nullopt : shapeOf(*latitude);
+    if (!shape || !shape->flat || !latitude->number || file.number("MAP_PROJ") == kPolar) {
+        return false;
+    }
+    std::array<float, 2> ends{};
+    for (const std::size_t end : {0U, 1U}) {
+        const std::size_t y = end == 0 ? 0 : columns_[1] - 1;
+        readRows(*latitude, 0, Box{{0, y, 0}, {1, y + 1, 1}}, std::span(ends).subspan(end, 1));
+    }
+    return ends[1] < ends[0];
+}
+
 void Tiles::read(const NcVariable& variable, std::size_t record, const Box& box,
                  std::span<float> values) const {
+    if (!flipsRows_) return readRows(variable, record, box, values);
+    const std::size_t rows = variable.axes[variable.axes.size() - 2].length;
+    Box turned = box;
+    turned.lower[1] = rows - box.upper[1];
+    turned.upper[1] = rows - box.lower[1];
+    readRows(variable, record, turned, values);
+    const std::size_t width = box.length(0);
+    for (std::size_t z = 0; z < box.length(2); ++z) {
+        const auto level = values.subspan(z * box.layer(), box.layer());
+        for (std::size_t y = 0; y < box.length(1) / 2; ++y) {
+            std::swap_ranges(
+                level.begin() + static_cast<std::ptrdiff_t>(y * width),
+                level.begin() + static_cast<std::ptrdiff_t>((y + 1) * width),
+                level.begin() + static_cast<std::ptrdiff_t>((box.length(1) - 1 - y) * width));
+        }
+    }
+}
+
+void Tiles::readRows(const NcVariable& variable, std::size_t record, const Box& box,
+                     std::span<float> values) const {
     if (tiles_.size() == 1) return readTile(tiles_.front(), variable, record, box, values);
     std::vector<float> part;
     for (const Tile& tile : tiles_) {
@@ -178,8 +231,19 @@ void Tiles::read(const NcVariable& variable, std::size_t record, const Box& box,
             empty = empty || cells.lower[axis] >= cells.upper[axis];
         }
         if (empty) continue;
+        if (own->units != variable.units) {
+            throw Failure{fmt::format("the units of variable {} differ from those of other tiles",
+                                      variable.name),
+                          fmt::format("\"{}\"", own->units), fmt::format("\"{}\"", variable.units),
+                          "keep the tiles of one run together", tile.file->path()};
+        }
         part.resize(cells.count());
-        readTile(tile, *own, record, cells, part);
+        try {
+            readTile(tile, *own, record, cells, part);
+        } catch (Failure& failure) {
+            if (failure.where.empty()) failure.where = tile.file->path();
+            throw;
+        }
         for (std::size_t row = 0; row < cells.length(1) * cells.length(2); ++row) {
             const std::size_t y = cells.lower[1] - box.lower[1] + row % cells.length(1);
             const std::size_t z = row / cells.length(1);

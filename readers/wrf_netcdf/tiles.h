@@ -33,6 +33,8 @@ class Tiles {
     std::array<std::size_t, 2> columns() const { return columns_; }
     /// All files; one if the domain is not divided.
     std::vector<std::string> paths() const;
+    /// Whether rows are stored from north to south; read() turns them.
+    bool flipsRows() const { return flipsRows_; }
     /// A sentence if the file says that it is a part of its domain, without being a tile.
     const std::string& partNote() const { return partNote_; }
 
@@ -53,6 +55,9 @@ class Tiles {
     Tile open(const std::string& path) const;
     void openOthers(const std::string& path);
     void requireWhole(const std::string& path) const;
+    bool runsSouth() const;
+    void readRows(const NcVariable& variable, std::size_t record, const Box& box,
+                  std::span<float> values) const;
     static bool meet(const Tile& a, const Tile& b);
     void readTile(const Tile& tile, const NcVariable& variable, std::size_t record, const Box& box,
                   std::span<float> values) const;
@@ -61,6 +66,7 @@ class Tiles {
     std::array<std::size_t, 2> columns_{};
     std::vector<Tile> tiles_;
     std::string partNote_;
+    bool flipsRows_ = false;
 };
 
 }  // namespace wrf

@@ -176,12 +176,16 @@ std::vector<float> WrfFile::readPressure(std::size_t record, const Box& box) con
     return values;
 }
 
-/// Water vapour, not below zero; empty if the file has none.
+/// Water vapour, not below zero and NaN where it is impossible; empty if the file has none.
 std::vector<float> WrfFile::readVapour(std::size_t record, const Box& box) const {
     if (air_.vapour.empty()) return {};
     std::vector<float> values(box.count());
     readSum(air_.vapour, record, box, values);
-    for (float& value : values) value = value < 0.0f ? 0.0f : value;
+    for (float& value : values) {
+        const bool possible = value >= static_cast<float>(NEPH_LEAST_VAPOUR_KG_PER_KG) &&
+                              value <= static_cast<float>(NEPH_MOST_VAPOUR_KG_PER_KG);
+        value = possible ? std::max(value, 0.0f) : std::numeric_limits<float>::quiet_NaN();
+    }
     return values;
 }
 

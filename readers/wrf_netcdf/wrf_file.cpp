@@ -43,7 +43,7 @@ bool looksLikeWrf(const NcFile& file) {
     const bool named = file.dimension("west_east") != nullptr &&
                        file.dimension("south_north") != nullptr &&
                        file.dimension("bottom_top") != nullptr;
-    return (named || !isForeign(file)) && axesOf(file).has_value();
+    return (named || hasWrfNames(file)) && !isForeign(file) && axesOf(file).has_value();
 }
 
 WrfFile::WrfFile(const std::string& path) : tiles_(path) {
@@ -55,6 +55,7 @@ WrfFile::WrfFile(const std::string& path) : tiles_(path) {
     description_.notes = times_.notes;
     describeGrid();
     addFields();
+    requireUpward();
     dropUnfinished();
     description_.times = times_.times;
     describeModel();
@@ -70,6 +71,13 @@ void WrfFile::requireCells() const {
                       "at least one cell on every axis",
                       "the run or the copy that wrote this file was interrupted"};
     }
+    constexpr std::size_t kMostCells = std::size_t{1} << 36U;
+    const std::size_t layer = axes.length[0] * axes.length[1];
+    if (layer <= kMostCells / axes.length[2]) return;
+    throw Failure{"the grid is larger than any model's",
+                  fmt::format("{} x {} x {} cells", axes.length[0], axes.length[1], axes.length[2]),
+                  fmt::format("at most {} cells", kMostCells),
+                  "the header is damaged: copy the file again"};
 }
 
 void WrfFile::describeGrid() {
@@ -78,6 +86,8 @@ void WrfFile::describeGrid() {
     }
     description_.spacingM = spacingOf(tiles_, description_.notes);
     description_.domain = domainOf(tiles_);
+    const std::string motion = motionNote(tiles_, times_.records.front(), times_.records.back());
+    if (!motion.empty()) description_.notes.push_back(motion);
     if (!tiles_.partNote().empty()) description_.notes.push_back(tiles_.partNote());
     const auto paths = tiles_.paths();
     if (paths.size() < 2) return;
@@ -137,6 +147,25 @@ void WrfFile::addFields() {
     });
     units.addTo(description_.notes);
     description_.variables.assign(fields_.begin(), fields_.end());
+}
+
+/// Throws Failure if levels are stored from the top down.
+void WrfFile::requireUpward() const {
+    const NcVariable& height = *air_.height.front().variable;
+    const std::size_t top = height.axes[height.axes.size() - 3].length - 1;
+    std::array<float, 2> ends{};
+    for (const std::size_t end : {0U, 1U}) {
+        const std::size_t z = end == 0 ? 0 : top;
+        readSum(air_.height, times_.records.front(), Box{{0, 0, z}, {1, 1, z + 1}},
+                std::span(ends).subspan(end, 1));
+    }
+    if (!(ends[1] < ends[0])) return;
+    throw Failure{"its levels run from the top down",
+                  fmt::format("{} falls from {:g} to {:g} along {}", height.name, ends[0], ends[1],
+                              tiles_.axes().centre[2]),
+                  "levels from the ground up",
+                  fmt::format("ncpdq -a -{0}{1}{2} IN.nc OUT.nc", tiles_.axes().centre[2],
+                              tiles_.axes().face[2].empty() ? "" : ",-", tiles_.axes().face[2])};
 }
 
 /// Whether a variable was written at a record: the file is long enough, and the first cell is not

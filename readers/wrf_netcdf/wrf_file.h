@@ -39,6 +39,7 @@ class WrfFile {
     void describeGrid();
     void describeModel();
     void addFields();
+    void requireUpward() const;
     void dropUnfinished();
     bool isFinished(const NcVariable& variable, std::size_t record) const;
     /// The variable whose chunks decide how a field is cut into slabs.

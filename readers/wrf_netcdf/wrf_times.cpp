@@ -54,11 +54,14 @@ class Entries {
                         : "the model was interrupted while writing this time, or the file is "
                           "damaged"};
         }
+        const bool atEnd = firstUnreadable_ > result_.records.back();
         result_.notes.push_back(fmt::format(
-            "{} of {} times are left out, because {} does not state them (entry {} is {}): the "
-            "model {} while it wrote them.",
-            unreadable_, unreadable_ + result_.times.size(), variable, firstUnreadable_, found_,
-            writing ? "seems to run" : "seems to have ended"));
+            "{} of {} times {} left out, because {} does not state {} (entry {} is {}){}.",
+            unreadable_, unreadable_ + result_.times.size(), unreadable_ == 1 ? "is" : "are",
+            variable, unreadable_ == 1 ? "it" : "them", firstUnreadable_, found_,
+            !atEnd    ? ""
+            : writing ? ": the model seems to be writing"
+                      : ": the model seems to have stopped while it wrote"));
         return std::move(result_);
     }
 
@@ -136,13 +139,12 @@ FileTimes fromNumbers(const NcFile& file, const NcVariable& variable) {
         start = {0};
         count = {countOf(variable)};
     }
-    const std::vector<double> numbers = file.readDoubles(variable, start, count);
-    std::vector<float> checked(numbers.size());
-    variable.packing.unpack(numbers, checked);
+    std::vector<double> numbers = file.readDoubles(variable, start, count);
+    variable.packing.unpack(numbers);
     Entries entries;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double seconds = std::round(1e3 * unit->secondsOf(numbers[i])) / 1e3;
-        const bool known = std::isfinite(checked[i]) && seconds >= 0.0 && seconds < 3.2e11;
+        const bool known = std::isfinite(seconds) && seconds >= 0.0 && seconds < 3.2e11;
         entries.add(i, known ? shared::dateOfSeconds(seconds, *calendar) : std::string(),
                     known ? std::optional(seconds) : std::nullopt, fmt::format("{}", numbers[i]));
     }
@@ -179,7 +181,11 @@ FileTimes readTimes(const NcFile& file, const Axes& axes) {
     const NcVariable* texts = file.variable("Times");
     if (texts != nullptr &&
         ((texts->text && texts->axes.size() == 2) || (texts->strings && texts->axes.size() == 1))) {
-        return fromTexts(file, *texts);
+        try {
+            return fromTexts(file, *texts);
+        } catch (const Failure&) {
+            if (cfTime(file, axes) == nullptr) throw;
+        }
     }
     if (const NcVariable* numbers = cfTime(file, axes)) return fromNumbers(file, *numbers);
     return counted(file, axes);

@@ -21,8 +21,10 @@ class MemoryDataset : public neph::Dataset {
         info_.spacingM = {500.0, 250.0};
         info_.times = {{"2024-05-06_21:00:00", 0.0, "memory", 0}};
         add("z", neph::VariableRole::interfaceHeight, {}, size + glm::ivec3(0, 0, 1), height);
-        add("rho", neph::VariableRole::dryAirDensity, {}, size, [](int, int, int z) {
-            return std::max(1.2f * std::exp(-0.05f * static_cast<float>(z)), 1e-3f);
+        // As air has it at the height of each cell.
+        add("rho", neph::VariableRole::dryAirDensity, {}, size, [&height](int x, int y, int z) {
+            const float middle = 0.5f * (height(x, y, z) + height(x, y, z + 1));
+            return 1.2f * std::exp(-std::max(middle, 0.0f) / 7200.0f);
         });
     }
 

@@ -18,16 +18,30 @@ TEST_CASE("Units convert as model output spells them") {
         const char* to;
         double one, ten;  // what 1 and 10 are
     };
-    for (const Case& c :
-         {Case{"g kg-1", "kg kg-1", 1e-3, 1e-2}, Case{"g/kg", "kg kg-1", 1e-3, 1e-2},
-          Case{"kg/kg", "kg kg-1", 1.0, 10.0}, Case{"1", "kg kg-1", 1.0, 10.0},
-          Case{"-", "kg kg-1", 1.0, 10.0}, Case{"hPa", "Pa", 1e2, 1e3}, Case{"mb", "Pa", 1e2, 1e3},
-          Case{"kPa", "Pa", 1e3, 1e4}, Case{"degC", "K", 274.15, 283.15},
-          Case{"C", "K", 274.15, 283.15}, Case{"  kg(-1)", "kg-1", 1.0, 10.0},
-          Case{"# kg(-1)", "kg-1", 1.0, 10.0}, Case{"#/kg", "kg-1", 1.0, 10.0},
-          Case{"micron", "m", 1e-6, 1e-5}, Case{"um", "m", 1e-6, 1e-5},
-          Case{"kg m**-3", "kg m-3", 1.0, 10.0}, Case{"g/cm^3", "kg m-3", 1e3, 1e4},
-          Case{"km", "m", 1e3, 1e4}}) {
+    for (const Case& c : {Case{"g kg-1", "kg kg-1", 1e-3, 1e-2},
+                          Case{"g/kg", "kg kg-1", 1e-3, 1e-2},
+                          Case{"kg/kg", "kg kg-1", 1.0, 10.0},
+                          Case{"1", "kg kg-1", 1.0, 10.0},
+                          Case{"-", "kg kg-1", 1.0, 10.0},
+                          Case{"hPa", "Pa", 1e2, 1e3},
+                          Case{"mb", "Pa", 1e2, 1e3},
+                          Case{"kPa", "Pa", 1e3, 1e4},
+                          Case{"HPA", "Pa", 1e2, 1e3},
+                          Case{"gpm", "m", 1.0, 10.0},
+                          Case{"Kg/Kg", "kg kg-1", 1.0, 10.0},
+                          Case{"[g/kg]", "kg kg-1", 1e-3, 1e-2},
+                          Case{"kg kg-1 (dry air)", "kg kg-1", 1.0, 10.0},
+                          Case{"kg kg{-1}", "kg kg-1", 1.0, 10.0},
+                          Case{"degC", "K", 274.15, 283.15},
+                          Case{"C", "K", 274.15, 283.15},
+                          Case{"  kg(-1)", "kg-1", 1.0, 10.0},
+                          Case{"# kg(-1)", "kg-1", 1.0, 10.0},
+                          Case{"#/kg", "kg-1", 1.0, 10.0},
+                          Case{"micron", "m", 1e-6, 1e-5},
+                          Case{"um", "m", 1e-6, 1e-5},
+                          Case{"kg m**-3", "kg m-3", 1.0, 10.0},
+                          Case{"g/cm^3", "kg m-3", 1e3, 1e4},
+                          Case{"km", "m", 1e3, 1e4}}) {
         CAPTURE(c.from);
         const auto conversion = shared::conversion(c.from, c.to);
         REQUIRE(conversion.has_value());

@@ -68,6 +68,13 @@ TEST_CASE("NetCDF files of other programs are named, with a step for their owner
              Foreign{"ICON", "remapcon", {"ncells", "height"}, {}, nullptr, nullptr},
              Foreign{"MPAS", "convert_mpas", {"nCells", "nVertLevels"}, {}, nullptr, nullptr},
              Foreign{"MicroHH", "case directory", {"x", "y", "z"}, {"ql"}, nullptr, nullptr},
+             Foreign{"nudging", "wrfout", {"west_east"}, {"U_NDG_OLD"}, nullptr, nullptr},
+             Foreign{"latitude and longitude",
+                     "nephoscope-brick",
+                     {"latitude", "longitude", "level"},
+                     {"t"},
+                     nullptr,
+                     nullptr},
              Foreign{
                  "not WRF output", "nephoscope-brick", {"lat", "lon"}, {"tas"}, nullptr, nullptr},
          }) {

@@ -563,3 +563,131 @@ TEST_CASE("A field that is missing at every time is no sign of a broken record")
     writeWrf(folder / "a", spec);
     CHECK(openFiles({folder / "a"})->info().times.size() == 2);
 }
+
+TEST_CASE("Files of a series may differ in the parts of a sum") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mpPhysics = 52;
+    spec.fields["QICE"] = everywhere(1e-3f);
+    spec.times = {"2021-08-14_18:00:00"};
+    writeWrf(folder / "a", spec);
+    spec.fields["QICE2"] = everywhere(2e-3f);
+    spec.times = {"2021-08-14_18:10:00"};
+    writeWrf(folder / "b", spec);
+    for (const auto& files :
+         {std::vector{folder / "a", folder / "b"}, std::vector{folder / "b", folder / "a"}}) {
+        const auto dataset = openFiles(files);
+        const VariableInfo* ice = dataset->info().find(VariableRole::mixingRatio, Species::ice);
+        REQUIRE(ice != nullptr);
+        CHECK(dataset->read(ice->name, 0).at(0, 0, 0) == doctest::Approx(1e-3));
+        CHECK(dataset->read(ice->name, 1).at(0, 0, 0) == doctest::Approx(3e-3));
+    }
+}
+
+TEST_CASE("Impossible water vapour is refused and named, with the unit that it probably is in") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.fields["QVAPOR"] = everywhere(2.0f);
+    spec.fields["QCLOUD"] = everywhere(1e-3f);
+    writeWrf(folder / "a", spec);
+    const auto dataset = openFiles({folder / "a"});
+    const ErrorParts error = errorOf([&] { summarise(*dataset, 0); });
+    CHECK(contains(error.found, "QVAPOR is 2 kg/kg"));
+    CHECK(contains(error.hint, "g/kg"));
+}
+
+TEST_CASE("Pressure or heights in another unit than stated are refused") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.omit = {"PB", "P", "T", "PH", "PHB"};
+    spec.fields["QCLOUD"] = everywhere(1e-3f);
+    spec.fields["PRES"] = everywhere(900.0f);  // hPa, said to be Pa
+    spec.fields["TK"] = everywhere(290.0f);
+    spec.fields["Z"] = [](int, int, int z, int) { return 250.0f * static_cast<float>(z); };
+    spec.onInterfaces.insert("Z");
+    spec.units = {{"PRES", "Pa"}, {"TK", "K"}, {"Z", "m"}};
+    writeWrf(folder / "a", spec);
+    const auto dataset = openFiles({folder / "a"});
+    const ErrorParts error = errorOf([&] { summarise(*dataset, 0); });
+    CHECK(contains(error.what, "does not fit its height"));
+    CHECK(contains(error.hint, "hPa"));
+    spec.units["PRES"] = "hPa";
+    spec.units["Z"] = "km";
+    writeWrf(folder / "b", spec);
+    CHECK(contains(errorOf([&] { summarise(*openFiles({folder / "b"}), 0); }).what, "height"));
+}
+
+TEST_CASE("Rows from north to south are turned, levels from the top down are refused") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.dx = spec.dy = 1113.0f;
+    spec.flat["XLAT"] = [](int, int y, int, int) { return 35.0f - 0.01f * static_cast<float>(y); };
+    spec.flat["XLONG"] = [](int x, int, int, int) {
+        return -97.0f + 0.0122f * static_cast<float>(x);
+    };
+    spec.fields["QCLOUD"] = marked;
+    writeWrf(folder / "south", spec);
+    const auto dataset = openFiles({folder / "south"});
+    CHECK(hasNote(dataset->info(), "north to south"));
+    CHECK(dataset->read("QCLOUD", 0).at(1, 0, 2) == marked(1, 2, 2, 0));
+    CHECK(dataset->read("QCLOUD", 0, CellBox{{1, 0, 2}, {3, 2, 4}}).at(1, 1, 1) ==
+          marked(2, 1, 3, 0));
+    WrfSpec down;
+    down.fields["PHB"] = [](int, int, int z, int) { return 981.0f * static_cast<float>(5 - z); };
+    writeWrf(folder / "down", down);
+    CHECK(contains(openError(folder / "down").hint, "ncpdq -a -bottom_top,-bottom_top_stag"));
+}
+
+TEST_CASE("Columns further apart than DX says are taken as wide as they are apart") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.dx = spec.dy = 1112.0f;
+    spec.flat["XLAT"] = [](int, int y, int, int) { return 0.1f + 0.02f * static_cast<float>(y); };
+    spec.flat["XLONG"] = [](int x, int, int, int) { return 0.1f + 0.02f * static_cast<float>(x); };
+    writeWrf(folder / "a", spec);
+    const DatasetInfo info = openFiles({folder / "a"})->info();
+    CHECK(info.spacingM.x == doctest::Approx(2224.0));
+    CHECK(hasNote(info, "2 times DX apart"));
+}
+
+TEST_CASE("A nest that moves within a file is noted, an impossible spacing refused") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18:00:00", "2021-08-14_18:10:00"};
+    spec.flat["XLAT"] = [](int, int y, int, int) { return 35.0f + 0.009f * static_cast<float>(y); };
+    spec.flat["XLONG"] = [](int x, int, int, int t) {
+        return -97.0f + 0.011f * static_cast<float>(x) + 0.5f * static_cast<float>(t);
+    };
+    writeWrf(folder / "a", spec);
+    CHECK(hasNote(openFiles({folder / "a"})->info(), "The domain moves"));
+    WrfSpec huge;
+    huge.dx = 1e12f;
+    writeWrf(folder / "huge", huge);
+    CHECK(contains(openError(folder / "huge").what, "DX"));
+}
+
+TEST_CASE("Times with underscores for colons, packed CF times, and CF times beside broken Times") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18_00_00", "2021-08-14_18_10_00"};
+    writeWrf(folder / "underscores", spec);
+    CHECK(openFiles({folder / "underscores"})->info().times[1].seconds == 600.0);
+    spec.times = {"?", "??"};
+    spec.xtime = {1080, 1090};
+    writeWrf(folder / "broken", spec);
+    CHECK(openFiles({folder / "broken"})->info().times[1].label == "2021-08-14_18:10:00");
+    spec.omit = {"Times"};
+    spec.xtime = {0, 1};
+    writeWrf(folder / "packed", spec);
+    int file = -1;
+    int id = -1;
+    REQUIRE(nc_open((folder / "packed").c_str(), NC_WRITE, &file) == NC_NOERR);
+    nc_redef(file);
+    nc_inq_varid(file, "XTIME", &id);
+    putReals(file, id, "scale_factor", {10.0});
+    putReals(file, id, "add_offset", {1080.0});
+    REQUIRE(nc_close(file) == NC_NOERR);
+    const DatasetInfo packed = openFiles({folder / "packed"})->info();
+    CHECK(packed.times[0].label == "2021-08-14_18:00:00");
+    CHECK(packed.times[1].label == "2021-08-14_18:10:00");
+}

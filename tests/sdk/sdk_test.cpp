@@ -94,7 +94,7 @@ TEST_CASE("An external reader is found by its path, the path variable or the use
         CAPTURE(outcome.err);
         CHECK(outcome.status == 0);
         CHECK(contains(outcome.out, "Fog 1"));
-        CHECK(contains(outcome.out, "2 x 2 x 3 cells of 100 x 100 m"));
+        CHECK(contains(outcome.out, "2 x 2 x 3 cells of 100 m"));
         CHECK(contains(outcome.out, "base 0.05 km, top 0.10 km"));
         CHECK(contains(outcome.out, "0.25"));
     };

@@ -260,7 +260,7 @@ TEST_CASE(
     // block, of which two lie beyond the border.
     double native = 0.0;
     for (int z = 0; z < 4; ++z) {
-        const double content = 1e-3 * 1.2 * std::exp(-0.05 * z);
+        const double content = 1e-3 * 1.2 * std::exp(-(50.0 + 100.0 * z) / 7200.0);
         native += std::numbers::pi * 8e6 / std::pow(std::numbers::pi * 8e9 / content, 0.75) * 100.0;
     }
     double held = 0.0;
