@@ -53,6 +53,21 @@ Error notRead(const fs::path& path, const RecognisedFile& known) {
                   .hint = known.step});
 }
 
+/// Names of the folders in a folder, for messages.
+std::string foldersIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(folder, code)) {
+        if (entry.is_directory(code)) names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kNamedLeftOut); ++i) {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return names.size() > kNamedLeftOut ? text + ", ..." : text;
+}
+
 /// Replaces folders by their files, unless a reader accepts the folder as a whole.
 std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const PluginHost& host,
                                     const Progress& progress) {
@@ -67,9 +82,12 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
         if (known) throw notRead(path, *known);
         std::vector<fs::path> files = filesIn(std::span(&path, 1));
         if (files.empty()) {
+            const std::string inside = foldersIn(path);
             throw Error({.where = path.string(),
                          .what = "holds no files",
-                         .expected = "model output in this folder"});
+                         .found = inside.empty() ? "" : "folders: " + inside,
+                         .expected = "model output in this folder",
+                         .hint = inside.empty() ? "" : "open the one that holds the run"});
         }
         for (fs::path& file : files) candidates.push_back({std::move(file), path});
     }
@@ -153,11 +171,14 @@ class SeriesMaker {
         std::optional<RecognisedFile> known;
         for (const Candidate& candidate : candidates_) {
             auto kind = recogniseFile(candidate.path);
-            if (!kind || kind->row->aside) continue;
+            // What a reader says about its own format is the best advice.
+            const bool refused = candidate.fault && host_.isKnown(candidate.path);
+            if (!refused && (!kind || kind->row->aside)) continue;
             told = &candidate;
-            known = std::move(kind);
+            if (!refused) known = std::move(kind);
             break;
         }
+        const std::string& hint = told->fault->parts().hint;
         return Error({.where = told->folder.string(),
                       .what = "holds no file that can be read",
                       .found = fmt::format("{} file{}; {}: {}", candidates_.size(),
@@ -165,7 +186,9 @@ class SeriesMaker {
                                            told->path.filename().string(),
                                            known ? known->what : told->fault->parts().what),
                       .expected = "output of one model run",
-                      .hint = known ? known->step : "`nephoscope readers` lists what can be read"});
+                      .hint = known           ? known->step
+                              : !hint.empty() ? hint
+                                              : "`nephoscope readers` lists what can be read"});
     }
 
     void describeRest(const Progress& progress) {

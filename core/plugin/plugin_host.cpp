@@ -180,6 +180,19 @@ void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
     readers_.push_back(std::move(reader));
 }
 
+bool PluginHost::isKnown(const fs::path& file) const {
+    return std::ranges::any_of(readers_, [&](const auto& reader) {
+        try {
+            auto process = reader->borrow();
+            const int score = process->score(file);
+            reader->giveBack(std::move(process));
+            return score > 0;
+        } catch (const Error&) {
+            return false;
+        }
+    });
+}
+
 std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
                                                      const Progress& progress) const {
     requireReadable(file);

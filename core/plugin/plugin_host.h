@@ -62,6 +62,9 @@ class PluginHost {
     const std::vector<std::shared_ptr<const ReaderPlugin>>& readers() const { return readers_; }
     const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
 
+    /// Whether a reader knows the format of a file, if only to say what is wrong with it.
+    bool isKnown(const std::filesystem::path& file) const;
+
     /// The reader with the best score for the content of `file`. Throws Error if the file cannot be
     /// opened or no reader knows its format, or Cancelled.
     std::shared_ptr<const ReaderPlugin> pick(const std::filesystem::path& file,

@@ -358,13 +358,30 @@ Contents Case::describe() {
 
 }  // namespace
 
+namespace {
+
+/// Whether a folder has a hydrometeor that MicroHH wrote.
+bool holdsHydrometeors(const std::string& folder) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const auto name = fieldName(entry.path().filename().string());
+        if (name && (name->variable == "ql" || name->variable == "qr" || name->variable == "qi")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 int scoreMicrohh(const std::string& path) {
     constexpr int kPart = 5;
     constexpr int kCase = 80;
     std::error_code error;
     if (fs::is_directory(path, error)) {
-        return fileSize((fs::path(path) / kMicrohhGrid).string()) && !iniFiles(path).empty() ? kCase
-                                                                                             : 0;
+        const bool grid = fileSize((fs::path(path) / kMicrohhGrid).string()).has_value();
+        if (grid && !iniFiles(path).empty()) return kCase;
+        return holdsHydrometeors(path) ? kPart : 0;  // opening it names what is missing
     }
     if (path.ends_with(".ini")) return isCaseIni(path) ? kCase : 0;
     const std::string name = fs::path(path).filename().string();
