@@ -75,9 +75,9 @@ std::string spelled(std::string_view unit, std::string_view wanted) {
     // "[g/kg]", and "kg kg-1 (dry air)".
     if (text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
     const std::size_t remark = text.rfind('(');
-    if (remark != std::string::npos && remark > 0 &&
+    if (remark != std::string::npos && remark > 0 && text.back() == ')' &&
         std::isalpha(static_cast<unsigned char>(text[std::min(remark + 1, text.size() - 1)]))) {
-        text.resize(remark);
+        text.resize(text.find_last_not_of(' ', remark - 1) + 1);
     }
     // Exponents in brackets would be taken for factors.
     for (const char digit : {'1', '2', '3', '4'}) {
