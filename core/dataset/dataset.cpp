@@ -68,6 +68,13 @@ SeriesDataset::SeriesDataset(const Series& series) : reader_(series.reader) {
             info_.times.push_back(described.times[i]);
             info_.times.back().file = file.path;
         }
+        if (described.scheme != info_.scheme) {
+            info_.notes.push_back(
+                fmt::format("{} was made with {}, not with {}: particle sizes follow the latter.",
+                            file.path.filename().string(),
+                            described.scheme.empty() ? "an unknown scheme" : described.scheme,
+                            info_.scheme.empty() ? "an unknown one" : info_.scheme));
+        }
         for (const std::string& note : described.notes) {
             if (std::ranges::find(info_.notes, note) == info_.notes.end()) {
                 info_.notes.push_back(note);
@@ -98,9 +105,12 @@ void SeriesDataset::sortTimes() {
     std::vector<TimeInfo> kept;
     for (TimeInfo& time : info_.times) {
         if (!kept.empty() && kept.back().seconds == time.seconds) {
-            info_.notes.push_back(fmt::format("{} is there twice: taken from {}, not from {}",
-                                              time.label, kept.back().file.filename().string(),
-                                              time.file.filename().string()));
+            const std::string first = kept.back().file.filename().string();
+            info_.notes.push_back(
+                kept.back().file == time.file
+                    ? fmt::format("{} is in {} twice: the first is taken.", time.label, first)
+                    : fmt::format("{} is there twice: taken from {}, not from {}", time.label,
+                                  first, time.file.filename().string()));
             continue;
         }
         kept.push_back(std::move(time));

@@ -105,7 +105,9 @@ Fault faultOf(Dataset& dataset, int time, glm::ivec3 cell) {
         const float value = dataset.read(variable->name, time, one).values.front();
         if (limits.allow(value)) continue;
         return {fmt::format("{} is {} there", variable->name, valueText(value, limits.unit)),
-                fitsSwapped(value, limits), unitHint(variable->role, value)};
+                // Next to any number is one near 0 with its bytes swapped, which vapour may be.
+                variable->role != VariableRole::other && fitsSwapped(value, limits),
+                unitHint(variable->role, value)};
     }
     return {};
 }
@@ -173,8 +175,9 @@ void requireAirOfHeight(Dataset& dataset, int time, const ColumnField& heights,
                  .found = fmt::format("{:.3g} kg/m3 at {:.0f} m above sea level", found, heightM),
                  .expected = fmt::format("about {:.2g} kg/m3, at most {:.0f} times more or less",
                                          usual, kMostDeviation),
-                 .hint = "the unit of pressure (hPa or Pa) or of heights (km or m) is probably not "
-                         "what the file states: correct it"});
+                 .hint =
+                     "the unit of pressure (hPa or Pa), of heights (km or m) or of water vapour "
+                     "(g/kg or kg/kg) is probably not what the file states: correct it"});
         }
     }
 }

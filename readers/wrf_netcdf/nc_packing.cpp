@@ -80,7 +80,9 @@ NcPacking::NcPacking(int file, int variable, nc_type type) {
             }
         }
     }
-    if (integer != nullptr && integer->fill) missing_.push_back(wrapped(*integer->fill));
+    // Programs that pack use the whole range of the type, this number included.
+    if (integer != nullptr && integer->fill && !packed_)
+        missing_.push_back(wrapped(*integer->fill));
     least_ = -std::numeric_limits<double>::infinity();
     most_ = std::numeric_limits<double>::infinity();
     const auto limit = [&](const char* name, double& end, std::size_t count, std::size_t index) {

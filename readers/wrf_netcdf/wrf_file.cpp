@@ -102,6 +102,11 @@ void WrfFile::describeModel() {
     description_.model = modelOf(file);
     description_.scheme = schemeName(scheme_);
     description_.microphysics = scheme_.microphysics;
+    if (scheme_.number < 0) {
+        description_.notes.push_back(
+            "MP_PHYSICS is missing: the scheme, and with it which hydrometeors the run has, is "
+            "unknown.");
+    }
     if (const std::string kind = kindNote(file); !kind.empty()) description_.notes.push_back(kind);
     if (const auto cut = file.shortage()) {
         const auto writing = shared::beingWritten(file.path());

@@ -243,3 +243,15 @@ TEST_CASE("Headers of a long series are cached: the second time its files are no
     const auto third = Dataset::open(files, readerHost(), cache.path(), {});
     CHECK(third->info().times.back().label == "2024-05-06_23:00:00");
 }
+
+TEST_CASE("Files of different schemes in one series are noted") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.times = {"2021-08-14_18:00:00"};
+    writeWrf(folder / "a", spec);
+    spec.times = {"2021-08-14_18:10:00"};
+    spec.mpPhysics = 3;
+    writeWrf(folder / "b", spec);
+    const DatasetInfo info = openFiles({folder / "a", folder / "b"})->info();
+    CHECK(hasNote(info, "b was made with WSM3 (MP_PHYSICS 3), not with Kessler"));
+}

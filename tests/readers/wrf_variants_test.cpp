@@ -106,8 +106,13 @@ TEST_CASE("Missing values, valid ranges and cells never written are missing, in 
                                  putShorts(file, id, "missing_value", {8});
                                  putShorts(file, id, "valid_range", {0, 100});
                              }};
-    spec.stored["QRAIN"] = {NC_INT, [](int x, int, int, int) { return x == 1 ? NC_FILL_INT : 5.0; },
-                            [](int file, int id) { putReals(file, id, "scale_factor", {1e-4}); }};
+    // What stands for cells never written is a number like others where numbers are packed.
+    spec.stored["QRAIN"] = {NC_SHORT,
+                            [](int x, int, int, int) { return x == 1 ? NC_FILL_SHORT : 5.0; },
+                            [](int file, int id) {
+                                putReals(file, id, "scale_factor", {1e-4});
+                                putReals(file, id, "add_offset", {3.2768});
+                            }};
     spec.stored["QICE"] = {NC_FLOAT, numbers, [](int file, int id) {
                                const float limit = 100.0f;
                                nc_put_att_float(file, id, "valid_max", NC_FLOAT, 1, &limit);
@@ -121,8 +126,7 @@ TEST_CASE("Missing values, valid ranges and cells never written are missing, in 
     CHECK(std::isnan(cloud.at(1, 0, 0)));
     CHECK(std::isnan(cloud.at(2, 0, 0)));
     CHECK(cloud.at(3, 0, 0) == doctest::Approx(9e-4));
-    CHECK(std::isnan(dataset->read("QRAIN", 0).at(1, 0, 0)));
-    CHECK(dataset->read("QRAIN", 0).at(2, 0, 0) == doctest::Approx(5e-4));
+    CHECK(dataset->read("QRAIN", 0).at(1, 0, 0) == doctest::Approx(1e-4));
     const Array3f ice = dataset->read("QICE", 0);
     CHECK(ice.at(0, 0, 0) == 7.0f);
     CHECK(std::isnan(ice.at(2, 0, 0)));
