@@ -59,7 +59,8 @@ LightField LightSolver::sweepFine(const LightDirections& directions) const {
     const double sine = scene_.towardsSun.z;
     if (hasBeam()) input.beam = beam_.data();
     if (scene_.source == LightSource::sky) input.skyRadiance = 1.0f;
-    const double farFlux = hasBeam() ? sine : input.skyRadiance * std::numbers::pi;
+    const double farFlux =
+        hasBeam() ? sine : static_cast<double>(input.skyRadiance) * std::numbers::pi;
     const double perFlux = scene_.groundAlbedo / std::numbers::pi;
     input.farGroundRadiance = static_cast<float>(perFlux * farFlux);
     for (std::size_t i = 0; i < field_.groundFlux.size(); ++i) {
@@ -103,7 +104,7 @@ double LightSolver::chance() const {
     for (std::size_t node = 0; node < fine.place.size(); ++node) {
         if (fine.place[node] < 0) continue;
         const auto i = static_cast<std::size_t>(fine.place[node]);
-        const double weight = fine.extinctionPerM[node];
+        const auto weight = static_cast<double>(fine.extinctionPerM[node]);
         const double half = 0.5 * static_cast<double>(halves_[0][i] - halves_[1][i]);
         const double mean = 0.5 * static_cast<double>(halves_[0][i] + halves_[1][i]);
         spread += weight * half * half;

@@ -22,10 +22,11 @@ void addTo(std::vector<float>& sum, const std::vector<float>& term) {
 double strength(const TransportLevel& level, const std::vector<float>& moments) {
     double sum = 0.0, weights = 0.0;
     for (std::size_t node = 0; node < level.place.size(); ++node) {
-        const double weight = level.extinctionPerM[node];
+        const auto weight = static_cast<double>(level.extinctionPerM[node]);
         if (weight <= 0.0) continue;
-        const double value = moments[static_cast<std::size_t>(level.place[node]) *
-                                     static_cast<std::size_t>(level.momentCount)];
+        const auto value =
+            static_cast<double>(moments[static_cast<std::size_t>(level.place[node]) *
+                                        static_cast<std::size_t>(level.momentCount)]);
         sum += weight * value * value;
         weights += weight;
     }
