@@ -1,4 +1,4 @@
-// light_medium.cpp: delta-M scaling.
+// light_medium.cpp: delta-M scaling. [Wiscombe77]
 #include "core/transport/light_medium.h"
 
 #include <algorithm>

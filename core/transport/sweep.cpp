@@ -276,7 +276,7 @@ void DirectionSweep<kMoments>::collect(int slice) {
 /// Goes round between periodic sides until what enters is what leaves.
 template <int kMoments>
 void DirectionSweep<kMoments>::settle() {
-    constexpr int kMostLaps = 24;
+    constexpr int kMostLaps = 500;
     constexpr float kClose = 1e-4f;
     const int slices = grid_.nodes[axis_];
     load(sliceAt(slices - 1), before_);
