@@ -1,4 +1,4 @@
-// directions.h: the sets of directions along which light is swept, drawn anew for each cycle.
+// directions.h: the sets of directions along which light is swept, drawn for each cycle.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

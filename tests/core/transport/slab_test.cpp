@@ -1,4 +1,4 @@
-// slab_test.cpp: layers whose reflection and transmission are known. docs/physics.md
+// slab_test.cpp: layers whose reflection and transmission are known. docs/transport.md
 #include <doctest/doctest.h>
 
 #include <cmath>
