@@ -69,7 +69,8 @@ LightSolver solvedAfter(const LightMedium& medium, const LightScene& scene,
 
 }  // namespace
 
-TEST_CASE("transport: in a white furnace every field comes to radiance 1 and stays there") {
+TEST_CASE("transport: in a white furnace every field comes to radiance 1 and stays there" *
+          doctest::skip(!kSolvesInSeconds)) {
     for (const bool periodic : {false, true}) {
         for (const bool aligned : {false, true}) {
             CAPTURE(periodic);
@@ -102,7 +103,7 @@ TEST_CASE("transport: the same seed gives the same field, another a field close 
     }
 }
 
-TEST_CASE("transport: a warm start ends where a cold one does") {
+TEST_CASE("transport: a warm start ends where a cold one does" * doctest::skip(!kSolvesInSeconds)) {
     const LightMedium medium = transportClouds({14, 12, 13});
     const glm::dvec3 moved = glm::normalize(glm::dvec3(0.5, -0.2, 0.6));
     for (const bool aligned : {false, true}) {

@@ -49,7 +49,8 @@ TransportBudget slabBudget(const SlabRow& row, bool low, bool aligned, int cycle
 
 }  // namespace
 
-TEST_CASE("transport: slabs reflect and transmit what adding and doubling says") {
+TEST_CASE("transport: slabs reflect and transmit what adding and doubling says" *
+          doctest::skip(!kSolvesInSeconds)) {
     for (const SlabRow& row : kSlabRows) {
         for (const bool low : {false, true}) {
             CAPTURE(row.g);
@@ -67,7 +68,8 @@ TEST_CASE("transport: slabs reflect and transmit what adding and doubling says")
     }
 }
 
-TEST_CASE("transport: rings about the sun find the faint reflection of a thin slab") {
+TEST_CASE("transport: rings about the sun find the faint reflection of a thin slab" *
+          doctest::skip(!kSolvesInSeconds)) {
     // Moments to l = 2 put a fifth too little into it.
     const SlabRow& row = kSlabRows[4];
     for (const bool low : {false, true}) {

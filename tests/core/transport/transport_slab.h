@@ -5,6 +5,13 @@
 
 #include "core/transport/light_solver.h"
 
+/// Sanitizers make a solution take minutes; the tests of every build without them run it.
+#ifdef NEPH_SANITIZED
+inline constexpr bool kSolvesInSeconds = false;
+#else
+inline constexpr bool kSolvesInSeconds = true;
+#endif
+
 /// A homogeneous layer between the ground and the top, of Henyey-Greenstein.
 struct TransportSlab {
     double g = 0.0, opticalDepth = 1.0, singleScattering = 1.0;
