@@ -65,7 +65,7 @@ using Floors = std::vector<std::vector<std::string>>;
 
 const Floors kCore{{"core/base", "core/grid"},
                    {"core/image", "core/plugin", "core/optics", "core/camera"},
-                   {"core/dataset", "core/look"},
+                   {"core/dataset", "core/look", "core/transport"},
                    {"core/volume"},
                    {"core/preset"},
                    {"core/session"}};

@@ -1,0 +1,86 @@
+// directions.cpp: an icosahedron and rings.
+#include "core/transport/directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace neph {
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+struct GaussPoint {
+    double x = 0.0, weight = 0.0;
+};
+
+/// Newton's method on P_n, whose derivative follows from P_(n-1).
+GaussPoint gaussPoint(int n, int i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1.0;
+    for (int round = 0; round < 50; ++round) {
+        double before = 1.0, value = x;
+        for (int l = 2; l <= n; ++l) {
+            const double next = ((2 * l - 1) * x * value - (l - 1) * before) / l;
+            before = value;
+            value = next;
+        }
+        slope = n * (x * value - before) / (x * x - 1.0);
+        x -= value / slope;
+    }
+    return {x, 2.0 / ((1.0 - x * x) * slope * slope)};
+}
+
+/// A turn about an axis through an angle, both such that all orientations are equally likely.
+glm::dmat3 turnOf(double u, double v, double w) {
+    const double a = std::sqrt(1.0 - u), b = std::sqrt(u);
+    const double x = a * std::sin(kTau * v), y = a * std::cos(kTau * v);
+    const double z = b * std::sin(kTau * w), s = b * std::cos(kTau * w);
+    return {1 - 2 * (y * y + z * z), 2 * (x * y + z * s),     2 * (x * z - y * s),
+            2 * (x * y - z * s),     1 - 2 * (x * x + z * z), 2 * (y * z + x * s),
+            2 * (x * z + y * s),     2 * (y * z - x * s),     1 - 2 * (x * x + y * y)};
+}
+
+}  // namespace
+
+double DirectionSource::uniform() {
+    return static_cast<double>(random_() >> 11U) * 0x1p-53;
+}
+
+LightDirections DirectionSource::turnedIcosahedron() {
+    const double u = uniform(), v = uniform(), w = uniform();
+    const glm::dmat3 turn = turnOf(u, v, w);
+    LightDirections set;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int corner = 0; corner < 4; ++corner) {
+            glm::dvec3 at(0.0);
+            at[(axis + 1) % 3] = (corner & 1) != 0 ? 1.0 : -1.0;
+            at[(axis + 2) % 3] = (corner & 2) != 0 ? std::numbers::phi : -std::numbers::phi;
+            set.push_back({turn * glm::normalize(at), 2.0 * kTau / 12.0});
+        }
+    }
+    return set;
+}
+
+LightDirections DirectionSource::rings(const glm::dvec3& axis) {
+    constexpr int kFewestRings = 8, kRingChoices = 4, kFewestAzimuths = 3;
+    constexpr double kAzimuthsAtEquator = 5.0;
+    const glm::dvec3 other =
+        std::abs(axis.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 u = glm::normalize(glm::cross(other, axis)), v = glm::cross(axis, u);
+    const int count = kFewestRings + turn_++ % kRingChoices;
+    LightDirections set;
+    for (int i = 0; i < count; ++i) {
+        const GaussPoint ring = gaussPoint(count, i);
+        const double radius = std::sqrt(1.0 - ring.x * ring.x), first = uniform();
+        const int azimuths =
+            std::max(kFewestAzimuths, static_cast<int>(std::lround(kAzimuthsAtEquator * radius)));
+        for (int j = 0; j < azimuths; ++j) {
+            const double angle = kTau * (j + first) / azimuths;
+            const glm::dvec3 across = u * std::cos(angle) + v * std::sin(angle);
+            set.push_back({axis * ring.x + across * radius, ring.weight * kTau / azimuths});
+        }
+    }
+    return set;
+}
+
+}  // namespace neph

@@ -1,0 +1,35 @@
+// directions.h: the sets of directions along which light is swept, drawn for each cycle.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <random>
+#include <vector>
+
+namespace neph {
+
+struct LightDirection {
+    glm::dvec3 travel{0.0};  ///< unit vector in which light travels
+    double weightSr = 0.0;   ///< the weights of a set sum to 4 pi
+};
+
+using LightDirections = std::vector<LightDirection>;
+
+/// Draws the sets; the same seed gives the same ones in turn on every platform.
+class DirectionSource {
+  public:
+    explicit DirectionSource(std::uint64_t seed) : random_(seed) {}
+
+    /// The 12 corners of an icosahedron, turned at random: integrates l <= 5.
+    LightDirections turnedIcosahedron();
+    /// Rings about `axis` at the points of Gauss and Legendre, 8, 9, 10 and 11 in turn, each with
+    /// azimuths of its own: integrates zonal functions of l <= 15.
+    LightDirections rings(const glm::dvec3& axis);
+
+  private:
+    double uniform();
+
+    std::mt19937_64 random_;
+    int turn_ = 0;
+};
+
+}  // namespace neph

@@ -1,0 +1,75 @@
+// light_medium.h: what the solver of multiple scattering is asked: medium, sources of light, and
+// how finely.
+//
+// Space: metres; node (i, j, k) lies at (i, j, k) * spacingM, k = 0 on the ground, z up. Between
+// nodes extinction is trilinear. Outside the nodes there is nothing, or with periodic sides node
+// nodes.x is node 0 again and likewise in y. docs/transport.md
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/grid/grid.h"
+#include "core/transport/harmonics.h"
+#include "core/transport/phase_moments.h"
+
+namespace neph {
+
+/// Particles that scatter alike.
+struct LightClass {
+    Array3f extinctionPerM;         ///< at nodes, not scaled
+    double singleScattering = 1.0;  ///< albedo of single scattering
+    PhaseMoments moments{};
+};
+
+struct LightMedium {
+    glm::ivec3 nodes{0};  ///< at least 2 each
+    glm::dvec3 spacingM{0.0};
+    std::vector<LightClass> classes;
+};
+
+/// Light comes from one source at a time; the answers to both add up.
+enum class LightSource : int {
+    sun,  ///< irradiance 1 on a plane across the beam; the sky is dark
+    sky   ///< radiance 1 from every direction above the horizon; the sun is dark
+};
+
+struct LightScene {
+    LightSource source = LightSource::sun;
+    glm::dvec3 towardsSun{0.0, 0.0,
+                          1.0};  ///< unit vector; at or below the horizon there is no beam
+    double groundAlbedo = 0.0;   ///< Lambert, also of the ground beyond open sides
+    bool periodicSides = false;
+};
+
+struct LightSettings {
+    /// Also zonal harmonics of l = 3 ... 8 about the sun, and rings of directions, for light of the
+    /// sun; needed where an eye looks towards it.
+    bool aligned = false;
+    int levels = 4;          ///< grids of the multigrid, the finest included
+    int sweepsPerLevel = 2;  ///< on coarse grids, before each correction
+    int coldCycles = 4;      ///< before averaging starts
+    int warmCycles = 2;      ///< the same after `restart`
+    int threads = 2;
+    std::uint64_t seed = 1;
+};
+
+/// Delta-M: which share of the scattered light of a class counts as not scattered.
+/// `thickness` is `lightThickness` at the same place. Without `aligned` it has no influence.
+double forwardShare(const LightClass& light, bool aligned, double thickness);
+
+/// 0 where nodes are optically thin to 1 where they are thick; `extinctionPerM` is the sum of all
+/// classes, not scaled.
+double lightThickness(const LightMedium& medium, double extinctionPerM);
+
+/// Extinction and scattering of degree l = 0 ... 8, of one class at one place, scaled by delta-M.
+struct ScaledOptics {
+    double extinctionPerM = 0.0;
+    std::array<double, kAlignedDegrees> scatteringPerM{};  ///< times chi'_l
+};
+
+ScaledOptics scaledOptics(const LightClass& light, double extinctionPerM, bool aligned,
+                          double thickness);
+
+}  // namespace neph

@@ -1,0 +1,145 @@
+// light_solver.cpp: cycles, and the average over them.
+#include "core/transport/light_solver.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "core/transport/beam.h"
+#include "core/transport/multigrid.h"
+#include "core/transport/sweep.h"
+
+namespace neph {
+namespace {
+
+bool usesRings(const LightScene& scene, const LightSettings& settings) {
+    return settings.aligned && scene.source == LightSource::sun;
+}
+
+void moveTowards(const std::vector<float>& target, float share, std::vector<float>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += share * (target[i] - values[i]);
+}
+
+}  // namespace
+
+LightSolver::LightSolver(const LightMedium& medium, const LightScene& scene,
+                         const LightSettings& settings)
+    : scene_(scene), settings_(settings), directions_(settings.seed) {
+    assert(glm::all(glm::greaterThanEqual(medium.nodes, glm::ivec3(2))));
+    assert(glm::all(glm::greaterThan(medium.spacingM, glm::dvec3(0.0))));
+    const int moments = usesRings(scene, settings) ? kAlignedMoments : kBroadMoments;
+    levels_.push_back(finestLevel(medium, scene.periodicSides, settings.aligned, moments));
+    while (static_cast<int>(levels_.size()) < settings.levels && canCoarsen(levels_.back().grid)) {
+        levels_.push_back(coarsened(levels_.back()));
+    }
+    field_ = levels_.front().emptyField();
+    restart(scene);
+    replacing_ = settings.coldCycles;
+}
+
+void LightSolver::restart(const LightScene& scene) {
+    assert(scene.source == scene_.source && scene.periodicSides == scene_.periodicSides);
+    const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun;
+    scene_ = scene;
+    if (scene.source == LightSource::sun && moved) {
+        beam_ = beamIrradiance(levels_.front(), scene.towardsSun, settings_.threads);
+    }
+    cycles_ = 0;
+    replacing_ = settings_.warmCycles;
+    remaining_ = 1.0;
+    halfCycles_ = {};
+    for (auto& half : halves_) half.assign(levels_.front().activeCount, 0.0f);
+}
+
+LightField LightSolver::sweepFine(const LightDirections& directions) const {
+    SweepInput input;
+    input.level = &levels_.front();
+    input.field = &field_;
+    input.sunTravel = -scene_.towardsSun;
+    const double sine = scene_.towardsSun.z;
+    if (hasBeam()) input.beam = beam_.data();
+    if (scene_.source == LightSource::sky) input.skyRadiance = 1.0f;
+    const double farFlux =
+        hasBeam() ? sine : static_cast<double>(input.skyRadiance) * std::numbers::pi;
+    const double perFlux = scene_.groundAlbedo / std::numbers::pi;
+    input.farGroundRadiance = static_cast<float>(perFlux * farFlux);
+    for (std::size_t i = 0; i < field_.groundFlux.size(); ++i) {
+        const double direct = hasBeam() ? sine * static_cast<double>(beam_[i]) : 0.0;
+        input.groundRadiance.push_back(
+            static_cast<float>(perFlux * (direct + static_cast<double>(field_.groundFlux[i]))));
+    }
+    return swept(input, directions, settings_.threads);
+}
+
+void LightSolver::cycle() {
+    const bool rings = momentCount() == kAlignedMoments;
+    const LightDirections directions =
+        rings ? directions_.rings(-scene_.towardsSun) : directions_.turnedIcosahedron();
+    LightField next = sweepFine(directions);
+    const MultigridPass pass{&directions, -scene_.towardsSun, scene_.groundAlbedo,
+                             settings_.sweepsPerLevel, settings_.threads};
+    remaining_ = correctByMultigrid(levels_, pass, field_, next);
+    average(next);
+}
+
+/// The cycles that replace the field are not part of the average, but for the last of them.
+void LightSolver::average(const LightField& next) {
+    const int averaged = cycles_++ - replacing_;
+    const float share = averaged < 0 ? 1.0f : 1.0f / static_cast<float>(averaged + 2);
+    moveTowards(next.moments, share, field_.moments);
+    moveTowards(next.groundFlux, share, field_.groundFlux);
+    if (averaged < 0) return;
+    const auto half = static_cast<std::size_t>(averaged % 2);
+    const float halfShare = 1.0f / static_cast<float>(++halfCycles_[half]);
+    const auto moments = static_cast<std::size_t>(momentCount());
+    for (std::size_t i = 0; i < halves_[half].size(); ++i) {
+        halves_[half][i] += halfShare * (next.moments[i * moments] - halves_[half][i]);
+    }
+}
+
+double LightSolver::chance() const {
+    if (halfCycles_[1] == 0) return -1.0;
+    const TransportLevel& fine = levels_.front();
+    double spread = 0.0, whole = 0.0;
+    for (std::size_t node = 0; node < fine.place.size(); ++node) {
+        if (fine.place[node] < 0) continue;
+        const auto i = static_cast<std::size_t>(fine.place[node]);
+        const auto weight = static_cast<double>(fine.extinctionPerM[node]);
+        const double half = 0.5 * static_cast<double>(halves_[0][i] - halves_[1][i]);
+        const double mean = 0.5 * static_cast<double>(halves_[0][i] + halves_[1][i]);
+        spread += weight * half * half;
+        whole += weight * mean * mean;
+    }
+    return whole > 0.0 ? std::sqrt(spread / whole) : 0.0;
+}
+
+std::span<const float> LightSolver::momentsAt(std::size_t node) const {
+    const std::int32_t place = levels_.front().place[node];
+    if (place < 0) return {};
+    const auto moments = static_cast<std::size_t>(momentCount());
+    return {&field_.moments[static_cast<std::size_t>(place) * moments], moments};
+}
+
+std::vector<float> LightSolver::momentsOfAllNodes() const {
+    std::vector<float> all;
+    all.reserve(level().place.size() * static_cast<std::size_t>(momentCount()));
+    for (std::size_t node = 0; node < level().place.size(); ++node) {
+        const std::span<const float> moments = momentsAt(node);
+        all.insert(all.end(), moments.begin(), moments.end());
+        if (moments.empty()) all.resize(all.size() + static_cast<std::size_t>(momentCount()));
+    }
+    return all;
+}
+
+std::size_t LightSolver::bytes() const {
+    std::size_t sum = sizeof(float) * (beam_.size() + 2 * halves_[0].size());
+    // The field, and while a cycle runs the sum of each thread.
+    const auto fields = 1 + static_cast<std::size_t>(settings_.threads);
+    for (const TransportLevel& level : levels_) {
+        sum += level.bytes() + fields * sizeof(float) * level.activeCount *
+                                   static_cast<std::size_t>(level.momentCount);
+    }
+    return sum;
+}
+
+}  // namespace neph

@@ -1,0 +1,74 @@
+// light_solver.h: solves multiple scattering in a medium of light classes.
+//
+// Units: irradiance of the sun 1 across the beam, or radiance of the sky 1; radiance follows. The
+// beam is not part of the field: the field is what has been scattered or reflected, and skylight.
+// Moments: radiance in the direction `travel`, in which light travels, is the sum over q of
+// moments[q] * harmonicsAt(travel, -towardsSun)[q]. docs/transport.md
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/transport/directions.h"
+#include "core/transport/transport_level.h"
+
+namespace neph {
+
+class LightSolver {
+  public:
+    /// The medium is not needed afterwards. Its nodes are at least 2 on each axis.
+    LightSolver(const LightMedium& medium, const LightScene& scene, const LightSettings& settings);
+
+    /// Another sun or ground; the field is kept as a start. Source and sides are as before.
+    void restart(const LightScene& scene);
+
+    /// One sweep along new directions, corrected by multigrid. The first cycles replace the field,
+    /// those after them are averaged.
+    void cycle();
+
+    int cyclesDone() const { return cycles_; }
+    /// kBroadMoments, or kAlignedMoments for the sun with `aligned`.
+    int momentCount() const { return levels_.front().momentCount; }
+    const TransportLevel& level() const { return levels_.front(); }
+    const LightScene& scene() const { return scene_; }
+    const LightSettings& settings() const { return settings_; }
+
+    /// Moments of the active nodes, momentCount() side by side; level().place leads to them.
+    const LightField& field() const { return field_; }
+    /// Those of a node; empty where it is not active.
+    std::span<const float> momentsAt(std::size_t node) const;
+    /// Of all nodes, x fastest, momentCount() side by side, 0 where not active.
+    std::vector<float> momentsOfAllNodes() const;
+    /// Across the beam with scaled extinction, of every node; empty without a beam.
+    const std::vector<float>& beam() const { return beam_; }
+    /// Downward irradiance at the ground without the beam, x fastest.
+    const std::vector<float>& groundFlux() const { return field_.groundFlux; }
+
+    /// Of the last cycle: the correction on the coarsest grid relative to the field.
+    double remaining() const { return remaining_; }
+    /// Chance in the average, relative: half the difference between the averages of odd and of even
+    /// cycles, root mean square of l = 0. Negative until there is one cycle of each.
+    double chance() const;
+
+    std::size_t bytes() const;
+
+  private:
+    LightField sweepFine(const LightDirections& directions) const;
+    void average(const LightField& next);
+    bool hasBeam() const { return !beam_.empty(); }
+
+    LightScene scene_;
+    LightSettings settings_;
+    std::vector<TransportLevel> levels_;
+    LightField field_;
+    std::vector<float> beam_;
+    DirectionSource directions_;
+    std::array<std::vector<float>, 2> halves_;  ///< averages of l = 0 over every other cycle
+    std::array<int, 2> halfCycles_{};
+    int cycles_ = 0;
+    int replacing_ = 0;  ///< cycles before averaging starts
+    double remaining_ = 1.0;
+};
+
+}  // namespace neph

@@ -1,0 +1,29 @@
+// sweep.h: carries light through the medium along each direction of a set, and adds up the moments.
+//
+// Short characteristics: slices of nodes across the axis that a direction crosses fastest, each
+// node fed from the point upwind of it in the slice before.
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/transport/directions.h"
+#include "core/transport/transport_level.h"
+
+namespace neph {
+
+struct SweepInput {
+    const TransportLevel* level = nullptr;
+    const LightField* field = nullptr;  ///< what is scattered, besides the beam
+    const float* beam = nullptr;        ///< irradiance across the beam at every node, or null
+    glm::dvec3 sunTravel{0.0};
+    float skyRadiance = 0.0f;           ///< enters from above
+    float farGroundRadiance = 0.0f;     ///< enters upwards through open sides
+    std::vector<float> groundRadiance;  ///< leaves the ground
+    bool cubic = true;                  ///< interpolation upwind; linear if not
+};
+
+/// The field that one scattering of `input` and its boundaries give. Directions are shared out over
+/// `threads`; the sum depends on their number only by rounding.
+LightField swept(const SweepInput& input, const LightDirections& directions, int threads);
+
+}  // namespace neph

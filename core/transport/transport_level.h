@@ -1,0 +1,70 @@
+// transport_level.h: the scaled medium on one grid of the multigrid, and fields on it.
+//
+// Moments are kept for active nodes only: those with extinction and their neighbours. Outside the
+// scatterers light just passes through.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/transport/light_medium.h"
+
+namespace neph {
+
+struct TransportGrid {
+    glm::ivec3 nodes{0};
+    glm::dvec3 spacingM{0.0};
+    bool periodicSides = false;
+
+    std::size_t nodeCount() const { return columnCount() * static_cast<std::size_t>(nodes.z); }
+    std::size_t columnCount() const {
+        return static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y);
+    }
+    std::size_t index(int x, int y, int z) const {
+        return static_cast<std::size_t>(x) +
+               static_cast<std::size_t>(nodes.x) *
+                   (static_cast<std::size_t>(y) +
+                    static_cast<std::size_t>(nodes.y) * static_cast<std::size_t>(z));
+    }
+    bool periodic(int axis) const { return periodicSides && axis < 2; }
+};
+
+/// Moments of radiance at active nodes and irradiance from above, without beam, at the ground.
+struct LightField {
+    std::vector<float> moments;     ///< those of one node side by side
+    std::vector<float> groundFlux;  ///< x fastest
+};
+
+struct TransportLevel {
+    TransportGrid grid;
+    int momentCount = kBroadMoments;
+    int degreeCount = kBroadDegrees;
+    std::vector<float> extinctionPerM;  ///< scaled, of every node
+    std::vector<std::int32_t> place;    ///< of every node among the active ones, or -1
+    std::vector<float> scatteringPerM;  ///< degreeCount of each active node
+    std::size_t activeCount = 0;
+
+    LightField emptyField() const;
+    std::size_t bytes() const;
+};
+
+TransportLevel finestLevel(const LightMedium& medium, bool periodicSides, bool aligned,
+                           int momentCount);
+
+/// Whether half the resolution has fewer nodes.
+bool canCoarsen(const TransportGrid& grid);
+
+/// At half the resolution where an axis can be halved.
+TransportLevel coarsened(const TransportLevel& fine);
+
+/// `after` - `before` of a fine field, on the coarse grid: means weighted by extinction.
+LightField restricted(const TransportLevel& fine, const TransportLevel& coarse,
+                      const LightField& after, const LightField& before);
+
+/// Adds a coarse correction to a fine field, trilinear between nodes.
+void addProlonged(const TransportLevel& fine, const TransportLevel& coarse,
+                  const LightField& correction, LightField& field);
+
+}  // namespace neph
