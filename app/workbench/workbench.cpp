@@ -64,7 +64,6 @@ class Workbench {
     std::unique_ptr<Slot> makeSlot();
     void offerServices();
     void openFirst(const SceneRequest& request, bool cameraAsked);
-    void frameOpened();
     void takeInput();
     void open(const std::vector<std::filesystem::path>& files);
     bool drawImages();
@@ -138,18 +137,6 @@ void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
     } else {
         const auto time = request.times ? std::optional(request.times->first) : std::nullopt;
         session().open(request.files, time, request.region, cameraAsked);
-    }
-}
-
-/// Data that were opened are shown whole, whatever the size of the window, from the side that they
-/// would be seen from.
-void Workbench::frameOpened() {
-    for (Slot* slot : slots_.all()) {
-        Session& opened = slot->session;
-        if (!opened.takeUnframed()) continue;
-        ui::look(opened, View::fit, ui::aspectOf(ui_.layout()));
-        opened.homeCamera = opened.document.camera;
-        opened.history.restart(opened.document);
     }
 }
 
@@ -376,8 +363,10 @@ void Workbench::run() {
         if (host_.wait(waitS())) eventful_ = Clock::now();
         if (script_) playScript();
         takeInput();
-        for (Slot* slot : slots_.all()) slot->takeData();
-        frameOpened();
+        for (Slot* slot : slots_.all()) {
+            slot->takeData();
+            ui::frameOpened(slot->session, ui::aspectOf(ui_.layout()));
+        }
         const bool drew = drawImages();
         handOverImages();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.

@@ -53,6 +53,15 @@ Error notRead(const fs::path& path, const RecognisedFile& known) {
                   .hint = known.step});
 }
 
+/// The first few names, for messages.
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kNamedLeftOut); ++i) {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return names.size() > kNamedLeftOut ? text + ", ..." : text;
+}
+
 /// Names of the folders in a folder, for messages.
 std::string foldersIn(const fs::path& folder) {
     std::vector<std::string> names;
@@ -61,11 +70,7 @@ std::string foldersIn(const fs::path& folder) {
         if (entry.is_directory(code)) names.push_back(entry.path().filename().string());
     }
     std::ranges::sort(names);
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kNamedLeftOut); ++i) {
-        text += (i == 0 ? "" : ", ") + names[i];
-    }
-    return names.size() > kNamedLeftOut ? text + ", ..." : text;
+    return listed(names);
 }
 
 /// Replaces folders by their files, unless a reader accepts the folder as a whole.
@@ -126,7 +131,7 @@ class SeriesMaker {
         describeRest(progress);
         for (Candidate& candidate : candidates_) {
             const bool part = !candidate.description && !candidate.fault;
-            if (part || (candidate.description && isTaken(*candidate.description))) continue;
+            if (part || (candidate.description && isTaken(candidate))) continue;
             sort(candidate);
         }
         for (auto& [folder, left] : leftOut_) note(folder, left);
@@ -229,10 +234,12 @@ class SeriesMaker {
         const std::lock_guard lock(mutex_);
         return claimed_.contains(path.lexically_normal());
     }
-    /// Whether the files that make up a data set are in the series already: two of them may have
-    /// been described at once.
-    bool isTaken(const DatasetInfo& description) {
-        return !description.parts.empty() && !wholes_.insert(description.parts.front()).second;
+    /// Whether a candidate is a part of a data set that is in the series already: two of its files
+    /// may have been described at once.
+    bool isTaken(const Candidate& candidate) {
+        const std::vector<fs::path>& parts = candidate.description->parts;
+        if (std::ranges::find(parts, candidate.path) == parts.end()) return false;
+        return !wholes_.insert(parts.front()).second;
     }
 
     void describe(Candidate& candidate, const Progress& progress) {
@@ -297,14 +304,6 @@ class SeriesMaker {
                       .expected = gridText(first.description),
                       .hint = "open each domain of a nested run, and each position of a nest that "
                               "moves, by itself"});
-    }
-
-    static std::string listed(const std::vector<std::string>& names) {
-        std::string text;
-        for (std::size_t i = 0; i < std::min(names.size(), kNamedLeftOut); ++i) {
-            text += (i == 0 ? "" : ", ") + names[i];
-        }
-        return names.size() > kNamedLeftOut ? text + ", ..." : text;
     }
 
     void note(const fs::path& folder, const LeftOut& left) {

@@ -356,20 +356,13 @@ Contents Case::describe() {
     return std::move(contents_);
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether a folder has a hydrometeor that MicroHH wrote.
 bool holdsHydrometeors(const std::string& folder) {
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
+    return std::ranges::any_of(fs::directory_iterator(folder, error), [](const auto& entry) {
         const auto name = fieldName(entry.path().filename().string());
-        if (name && (name->variable == "ql" || name->variable == "qr" || name->variable == "qi")) {
-            return true;
-        }
-    }
-    return false;
+        return name && (name->variable == "ql" || name->variable == "qr" || name->variable == "qi");
+    });
 }
 
 }  // namespace

@@ -16,133 +16,90 @@ namespace {
 constexpr const char* kBrick =
     "write its hydrometeors, heights and density as plain numbers (numpy's tofile) with a "
     "nephoscope-brick sidecar: docs/raw-les.md";
+constexpr const char* kWrfout = "open the wrfout files that wrf.exe writes";
+constexpr const char* kCm1 = "is CM1 output in NetCDF, which is not read yet";
+constexpr const char* kCm1Step =
+    "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields as "
+    "numbers with a nephoscope-brick sidecar: docs/raw-les.md";
+constexpr const char* kIconStep =
+    "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
+    "nephoscope-brick sidecar: docs/raw-les.md";
 
-/// A kind of file. Every mark that is not empty must be there; names in one list are alternatives.
+/// A kind of file, by its marks: all that are given must be there.
 struct Kind {
     const char* is;
-    std::array<const char*, 4> dimensions;  ///< all of them
-    std::array<const char*, 3> variables;   ///< any of them; none: does not matter
-    const char* attribute;                  ///< a global attribute that must be there; or null
-    const char* text;                       ///< in that attribute; or null
     const char* hint;
+    std::array<const char*, 4> dimensions{};  ///< all of them
+    std::array<const char*, 3> variables{};   ///< one of them
+    const char* attribute = nullptr;          ///< global
+    const char* text = nullptr;               ///< in that attribute
 };
-constexpr const char* kAtt = nullptr;
 constexpr std::array kKinds{
-    Kind{"is input of real.exe (met_em) and holds no model output",
-         {"num_metgrid_levels"},
-         {},
-         kAtt,
-         kAtt,
-         "open the wrfout files that wrf.exe writes"},
-    Kind{"is static geography (geo_em) and holds no model output",
-         {},
-         {"LU_INDEX"},
-         "TITLE",
-         "GEOGRID",
-         "open the wrfout files that wrf.exe writes"},
-    Kind{"is a file of analysis nudging (wrffdda)",
-         {},
-         {"U_NDG_OLD", "U_NDG_NEW"},
-         kAtt,
-         kAtt,
-         "open the wrfout files of the run"},
-    Kind{"is a file of lateral boundaries (wrfbdy)",
-         {"bdy_width"},
-         {},
-         kAtt,
-         kAtt,
-         "open the wrfout files of the run"},
-    Kind{"is CM1 output in NetCDF, which is not read yet",
-         {},
-         {},
-         "CM1 version",
-         kAtt,
-         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
-         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is CM1 output in NetCDF, which is not read yet",
-         {"xh", "yh", "zh"},
-         {"qc", "prs", "th"},
-         kAtt,
-         kAtt,
-         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
-         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is CM1 output in NetCDF, which is not read yet",
-         {"ni", "nj", "nk"},
-         {},
-         kAtt,
-         kAtt,
-         "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields "
-         "as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is PALM output, which is not read yet", {"zu_3d"}, {}, kAtt, kAtt, kBrick},
-    Kind{"is PALM output, which is not read yet", {}, {}, "title", "PALM", kBrick},
-    Kind{"is DALES output, which is not read yet", {"xt", "yt", "zt"}, {}, kAtt, kAtt, kBrick},
-    Kind{"is MONC output, which is not read yet", {}, {"options_database"}, kAtt, kAtt, kBrick},
-    Kind{"is SAM output, which is not read yet", {}, {"QN", "TABS", "QCOND"}, kAtt, kAtt, kBrick},
-    Kind{"is ICON output on its triangular grid",
-         {"ncells"},
-         {},
-         kAtt,
-         kAtt,
-         "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
-         "nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is ICON output",
-         {},
-         {},
-         "number_of_grid_used",
-         kAtt,
-         "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
-         "nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is MPAS output on its hexagonal grid",
-         {"nCells", "nVertLevels"},
-         {},
-         kAtt,
-         kAtt,
-         "remap it to an even grid (convert_mpas), then write its fields as numbers with a "
-         "nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"is FV3 (UFS) output, which is not read yet",
-         {"grid_xt", "grid_yt"},
-         {},
-         kAtt,
-         kAtt,
-         kBrick},
-    Kind{"is COSMO output, which is not read yet",
-         {"rlon", "rlat", "level"},
-         {},
-         kAtt,
-         kAtt,
-         kBrick},
-    Kind{"is a restart file of RAMS or BRAMS, which is not read",
-         {},
-         {"RCP", "RRP", "THP"},
-         kAtt,
-         kAtt,
-         kBrick},
+    Kind{.is = "is input of real.exe (met_em) and holds no model output",
+         .hint = kWrfout,
+         .dimensions = {"num_metgrid_levels"}},
+    Kind{.is = "is static geography (geo_em) and holds no model output",
+         .hint = kWrfout,
+         .variables = {"LU_INDEX"},
+         .attribute = "TITLE",
+         .text = "GEOGRID"},
+    Kind{.is = "is a file of analysis nudging (wrffdda)",
+         .hint = kWrfout,
+         .variables = {"U_NDG_OLD", "U_NDG_NEW"}},
+    Kind{.is = "is a file of lateral boundaries (wrfbdy)",
+         .hint = kWrfout,
+         .dimensions = {"bdy_width"}},
+    Kind{.is = kCm1, .hint = kCm1Step, .attribute = "CM1 version"},
+    Kind{.is = kCm1,
+         .hint = kCm1Step,
+         .dimensions = {"xh", "yh", "zh"},
+         .variables = {"qc", "prs", "th"}},
+    Kind{.is = kCm1, .hint = kCm1Step, .dimensions = {"ni", "nj", "nk"}},
+    Kind{.is = "is PALM output, which is not read yet", .hint = kBrick, .dimensions = {"zu_3d"}},
+    Kind{.is = "is PALM output, which is not read yet",
+         .hint = kBrick,
+         .attribute = "title",
+         .text = "PALM"},
+    Kind{.is = "is DALES output, which is not read yet",
+         .hint = kBrick,
+         .dimensions = {"xt", "yt", "zt"}},
+    Kind{.is = "is MONC output, which is not read yet",
+         .hint = kBrick,
+         .variables = {"options_database"}},
+    Kind{.is = "is SAM output, which is not read yet",
+         .hint = kBrick,
+         .variables = {"QN", "TABS", "QCOND"}},
     Kind{
-        "is MicroHH output that 3d_to_nc.py made",
-        {"x", "y", "z"},
-        {"ql", "qr", "qt"},
-        kAtt,
-        kAtt,
-        "open the case directory with the model's own binary files, where heights and density are, "
-        "or write the fields as numbers with a nephoscope-brick sidecar: docs/raw-les.md"},
-    Kind{"holds data on pressure levels (a reanalysis or an analysis)",
-         {"pressure_level"},
-         {},
-         kAtt,
-         kAtt,
-         kBrick},
-    Kind{"holds data on a grid of latitude and longitude",
-         {"latitude", "longitude", "level"},
-         {},
-         kAtt,
-         kAtt,
-         kBrick},
-    Kind{"holds data on pressure levels (a reanalysis or an analysis)",
-         {"isobaricInhPa"},
-         {},
-         kAtt,
-         kAtt,
-         kBrick},
+        .is = "is ICON output on its triangular grid", .hint = kIconStep, .dimensions = {"ncells"}},
+    Kind{.is = "is ICON output", .hint = kIconStep, .attribute = "number_of_grid_used"},
+    Kind{.is = "is MPAS output on its hexagonal grid",
+         .hint = "remap it to an even grid (convert_mpas), then write its fields as numbers with a "
+                 "nephoscope-brick sidecar: docs/raw-les.md",
+         .dimensions = {"nCells", "nVertLevels"}},
+    Kind{.is = "is FV3 (UFS) output, which is not read yet",
+         .hint = kBrick,
+         .dimensions = {"grid_xt", "grid_yt"}},
+    Kind{.is = "is COSMO output, which is not read yet",
+         .hint = kBrick,
+         .dimensions = {"rlon", "rlat", "level"}},
+    Kind{.is = "is a restart file of RAMS or BRAMS, which is not read",
+         .hint = kBrick,
+         .variables = {"RCP", "RRP", "THP"}},
+    Kind{.is = "is MicroHH output that 3d_to_nc.py made",
+         .hint = "open the case directory with the model's own binary files, where heights and "
+                 "density are, or write the fields as numbers with a nephoscope-brick sidecar: "
+                 "docs/raw-les.md",
+         .dimensions = {"x", "y", "z"},
+         .variables = {"ql", "qr", "qt"}},
+    Kind{.is = "holds data on pressure levels (a reanalysis or an analysis)",
+         .hint = kBrick,
+         .dimensions = {"pressure_level"}},
+    Kind{.is = "holds data on pressure levels (a reanalysis or an analysis)",
+         .hint = kBrick,
+         .dimensions = {"isobaricInhPa"}},
+    Kind{.is = "holds data on a grid of latitude and longitude",
+         .hint = kBrick,
+         .dimensions = {"latitude", "longitude", "level"}},
 };
 
 bool matches(const Kind& kind, const NcFile& file) {

@@ -19,10 +19,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-ErrorParts openError(const std::filesystem::path& path) {
-    return errorOf([&] { openFiles({path}); });
-}
-
 void writeText(const std::filesystem::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }

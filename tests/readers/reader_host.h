@@ -30,6 +30,11 @@ neph::ErrorParts errorOf(Work&& work) {
     return {};
 }
 
+/// The parts of the Error with which opening a file or folder fails.
+inline neph::ErrorParts openError(const std::filesystem::path& path) {
+    return errorOf([&] { openFiles({path}); });
+}
+
 /// Whether one of the notes contains `text`.
 inline bool hasNote(const neph::DatasetInfo& info, std::string_view text) {
     for (const std::string& note : info.notes) {

@@ -266,6 +266,10 @@ void truncateTo(const std::filesystem::path& path, std::uintmax_t bytes) {
     age(path);
 }
 
+void putReals(int file, int variable, const char* name, const std::vector<double>& values) {
+    require(nc_put_att_double(file, variable, name, NC_DOUBLE, values.size(), values.data()));
+}
+
 void age(const std::filesystem::path& path) {
     std::filesystem::last_write_time(
         path, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));

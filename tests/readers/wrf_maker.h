@@ -59,6 +59,18 @@ void writeWrf(const std::filesystem::path& path, const WrfSpec& spec);
 /// A NetCDF-3 file that is not WRF output: temperature on lat, lon, level.
 void writeOtherNetcdf(const std::filesystem::path& path);
 
+/// A number that identifies the cell and time that it belongs to.
+inline float marked(int x, int y, int z, int t) {
+    return 1e-6f * static_cast<float>(1 + x + 10 * y + 100 * z + 1000 * t);
+}
+
+inline FieldFunction everywhere(float value) {
+    return [value](int, int, int, int) { return value; };
+}
+
+/// An attribute of real numbers, while the file is being defined.
+void putReals(int file, int variable, const char* name, const std::vector<double>& values);
+
 /// Makes a file look as if nobody had written to it for an hour.
 void age(const std::filesystem::path& path);
 

@@ -17,11 +17,6 @@ using namespace neph;
 
 namespace {
 
-/// A number that identifies the cell and time that it belongs to.
-float tagged(int x, int y, int z, int t) {
-    return 1e-6f * static_cast<float>(x + 10 * y + 100 * z + 1000 * t);
-}
-
 /// Bytes that this process has read so far; nothing if the system does not count them.
 std::optional<std::uint64_t> bytesRead() {
     std::ifstream io("/proc/self/io");
@@ -42,7 +37,7 @@ TEST_CASE("NetCDF-3 classic, 64-bit offset and NetCDF-4 files read the same") {
         spec.format = format;
         spec.mpPhysics = 8;
         spec.times = {"2024-05-06_21:00:00", "2024-05-06_21:15:00"};
-        spec.fields["QCLOUD"] = tagged;
+        spec.fields["QCLOUD"] = marked;
         const auto path = folder / "wrfout_d01_2024-05-06_21:00:00";
         writeWrf(path, spec);
         const auto dataset = openFiles({path});
@@ -57,22 +52,22 @@ TEST_CASE("NetCDF-3 classic, 64-bit offset and NetCDF-4 files read the same") {
         CHECK(info.times[1].seconds == 900.0);
         const Array3f cloud = dataset->read("QCLOUD", 1);
         REQUIRE(cloud.size == glm::ivec3(4, 3, 5));
-        CHECK(cloud.at(3, 2, 4) == tagged(3, 2, 4, 1));
-        CHECK(cloud.at(1, 0, 2) == tagged(1, 0, 2, 1));
-        CHECK(dataset->read("QCLOUD", 0).at(3, 2, 4) == tagged(3, 2, 4, 0));
+        CHECK(cloud.at(3, 2, 4) == marked(3, 2, 4, 1));
+        CHECK(cloud.at(1, 0, 2) == marked(1, 0, 2, 1));
+        CHECK(dataset->read("QCLOUD", 0).at(3, 2, 4) == marked(3, 2, 4, 0));
     }
 }
 
 TEST_CASE("A box of a variable equals that part of the whole field") {
     const TemporaryFolder folder;
     WrfSpec spec;
-    spec.fields["QCLOUD"] = tagged;
+    spec.fields["QCLOUD"] = marked;
     writeWrf(folder / "a", spec);
     const auto dataset = openFiles({folder / "a"});
     const Array3f part = dataset->read("QCLOUD", 0, CellBox{{1, 1, 2}, {3, 3, 5}});
     REQUIRE(part.size == glm::ivec3(2, 2, 3));
-    CHECK(part.at(0, 0, 0) == tagged(1, 1, 2, 0));
-    CHECK(part.at(1, 1, 2) == tagged(2, 2, 4, 0));
+    CHECK(part.at(0, 0, 0) == marked(1, 1, 2, 0));
+    CHECK(part.at(1, 1, 2) == marked(2, 2, 4, 0));
     for (const CellBox& box : {CellBox{{0, 0, 0}, {5, 3, 5}}, CellBox{{-1, 0, 0}, {1, 1, 1}},
                                CellBox{{2, 0, 0}, {2, 1, 1}}}) {
         CHECK(contains(errorOf([&] { dataset->read("QCLOUD", 0, box); }).what, "box"));
@@ -133,9 +128,9 @@ TEST_CASE("Interface heights are (PH+PHB)/9.81 on one level more than the cells"
 TEST_CASE("Species that the file lacks are absent; the others have role, species and unit") {
     const TemporaryFolder folder;
     WrfSpec spec;
-    spec.fields["QNRAIN"] = tagged;
-    spec.fields["RE_CLOUD"] = tagged;
-    spec.fields["QHAIL"] = tagged;
+    spec.fields["QNRAIN"] = marked;
+    spec.fields["RE_CLOUD"] = marked;
+    spec.fields["QHAIL"] = marked;
     writeWrf(folder / "a", spec);
     const DatasetInfo info = openFiles({folder / "a"})->info();
     for (const Species absent : {Species::ice, Species::snow, Species::graupel}) {
@@ -155,14 +150,14 @@ TEST_CASE("Species that the file lacks are absent; the others have role, species
 TEST_CASE("All other fields are listed and readable, staggered ones with their own size") {
     const TemporaryFolder folder;
     WrfSpec spec;
-    spec.fields["U"] = tagged;
-    spec.fields["W"] = tagged;
+    spec.fields["U"] = marked;
+    spec.fields["W"] = marked;
     writeWrf(folder / "a", spec);
     const auto dataset = openFiles({folder / "a"});
     REQUIRE(dataset->info().find("U") != nullptr);
     CHECK(dataset->info().find("U")->size == glm::ivec3(5, 3, 5));
-    CHECK(dataset->read("U", 0).at(4, 2, 4) == tagged(4, 2, 4, 0));
-    CHECK(dataset->read("W", 0).at(3, 2, 5) == tagged(3, 2, 5, 0));
+    CHECK(dataset->read("U", 0).at(4, 2, 4) == marked(4, 2, 4, 0));
+    CHECK(dataset->read("W", 0).at(3, 2, 5) == marked(3, 2, 5, 0));
 }
 
 TEST_CASE("Opening reads no field: a file without field data still has a description") {
@@ -212,7 +207,7 @@ TEST_CASE("Two datasets are read from two threads at once") {
     const TemporaryFolder folder;
     WrfSpec spec;
     spec.format = NetcdfFormat::netcdf4;
-    spec.fields["QCLOUD"] = tagged;
+    spec.fields["QCLOUD"] = marked;
     writeWrf(folder / "a", spec);
     writeWrf(folder / "b", spec);
     int wrong = 0;
@@ -223,7 +218,7 @@ TEST_CASE("Two datasets are read from two threads at once") {
             for (int i = 0; i < 20; ++i) {
                 const float value = openFiles({path})->read("QCLOUD", 0).at(3, 2, 4);
                 const std::scoped_lock lock(mutex);
-                if (value != tagged(3, 2, 4, 0)) ++wrong;
+                if (value != marked(3, 2, 4, 0)) ++wrong;
             }
         });
     }

@@ -42,6 +42,13 @@ void look(Session& session, View view, double aspect) {
     session.document.camera = framed(view, session.document.camera, *session.shown(), aspect);
 }
 
+void frameOpened(Session& session, double aspect) {
+    if (!session.takeUnframed()) return;
+    look(session, View::fit, aspect);
+    session.homeCamera = session.document.camera;
+    session.history.restart(session.document);
+}
+
 void lookFromGround(Session& session, CameraTools& tools) {
     const RegularGrid grid = gridOf(session);
     CameraPose& pose = session.document.camera;

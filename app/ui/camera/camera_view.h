@@ -19,6 +19,10 @@ double aspectOf(const Layout& layout);
 /// are there.
 void look(Session& session, View view, double aspect);
 
+/// Data that were opened are shown whole in an image of `aspect`, from the side that they would be
+/// seen from; that view is home, and no step of the history.
+void frameOpened(Session& session, double aspect);
+
 /// From the ground, in the eye's direction from the target, to the target.
 void lookFromGround(Session& session, CameraTools& tools);
 
