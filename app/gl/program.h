@@ -33,6 +33,9 @@ class Program {
     void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
+    void setIvec3(int location, glm::ivec3 value) const {
+        glProgramUniform3i(name_, location, value.x, value.y, value.z);
+    }
     void setVec3(int location, glm::vec3 value) const {
         glProgramUniform3f(name_, location, value.x, value.y, value.z);
     }

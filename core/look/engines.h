@@ -41,6 +41,7 @@ struct EngineTraits {
     /// Light is scattered once, and parameters make it look like more: forward shares, skylight,
     /// phase display.
     bool singleScattering = false;
+    bool scattersOften = false;  ///< knows Transport::full
     bool printedLight = false;  ///< knows Eq. 14-17 as [Riley03] prints them
     bool groundTruth = false;   ///< what other engines are compared with; true of one
     bool layers = false;        ///< knows an image's variance, transmittance and depths

@@ -14,7 +14,7 @@
 
 namespace neph {
 
-enum class Transport : int { lowAlbedo, translucent };
+enum class Transport : int { lowAlbedo, translucent, full };
 enum class PhaseMode : int { uniform, perField };
 enum class ExtinctionMode : int { physical, equal };
 /// How extinction follows from a radius that comes from the model: large spheres, or the fits of

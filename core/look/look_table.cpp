@@ -77,9 +77,12 @@ void addModes(std::vector<Parameter>& table) {
         {{"low_albedo", "Low albedo",
           "Beer-Lambert alone: what is scattered is lost. Dark, for thin or absorbing media."},
          {"translucent", "Translucent",
-          "Light scattered nearly forward goes on to light what lies behind, Eq. 12, 14-17."}},
-        "How sunlight reaches a sample: Beer-Lambert alone, or with forward scattering "
-        "(Eq. 12, 14-17).");
+          "Light scattered nearly forward goes on to light what lies behind, Eq. 12, 14-17."},
+         {"full", "Full",
+          "Light scattered any number of times, in every direction, by the march; physical "
+          "radiance. Half-angle slicing shows Translucent instead. docs/transport.md"}},
+        "How light reaches a sample: Beer-Lambert alone, with forward scattering (Eq. 12, 14-17), "
+        "or after any number of scatterings.");
     transport.engines = kSingleScattering;
     transport.part = ParameterPart::light;
     rows.choice("phase", "Phase", &Look::phaseMode, Stage::medium,
@@ -209,6 +212,11 @@ void addSampling(std::vector<Parameter>& table) {
         "where much is. The error falls with its square. docs/performance.md");
     quality.engines = enginesWith(&EngineTraits::fineness, Fineness::stepsPerVoxel);
     quality.alias = {"--quality", "NUMBER", "Steps per voxel, march; instead of view.quality"};
+    rows.integer("light_voxels", "Voxels of light", "1", &Sampling::lightVoxels,
+                 {1000, 20000000, true}, Stage::light,
+                 "Most voxels in which full transport is solved, in the box of what is occupied. "
+                 "docs/transport.md")
+        .engines = enginesWith(&EngineTraits::scattersOften, true);
     Parameter& error =
         rows.number("target_error", "Target error", "1", &Sampling::targetError,
                     {0.0005, 0.5, true}, Stage::resolve,

@@ -3,8 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
+
+double SkyLight::radianceAt(double up) const {
+    const glm::vec3 radiance =
+        glsl::skyRadiance(static_cast<float>(up), glm::vec3(static_cast<float>(zenith)),
+                          glm::vec3(static_cast<float>(horizon)));
+    return static_cast<double>(radiance.x);
+}
+
+double SkyLight::irradiance() const {
+    constexpr int kBands = 2000;
+    double sum = 0.0;
+    for (int i = 0; i < kBands; ++i) {
+        const double up = (i + 0.5) / kBands;
+        sum += 2.0 * std::numbers::pi / kBands * up * radianceAt(up);
+    }
+    return sum;
+}
 
 double forwardShare(const LightClass& light, bool aligned, double thickness) {
     // What is kept of the phase function ends at l = 2, or at l = 8 where the nodes are thin.

@@ -32,14 +32,26 @@ struct LightMedium {
 /// Light comes from one source at a time; the answers to both add up.
 enum class LightSource : int {
     sun,  ///< irradiance 1 on a plane across the beam; the sky is dark
-    sky   ///< radiance 1 from every direction above the horizon; the sun is dark
+    sky   ///< the sky above the horizon; the sun is dark
+};
+
+/// Radiance of a sky from zenith to horizon as shaders/lib/sky.glsl has it.
+struct SkyLight {
+    double zenith = 1.0, horizon = 1.0;
+    /// `up` is the sine of the elevation, above the horizon.
+    double radianceAt(double up) const;
+    /// On a level surface.
+    double irradiance() const;
+    bool operator==(const SkyLight&) const = default;
 };
 
 struct LightScene {
     LightSource source = LightSource::sun;
     glm::dvec3 towardsSun{0.0, 0.0,
                           1.0};  ///< unit vector; at or below the horizon there is no beam
+    SkyLight sky;                ///< if it is the source
     double groundAlbedo = 0.0;   ///< Lambert, also of the ground beyond open sides
+    double groundRadiance = 0.0;  ///< comes up from below besides
     bool periodicSides = false;
 };
 

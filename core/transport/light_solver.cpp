@@ -58,15 +58,17 @@ LightField LightSolver::sweepFine(const LightDirections& directions) const {
     input.sunTravel = -scene_.towardsSun;
     const double sine = scene_.towardsSun.z;
     if (hasBeam()) input.beam = beam_.data();
-    if (scene_.source == LightSource::sky) input.skyRadiance = 1.0f;
-    const double farFlux =
-        hasBeam() ? sine : static_cast<double>(input.skyRadiance) * std::numbers::pi;
+    if (scene_.source == LightSource::sky) input.sky = scene_.sky;
+    const double farFlux = hasBeam() ? sine : input.sky.irradiance();
     const double perFlux = scene_.groundAlbedo / std::numbers::pi;
-    input.farGroundRadiance = static_cast<float>(perFlux * farFlux);
+    const auto upwards = [&](double flux) {
+        return static_cast<float>(scene_.groundRadiance + perFlux * flux);
+    };
+    input.farGroundRadiance = upwards(farFlux);
     for (std::size_t i = 0; i < field_.groundFlux.size(); ++i) {
         const double direct = hasBeam() ? sine * static_cast<double>(beam_[i]) : 0.0;
         input.groundRadiance.push_back(
-            static_cast<float>(perFlux * (direct + static_cast<double>(field_.groundFlux[i]))));
+            upwards(direct + static_cast<double>(field_.groundFlux[i])));
     }
     return swept(input, directions, settings_.threads);
 }

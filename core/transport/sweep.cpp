@@ -96,7 +96,8 @@ DirectionSweep<kMoments>::DirectionSweep(const SweepInput& input, const LightDir
     midTaps_ = SliceTaps(offsetB_ / 2.0f, offsetC_ / 2.0f);
     shape_ = {grid_.nodes[axisB_], grid_.nodes[axisC_], grid_.periodic(axisB_),
               grid_.periodic(axisC_)};
-    inflow_ = travel_.z < 0.0f ? input.skyRadiance : input.farGroundRadiance;
+    inflow_ = travel_.z < 0.0f ? static_cast<float>(input.sky.radianceAt(-direction.travel.z))
+                               : input.farGroundRadiance;
     value_ = harmonicsAt(direction.travel, input.sunTravel);
     for (std::size_t q = 0; q < value_.size(); ++q) weighted_[q] = weight_ * value_[q];
     const auto legendre = legendreAt<kAlignedDegrees>(glm::dot(direction.travel, input.sunTravel));

@@ -16,7 +16,7 @@ struct SweepInput {
     const LightField* field = nullptr;  ///< what is scattered, besides the beam
     const float* beam = nullptr;        ///< irradiance across the beam at every node, or null
     glm::dvec3 sunTravel{0.0};
-    float skyRadiance = 0.0f;           ///< enters from above
+    SkyLight sky{0.0, 0.0};             ///< enters from above
     float farGroundRadiance = 0.0f;     ///< enters upwards through open sides
     std::vector<float> groundRadiance;  ///< leaves the ground
     bool cubic = true;                  ///< interpolation upwind; linear if not

@@ -6,6 +6,10 @@
 #include "../shared/light_layout.glsl"
 
 layout(binding = kLightUnit) uniform sampler2DArray t_light;
+#if FULL
+// Irradiance of diffuse light / pi.
+layout(binding = kGroundLightUnit) uniform sampler2D t_groundLight;
+#endif
 
 /// Share of sunlight that reaches a point of the ground.
 float sunOnGround(vec3 positionM, int lastLayer) {
@@ -16,12 +20,25 @@ float sunOnGround(vec3 positionM, int lastLayer) {
     return textureLod(t_light, vec3(at, lastLayer), 0.0).r;
 }
 
+#if FULL
+vec3 groundLight(vec3 positionM, float sun) {
+    vec2 at = positionM.xy * u_.lightPerM.xy + u_.lightOffset.xy;
+    bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
+    vec3 diffuse = known ? textureLod(t_groundLight, at, 0.0).rgb : u_.farGround.rgb;
+    // Irradiance / pi of a sun of this radiance: shaders/medium/phases.glsl.
+    return 4.0 * max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;
+}
+#else
+vec3 groundLight(vec3 positionM, float sun) {
+    return u_.sunRadiance.rgb * max(u_.towardsSun.z, 0.0) * sun + u_.ambient.rgb;
+}
+#endif
+
 vec3 backdrop(Ray ray, int lastLayer) {
     if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
     if (groundM <= 0.0) return skyRadiance(ray.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
-    float high = max(u_.towardsSun.z, 0.0);
-    float sun = sunOnGround(ray.originM + groundM * ray.dir, lastLayer);
-    vec3 light = u_.sunRadiance.rgb * high * sun + u_.ambient.rgb;
+    vec3 positionM = ray.originM + groundM * ray.dir;
+    vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
     return hazyGround(u_.ground.rgb * light, u_.skyHorizon.rgb, groundM);
 }

@@ -15,6 +15,7 @@ using namespace glm;
 
 #include "shaders/lib/constants.glsl"
 #include "shaders/lib/directions.glsl"
+#include "shaders/lib/harmonics.glsl"
 #include "shaders/lib/noise.glsl"
 #include "shaders/lib/optics.glsl"
 #include "shaders/lib/phase_cornette_shanks.glsl"

@@ -55,6 +55,10 @@ float meanAlbedo(MediumSample s, float extinctionPerM) {
 
 float lightBeyond(vec2 at, float centre, vec3 positionM) {
     MediumSample s = sampleMedium(positionM);
+#if FULL
+    float thickness = thicknessAt(positionM);
+    for (int i = 0; i < CLASSES; ++i) s.extinctionPerM[i] *= scaledShare(i, thickness);
+#endif
     float extinctionPerM = totalExtinctionPerM(s);
     float opticalDepth = extinctionPerM * u_.towardsSun.w;
 #if !TRANSLUCENT

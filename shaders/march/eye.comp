@@ -39,6 +39,11 @@ layout(r32ui, binding = kMarchTakenImage) readonly uniform uimage2D i_taken;
 layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 #endif
 
+#if FULL
+// What voxels of light send towards the eye by scattering diffuse light, per unit of scaled depth.
+layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
+#endif
+
 const int kRun = 4;
 const float kOpaque = 0.005;  // transmittance below which a ray ends
 const float kLog2E = 1.44269504;
@@ -156,6 +161,19 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
     Detail detail = detailOf(mixture);
     vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / float(kNoiseSize);
 #endif
+#if FULL
+    float thickness = thicknessAt(middleM);
+    float kept = 0.0;
+    vec3 single = vec3(0.0);
+    vec3 colour = vec3(0.0);
+    for (int i = 0; i < CLASSES; ++i) {
+        kept += mixture.share[i] * scaledShare(i, thickness);
+        single += mixture.share[i] * sunlit[i];
+        colour += mixture.share[i] * u_.classes[i].colourAlbedo.rgb;
+    }
+    single /= kept;
+    colour /= max(dot(colour, kLuminance), 1e-6);
+#endif
     float lit = 0.0;
     float before = eye.through;
     for (int i = 0; i < kRun; ++i) {
@@ -166,15 +184,24 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
 #if NOISE
         depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, detail);
 #endif
+#if FULL
+        float through = eye.through * exp2(-kept * depth);
+        vec3 diffuse = textureLod(t_source, lightVoxelAt(path.ray.originM + sampleM * path.ray.dir),
+                                  0.0).rgb;
+        eye.radiance += (eye.through - through) * max(medium.g * single + colour * diffuse, 0.0);
+#else
         float through = eye.through * exp2(-depth);
         lit += (eye.through - through) * medium.g;
+#endif
         eye.through = through;
     }
+#if !FULL
     float seen = (before - eye.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
         eye.radiance += mixture.share[i] *
                         (lit * sunlit[i] + seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
     }
+#endif
 }
 #endif
 

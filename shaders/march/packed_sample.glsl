@@ -12,6 +12,11 @@ layout(binding = kMarchMixture0Unit) uniform sampler3D t_mixture0;
 #if MIXTURE_TEXTURES > 1
 layout(binding = kMarchMixture1Unit) uniform sampler3D t_mixture1;  // rgb: classes 3 to 5
 #endif
+#if FULL
+// Half of how thick a voxel of light is.
+layout(binding = kMarchThicknessUnit) uniform sampler3D t_thickness;
+#endif
+
 struct Mixture {
     float skylight;
     float share[CLASSES];  ///< of the extinction; they add to 1
@@ -51,3 +56,23 @@ MediumSample sampleMedium(vec3 positionM) {
 #endif
     return s;
 }
+
+#if FULL
+/// Place of a point in textures of the voxels of light.
+vec3 lightVoxelAt(vec3 positionM) {
+    return positionM * u_.lightPerM.xyz + u_.lightOffset.xyz;
+}
+
+/// How thick the voxels of light are around a point: 0 thin, 1 thick, 2 very thick.
+float thicknessAt(vec3 positionM) {
+    return 2.0 * textureLod(t_thickness, lightVoxelAt(positionM), 0.0).r;
+}
+
+/// Share of the extinction of a class that is left where light scattered forward counts as not
+/// scattered. docs/transport.md
+float scaledShare(int index, float thickness) {
+    vec4 forward = u_.classes[index].forward;
+    return 1.0 - mix(mix(forward.x, forward.y, min(thickness, 1.0)), forward.z,
+                     max(thickness - 1.0, 0.0));
+}
+#endif

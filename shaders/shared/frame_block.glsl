@@ -15,6 +15,8 @@ const int kMaxClasses = kSpeciesCount;  // each species may be a class of its ow
 struct ClassBlock {
     vec4 colourAlbedo;  ///< rgb: colour × single-scattering albedo; w: albedo
     vec4 noise;         ///< x: amount, y: 1 / tile length in m, z: 0 billow, 1 wisp
+    vec4 forward;  ///< albedo times the share of light that counts as not scattered, where voxels
+                   ///< of light are thin (x), thick (y) and very thick (z)
 };
 
 struct FrameBlock {
@@ -35,6 +37,9 @@ struct FrameBlock {
     vec4 mixtureExtentM;  ///< of the half-resolution texture of the march
     vec4 brickM;          ///< size of an occupancy brick
     vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
+    vec4 lightPerM;       ///< of the voxels of light: their texture's coordinate is a point
+    vec4 lightOffset;     ///< times this and this added
+    vec4 farGround;       ///< rgb: sky's irradiance / pi on ground that no cloud shades
     vec4 sunRadiance;     ///< rgb: colour × intensity
     vec4 skyZenith;       ///< rgb × intensity
     vec4 skyHorizon;      ///< rgb × intensity

@@ -6,6 +6,7 @@
 const int kLightTile = 16;
 
 const int kLightUnit = 4;
+const int kGroundLightUnit = 11;
 const int kLightImage = 0;
 const int kLightTilesBuffer = 3;
 const int kLightLayerLocation = 0;

@@ -10,6 +10,8 @@ const int kMarchMixture0Unit = 1;
 const int kMarchMixture1Unit = 5;
 const int kMarchBlueNoiseUnit = 6;
 const int kMarchFloorUnit = 7;
+const int kMarchThicknessUnit = 9;
+const int kMarchSourceUnit = 10;
 
 // eye.comp. Its work groups are squares.
 const int kMarchEyeGroup = 8;
@@ -31,6 +33,25 @@ const int kPackAmountLocation = kPackExtinctionPerTexelLocation + kSpeciesCount;
 const int kPackTexelsPerMLocation = kPackAmountLocation + kSpeciesCount;
 const int kPackCharacterLocation = kPackTexelsPerMLocation + kSpeciesCount;
 const int kPackVoxelLocation = kPackCharacterLocation + kSpeciesCount;
+
+// light_nodes.comp
+const int kNodesExtinctionBuffer = 4;
+const int kNodesFirstVoxelLocation = 0;
+const int kNodesStrideLocation = 1;
+const int kNodesCountLocation = 2;
+
+// source_to_eye.comp. Of each active node as halves, two in a word: moments of the sun, then of the
+// horizon and of the zenith.
+const int kSourceImage = 0;
+const int kSourceNodesBuffer = 4;
+const int kSourceMomentsBuffer = 5;
+const int kSourceCountLocation = 0;
+const int kSourceGroup = 64;
+const int kSunMoments = 15;
+const int kSkyMoments = 9;
+const int kWordsOfSun = (kSunMoments + 1) / 2;
+const int kWordsOfSky = (2 * kSkyMoments + 1) / 2;
+const int kWordsOfNode = kWordsOfSun + kWordsOfSky;
 
 // pack_mixture.comp
 const int kPackMixture0Image = 0;

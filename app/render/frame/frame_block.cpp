@@ -10,7 +10,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 25 * 16 + block::kMaxClasses * 32, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 28 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -22,7 +22,8 @@ vec4 v4(dvec3 v, double w = 0.0) {
 block::ClassBlock classBlock(const MediumClass& c) {
     const float perTile = 1.0f / (glsl::kDetailFeaturesPerTile * c.noiseScaleM);
     const float character = c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f;
-    return {vec4(c.colour * c.albedo, c.albedo), vec4(c.noiseAmount, perTile, character, 0.0f)};
+    return {vec4(c.colour * c.albedo, c.albedo), vec4(c.noiseAmount, perTile, character, 0.0f),
+            vec4(0.0f)};
 }
 
 void fillView(FrameBlock& block, const Camera& camera, const RegularGrid& grid,
@@ -90,7 +91,7 @@ std::vector<std::string> lightDefines(const Look& look, const MediumPlan& medium
     // An array has at least one element.
     return {fmt::format("CLASSES {}", std::max<std::size_t>(medium.classes.size(), 1)),
             fmt::format("NOISE {}", isNoisy(medium) ? 1 : 0),
-            fmt::format("TRANSLUCENT {}", look.transport == Transport::translucent ? 1 : 0),
+            fmt::format("TRANSLUCENT {}", look.transport == Transport::lowAlbedo ? 0 : 1),
             fmt::format("CONSISTENT {}", consistent ? 1 : 0)};
 }
 

@@ -18,7 +18,8 @@ using namespace glm;
 }  // namespace block
 using block::FrameBlock;
 
-/// All but what is an engine's own: `slices.yz`, `sampling.x` and `march`.
+/// All but what is an engine's own: `slices.yz`, `sampling.x`, `march`, what is known of voxels of
+/// light, and `forward` of the classes.
 FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
                           const BrickMap& bricks, const MediumPlan& medium,
                           const SlicePlan& slices);

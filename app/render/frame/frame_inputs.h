@@ -33,6 +33,9 @@ struct FrameInputs : ParameterSet {
     /// Light at half the resolution, an eighth of the work, where it has to be computed: for a
     /// first image after a change. The march computes it in full for the next image without.
     bool draftLight = false;
+    /// Full transport: wait until the light has settled; else show what there is, once there is
+    /// any.
+    bool settledLight = true;
     bool profile = false;  ///< fill in what FrameStats has for it alone, which costs a little
 };
 

@@ -90,12 +90,25 @@ class BlockOrder {
     std::vector<Spanned> blocks_;
 };
 
+bool isFull(const Look& look) {
+    return look.transport == Transport::full;
+}
+
 std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
-    std::vector<std::string> names = lightDefines(look, medium.plan, true);
+    Look carried = look;  // what reaches a place straight from the sun is solved no further
+    if (isFull(look)) carried.transport = Transport::lowAlbedo;
+    std::vector<std::string> names = lightDefines(carried, medium.plan, true);
     names.push_back("PACKED 1");
+    if (isFull(look)) names.push_back("FULL 1");
     names.push_back("LIGHT_FORMAT r16");
     names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
     return names;
+}
+
+/// Full transport shows radiance: its phase functions are physical.
+Look shownLook(Look look) {
+    if (isFull(look)) look.phaseDisplay = PhaseDisplay::physical;
+    return look;
 }
 
 DetailKinds kindsOf(const MediumPlan& plan) {
@@ -183,15 +196,25 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     if (frame.from <= Stage::light) {
         lit_.reset();
         repack(inputs.look, PackedDetail::voxels, medium, context);
+        takeLightNodes(frame, medium, context);
         carryLight(frame, medium, context);
         lit_ = inputs.look;
         lightIsDraft_ = inputs.draftLight;
         context.stats.marchedLight = true;
     }
+    if (diffuse_) {
+        context.timer.pass("light solved");
+        diffuse_->update(inputs.look, inputs.settledLight, context.progress);
+    }
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
-    context.timer.pass(kEyePass);
-    phases_.update(inputs.look, medium.plan);
+    phases_.update(shownLook(inputs.look), medium.plan);
     bind(frame, medium, context, {0, lastLayer_});
+    if (diffuse_) {
+        context.timer.pass("light to eye");
+        diffuse_->lookFrom(bound_, context.programs.get("march/source_to_eye.comp"));
+        diffuse_->bind();
+    }
+    context.timer.pass(kEyePass);
     if (inputs.profile) openCounts(inputs.sizePx);
     march(frame, context.programs.get("march/eye.comp", eyeDefines(inputs, medium, false)),
           context.progress);
@@ -210,6 +233,8 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     block.sampling.x = frame.sample;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
+    if (diffuse_) diffuse_->fill(block, inputs.look);
+    bound_ = block;
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     medium.extinction.bind(kMarchExtinctionUnit);
@@ -218,6 +243,24 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     if (const gl::Texture* noise = stackedNoise(medium.plan, context)) noise->bind(kNoiseUnit);
     light_.bind(kLightUnit);
     if (medium.second) medium.second.bind(kMarchMixture1Unit);
+}
+
+/// Has the voxels of light hold the medium, where the look asks for them.
+void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
+                                 RenderContext& context) {
+    const Look& look = frame.inputs.look;
+    if (!isFull(look)) {
+        diffuse_.reset();
+        return;
+    }
+    const int voxels = frame.inputs.sampling.lightVoxels;
+    if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
+    context.timer.pass("light voxels");
+    if (!diffuse_) diffuse_.emplace();
+    bind(frame, medium, context, {0, 0});
+    diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
+                         context.programs.get("march/light_nodes.comp", defines(look, medium)));
+    diffuseOf_ = {context.medium.version(), voxels};
 }
 
 /// Carries sunlight through the medium and leaves it there, at every voxel. The medium holds the
@@ -232,6 +275,7 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
         sunDirWorld(inputs.look), boxOf(medium, grid),
         (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid));
     if (medium.bricks.empty()) plan_.count = 0;
+    if (diffuse_) diffuse_->bind();
     const int batch = batchOf(plan_, grid);
     light_.resize(plan_.lightSizePx, batch + 1, GL_R16);
     light_.open(-1);

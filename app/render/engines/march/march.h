@@ -2,11 +2,14 @@
 // medium. docs/performance.md
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
+#include "app/render/engines/march/diffuse_light.h"
 #include "app/render/engines/march/packed_medium.h"
+#include "app/render/frame/frame_block.h"
 #include "app/render/frame/integrator.h"
 #include "app/render/light/light_layers.h"
 #include "app/render/light/slice_plan.h"
@@ -28,6 +31,8 @@ class MarchEngine final : public Integrator {
 
   private:
     void carryLight(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context);
+    void takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
+                        RenderContext& context);
     void lightToMedium(const std::vector<glm::ivec4>& blocks, const PackedMedium& medium,
                        gl::ProgramCache& programs);
     void bind(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context,
@@ -43,6 +48,10 @@ class MarchEngine final : public Integrator {
     bool lightIsDraft_ = false;
     int lastLayer_ = 0;  ///< of the light that is held: what is left behind the last slice
     PhaseTexture phases_;
+    std::optional<DiffuseLight> diffuse_;  ///< only with Transport::full
+    /// Version of the medium that it knows, and voxels that were asked for.
+    std::pair<std::uint64_t, int> diffuseOf_{0, 0};
+    FrameBlock bound_{};
     gl::Buffer block_, counts_, blocks_;
     gl::Texture blueNoise_;
     gl::Texture floor_;  ///< RGBA16; only to measure

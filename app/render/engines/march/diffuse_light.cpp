@@ -1,0 +1,225 @@
+// diffuse_light.cpp: between the GPU's medium and the solver's.
+#include "app/render/engines/march/diffuse_light.h"
+
+#include <Imath/half.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "core/base/parallel.h"
+#include "shaders/lib/glsl_cpp.h"
+
+namespace neph::render {
+
+#include "shaders/shared/light_layout.glsl"
+#include "shaders/shared/march_layout.glsl"
+
+namespace {
+
+static_assert(kSunMoments == kAlignedMoments && kSkyMoments == kBroadMoments);
+
+constexpr std::size_t kMostPackers = 4;
+
+float luminanceOf(const glm::vec3& colour) {
+    return glm::dot(colour, glsl::kLuminance);
+}
+
+/// Irradiance of the sky's horizon and zenith, if their radiance is 1, on open ground.
+double farIrradiance(LightPart part) {
+    return SkyLight{part == LightPart::zenith ? 1.0 : 0.0, part == LightPart::horizon ? 1.0 : 0.0}
+        .irradiance();
+}
+
+LightClass lightClassOf(const MediumClass& c) {
+    const PhaseTable table = makePhaseTable(c.phase);
+    LightClass light;
+    light.singleScattering =
+        std::min(1.0, static_cast<double>(c.albedo * luminanceOf(c.colour)));
+    light.moments = phaseMomentsOf([&](float cosTheta) { return lookUp(table, cosTheta).g; });
+    return light;
+}
+
+/// Light that scatters in the class's forward peak; ClassBlock::forward.
+glm::vec4 forwardOf(const LightClass& light) {
+    const auto share = [&](double thickness) {
+        return static_cast<float>(light.singleScattering * forwardShare(light, true, thickness));
+    };
+    return {share(0.0), share(1.0), share(2.0), 0.0f};
+}
+
+/// Two values in a word.
+std::uint32_t pairOf(float low, float high) {
+    return static_cast<std::uint32_t>(imath_float_to_half(low)) |
+           static_cast<std::uint32_t>(imath_float_to_half(high)) << 16u;
+}
+
+void packPairs(const float* values, int count, std::uint32_t* words) {
+    for (int i = 0; i < count; i += 2) {
+        words[i / 2] = pairOf(values[i], i + 1 < count ? values[i + 1] : 0.0f);
+    }
+}
+
+/// The words of source_to_eye.comp.
+std::vector<std::uint32_t> wordsOf(const LightState& state) {
+    constexpr auto kSun = static_cast<std::size_t>(kSunMoments);
+    constexpr auto kSky = static_cast<std::size_t>(kSkyMoments);
+    constexpr std::size_t kChunk = 4096;
+    std::vector<std::uint32_t> words(state.nodes.size() * kWordsOfNode);
+    const auto& [sun, horizon, zenith] = state.source;
+    shareOut((state.nodes.size() + kChunk - 1) / kChunk, workerCount(kMostPackers),
+             [&](std::size_t chunk, std::size_t, const Progress&) {
+                 const std::size_t end = std::min((chunk + 1) * kChunk, state.nodes.size());
+                 for (std::size_t i = chunk * kChunk; i < end; ++i) {
+                     std::uint32_t* to = &words[i * kWordsOfNode];
+                     packPairs(&sun[i * kSun], kSunMoments, to);
+                     std::array<float, 2 * kSky> sky{};
+                     std::copy_n(&horizon[i * kSky], kSky, sky.begin());
+                     std::copy_n(&zenith[i * kSky], kSky, sky.begin() + kSky);
+                     packPairs(sky.data(), 2 * kSkyMoments, to + kWordsOfSun);
+                 }
+             });
+    return words;
+}
+
+gl::Texture makeLinear(GLenum format, glm::ivec3 size) {
+    gl::Texture texture = gl::Texture::make3D(format, size);
+    texture.setLinear();
+    return texture;
+}
+
+}  // namespace
+
+void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid,
+                              const PackedMedium& medium, const gl::Program& nodes) {
+    const BoxM whole{glm::dvec3(0.0), grid.extentM()};
+    grid_ = chooseLightGrid(grid, medium.bricks.empty() ? whole : medium.bricks.occupied,
+                            inputs.sampling.lightVoxels);
+    auto made = std::make_shared<LightMedium>();
+    made->nodes = grid_.nodes;
+    made->spacingM = grid_.spacingM;
+    for (const MediumClass& c : medium.plan.classes) made->classes.push_back(lightClassOf(c));
+    const Array3f empty(grid_.nodes, 0.0f);
+    std::vector<float> values(std::max<std::size_t>(made->classes.size(), 1) * empty.values.size());
+    extinctions_.write(values.data(), values.size() * sizeof(float));
+    extinctions_.bind(GL_SHADER_STORAGE_BUFFER, kNodesExtinctionBuffer);
+    nodes.setIvec3(kNodesFirstVoxelLocation, grid_.firstVoxel);
+    nodes.setIvec3(kNodesStrideLocation, grid_.stride);
+    nodes.setIvec3(kNodesCountLocation, grid_.nodes);
+    nodes.dispatch(grid_.nodes);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(extinctions_.name(), 0,
+                            static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
+    std::vector<std::uint8_t> thickness(empty.values.size());
+    std::vector<double> sum(empty.values.size(), 0.0);
+    forward_.clear();
+    for (std::size_t c = 0; c < made->classes.size(); ++c) {
+        LightClass& light = made->classes[c];
+        light.extinctionPerM = empty;
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(c * sum.size());
+        std::copy_n(from, sum.size(), light.extinctionPerM.values.begin());
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            sum[i] += static_cast<double>(light.extinctionPerM.values[i]);
+        }
+        forward_.push_back(forwardOf(light));
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        thickness[i] =
+            static_cast<std::uint8_t>(std::lround(127.5 * lightThickness(*made, sum[i])));
+    }
+    if (thickness_.size() != grid_.nodes) thickness_ = makeLinear(GL_R8, grid_.nodes);
+    thickness_.upload(GL_RED, GL_UNSIGNED_BYTE, thickness.data());
+    medium_ = std::move(made);
+}
+
+void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
+    const glm::dvec3 perM = 1.0 / grid_.extentM();
+    block.lightPerM = glm::vec4(perM, 0.0);
+    block.lightOffset =
+        glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
+    const glm::dvec3 far =
+        look.groundVisible
+            ? (farIrradiance(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
+               farIrradiance(LightPart::zenith) * glm::dvec3(block.skyZenith)) /
+                  std::numbers::pi
+            : glm::dvec3(0.0);
+    block.farGround = glm::vec4(far, 0.0);
+    for (std::size_t i = 0; i < forward_.size(); ++i) block.classes[i].forward = forward_[i];
+}
+
+void DiffuseLight::update(const Look& look, bool settled, const Progress& progress) {
+    LightRequest request;
+    request.medium = medium_;
+    request.towardsSun = sunDirWorld(look);
+    request.groundAlbedo =
+        std::clamp(static_cast<double>(luminanceOf(look.groundColour)), 0.0, 1.0);
+    request.groundHidden = !look.groundVisible;
+    work_.ask(request);
+    // The light of a moment ago is better than none, if it is of the same voxels.
+    const bool some = shown_ && shownGrid_ == grid_;
+    std::shared_ptr<const LightState> state =
+        settled || !some ? work_.wait(settled, progress) : work_.latest();
+    if (state && state != shown_ && state->request.medium == medium_) {
+        upload(*state);
+        shownGrid_ = grid_;
+        shown_ = std::move(state);
+    }
+}
+
+void DiffuseLight::upload(const LightState& state) {
+    const std::vector<std::uint32_t> words = wordsOf(state);
+    constexpr std::uint32_t kNone = 0;  // a buffer that is bound must have a size
+    const bool any = !words.empty();
+    nodes_.write(any ? state.nodes.data() : &kNone,
+                 any ? state.nodes.size() * sizeof(std::uint32_t) : sizeof(kNone));
+    moments_.write(any ? words.data() : &kNone,
+                   any ? words.size() * sizeof(std::uint32_t) : sizeof(kNone));
+    if (source_.size() != grid_.nodes) source_ = makeLinear(GL_RGBA16F, grid_.nodes);
+    // Other voxels may have been occupied before.
+    glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceToEye) {
+    lightGround(block);
+    const auto count = static_cast<int>(shown_->nodes.size());
+    if (count == 0) return;
+    nodes_.bind(GL_SHADER_STORAGE_BUFFER, kSourceNodesBuffer);
+    moments_.bind(GL_SHADER_STORAGE_BUFFER, kSourceMomentsBuffer);
+    source_.bindImage(kSourceImage, GL_WRITE_ONLY);
+    sourceToEye.setInt(kSourceCountLocation, count);
+    sourceToEye.dispatchGroups((count + kSourceGroup - 1) / kSourceGroup);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+/// Diffuse light that comes down to the ground, in the colours of the look.
+void DiffuseLight::lightGround(const FrameBlock& block) {
+    const glm::ivec2 size(grid_.nodes);
+    const auto& [sun, horizon, zenith] = shown_->groundFlux;
+    std::vector<glm::vec4> light(sun.size());
+    const glm::vec3 ofSun = 4.0f * glm::vec3(block.sunRadiance);
+    const glm::vec3 ofHorizon = glm::vec3(block.skyHorizon) * std::numbers::inv_pi_v<float>;
+    const glm::vec3 ofZenith = glm::vec3(block.skyZenith) * std::numbers::inv_pi_v<float>;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        light[i] =
+            glm::vec4(sun[i] * ofSun + horizon[i] * ofHorizon + zenith[i] * ofZenith, 0.0f);
+    }
+    if (glm::ivec2(groundLight_.size()) != size) {
+        groundLight_ = gl::Texture::make2D(GL_RGBA16F, size);
+        groundLight_.setLinear();
+    }
+    groundLight_.upload(GL_RGBA, GL_FLOAT, light.data());
+}
+
+void DiffuseLight::bind() const {
+    thickness_.bind(kMarchThicknessUnit);
+    source_.bind(kMarchSourceUnit);
+    groundLight_.bind(kGroundLightUnit);
+}
+
+std::size_t DiffuseLight::bytes() const {
+    return thickness_.bytes() + source_.bytes() + groundLight_.bytes() + extinctions_.bytes() +
+           nodes_.bytes() + moments_.bytes();
+}
+
+}  // namespace neph::render

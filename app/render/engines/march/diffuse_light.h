@@ -1,0 +1,59 @@
+// diffuse_light.h: light scattered any number of times, in the medium of the march: its voxels of
+// light, the work in the background that solves them, and what of it lies on the GPU.
+// docs/transport.md
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "app/gl/objects.h"
+#include "app/gl/program.h"
+#include "app/render/engines/march/packed_medium.h"
+#include "app/render/frame/frame_block.h"
+#include "app/render/frame/frame_inputs.h"
+#include "core/transport/light_grid.h"
+#include "core/transport/light_work.h"
+
+namespace neph::render {
+
+class DiffuseLight {
+  public:
+    /// Takes over the medium, which holds the voxels' detail and is bound with its frame block.
+    /// `look` is what it was made of.
+    void takeMedium(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
+                    const gl::Program& nodes);
+    bool hasMedium() const { return medium_ != nullptr; }
+    void dropMedium() { medium_ = nullptr; }
+
+    /// Numbers of the block that are its own.
+    void fill(FrameBlock& block, const Look& look) const;
+
+    /// Asks for the light of a look, and takes over the newest there is: waits for the first, or
+    /// with `settled` for the last. Throws Cancelled.
+    void update(const Look& look, bool settled, const Progress& progress);
+    /// What the voxels of light send towards the eye of the block, which is bound.
+    void lookFrom(const FrameBlock& block, const gl::Program& sourceToEye);
+    void bind() const;
+
+    const LightState* state() const { return shown_.get(); }
+    const LightGrid& grid() const { return grid_; }
+    std::size_t bytes() const;
+
+  private:
+    void upload(const LightState& state);
+    void lightGround(const FrameBlock& block);
+
+    LightWork work_;
+    LightGrid grid_;
+    std::shared_ptr<const LightMedium> medium_;  ///< as it was asked for
+    LightGrid shownGrid_;
+    std::shared_ptr<const LightState> shown_;  ///< what is on the GPU
+    double groundAlbedo_ = 0.0;
+    std::vector<glm::vec4> forward_;  ///< of each class; ClassBlock::forward
+    gl::Texture thickness_;           ///< R8, half of lightThickness
+    gl::Texture source_;              ///< RGBA16F
+    gl::Texture groundLight_;         ///< RGBA16F
+    gl::Buffer extinctions_, nodes_, moments_;
+};
+
+}  // namespace neph::render

@@ -1,0 +1,197 @@
+// light_work.cpp: one cycle of each source in turn, until all have settled.
+#include "core/transport/light_work.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/transport/source_moments.h"
+
+namespace neph {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kMostThreads = 16;
+constexpr int kAveragedCycles = 12;
+// While cycles are averaged, every so many of them are worth showing.
+constexpr int kShownOf = 4;
+
+LightSettings settingsOf(LightPart part) {
+    LightSettings settings;
+    settings.aligned = true;  // one scaling for all, by which the eye sees
+    settings.threads = static_cast<int>(workerCount(kMostThreads));
+    settings.seed += static_cast<std::uint64_t>(part);
+    return settings;
+}
+
+LightScene sceneOf(const LightRequest& request, LightPart part) {
+    LightScene scene;
+    scene.towardsSun = request.towardsSun;
+    scene.groundAlbedo = request.groundHidden ? 0.0 : request.groundAlbedo;
+    if (part == LightPart::sun) return scene;
+    scene.source = LightSource::sky;
+    scene.sky.horizon = part == LightPart::horizon ? 1.0 : 0.0;
+    scene.sky.zenith = part == LightPart::zenith ? 1.0 : 0.0;
+    if (request.groundHidden) scene.groundRadiance = scene.sky.horizon;
+    return scene;
+}
+
+}  // namespace
+
+/// The fields of one medium.
+struct LightWork::Solution {
+    explicit Solution(const LightRequest& first) : request(first) {
+        for (std::size_t i = 0; i < kLightParts; ++i) {
+            const auto part = static_cast<LightPart>(i);
+            solvers[i] = std::make_unique<LightSolver>(*first.medium, sceneOf(first, part),
+                                                       settingsOf(part));
+        }
+        shares = scatteringShares(solvers[0]->level());
+        const auto& place = solvers[0]->level().place;
+        for (std::size_t node = 0; node < place.size(); ++node) {
+            if (place[node] >= 0) nodes.push_back(static_cast<std::uint32_t>(node));
+        }
+    }
+    void change(const LightRequest& to) {
+        for (std::size_t i = 0; i < kLightParts; ++i) {
+            const auto part = static_cast<LightPart>(i);
+            LightScene scene = sceneOf(to, part);
+            if (part != LightPart::sun) {
+                const LightScene& before = solvers[i]->scene();
+                scene.towardsSun = before.towardsSun;
+                if (scene.groundAlbedo == before.groundAlbedo &&
+                    scene.groundRadiance == before.groundRadiance) {
+                    continue;
+                }
+            }
+            solvers[i]->restart(scene);
+            toSettle[i] = settingsOf(part).warmCycles + kAveragedCycles;
+        }
+        request = to;
+    }
+    bool settled() const {
+        bool all = true;
+        for (std::size_t i = 0; i < kLightParts; ++i) all &= isSettled(i);
+        return all;
+    }
+    bool isSettled(std::size_t part) const {
+        return solvers[part]->cyclesDone() >= toSettle[part] || nodes.empty();
+    }
+    /// Returns whether the outcome is worth showing.
+    bool cycle() {
+        for (std::size_t i = 0; i < kLightParts; ++i) {
+            if (!isSettled(i)) solvers[i]->cycle();
+        }
+        ++rounds;
+        const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles);
+        return averaged <= 0 || averaged % kShownOf == 0 || settled();
+    }
+    std::shared_ptr<const LightState> state() const {
+        auto made = std::make_shared<LightState>();
+        made->request = request;
+        made->cycles = solvers[0]->cyclesDone();
+        made->settled = settled();
+        made->remaining = solvers[0]->remaining();
+        made->chance = solvers[0]->chance();
+        made->nodes = nodes;
+        const int degrees = solvers[0]->level().degreeCount;
+        for (std::size_t i = 0; i < kLightParts; ++i) {
+            made->source[i] = sourceMoments(*solvers[i], shares, degrees);
+            made->groundFlux[i] = solvers[i]->groundFlux();
+            made->bytes += solvers[i]->bytes();
+        }
+        return made;
+    }
+
+    LightRequest request;
+    std::array<std::unique_ptr<LightSolver>, kLightParts> solvers;
+    std::array<int, kLightParts> toSettle{filled()};
+    std::vector<float> shares;
+    std::vector<std::uint32_t> nodes;
+    int rounds = 0;
+
+  private:
+    static std::array<int, kLightParts> filled() {
+        std::array<int, kLightParts> cycles{};
+        cycles.fill(LightSettings{}.coldCycles + kAveragedCycles);
+        return cycles;
+    }
+};
+
+LightWork::LightWork(std::function<void()> wake)
+    : wake_(std::move(wake)), worker_([this](const std::stop_token& stop) { run(stop); }) {}
+
+LightWork::~LightWork() {
+    worker_.request_stop();
+    changed_.notify_all();
+}
+
+void LightWork::ask(const LightRequest& request) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (asked_ == request) return;
+        asked_ = request;
+        taken_ = false;
+    }
+    changed_.notify_all();
+}
+
+std::shared_ptr<const LightState> LightWork::latest() const {
+    const std::lock_guard lock(mutex_);
+    return latest_;
+}
+
+std::shared_ptr<const LightState> LightWork::wait(bool settled, const Progress& progress) const {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        const bool answers = latest_ && latest_->request == asked_;
+        if (answers && (latest_->settled || !settled)) return latest_;
+        const double done = answers ? latest_->cycles : 0;
+        changed_.wait_for(lock, 5ms);
+        lock.unlock();
+        if (!goOn(progress, done / (LightSettings{}.coldCycles + kAveragedCycles))) {
+            throw Cancelled{};
+        }
+        lock.lock();
+    }
+}
+
+/// What was asked since the last call; waits for it where there is nothing else to do.
+std::optional<LightRequest> LightWork::take(bool idle, const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    if (idle) changed_.wait(lock, stop, [&] { return !taken_; });
+    if (taken_) return {};
+    taken_ = true;
+    return asked_;
+}
+
+void LightWork::publish(std::shared_ptr<const LightState> state) {
+    {
+        const std::lock_guard lock(mutex_);
+        latest_ = std::move(state);
+    }
+    changed_.notify_all();
+    if (wake_) wake_();
+}
+
+void LightWork::run(const std::stop_token& stop) {
+    std::unique_ptr<Solution> solution;
+    while (!stop.stop_requested()) {
+        const auto asked = take(!solution || solution->settled(), stop);
+        if (stop.stop_requested()) return;
+        if (asked && solution && solution->request.medium == asked->medium) {
+            solution->change(*asked);
+        } else if (asked) {
+            solution = std::make_unique<Solution>(*asked);
+        }
+        if (!solution) continue;
+        if (solution->cycle()) publish(solution->state());
+    }
+}
+
+}  // namespace neph

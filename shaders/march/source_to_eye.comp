@@ -1,0 +1,50 @@
+// source_to_eye.comp: what each active voxel of light sends towards the eye by scattering diffuse
+// light, per unit of scaled optical depth. One invocation a node.
+#version 450 core
+#include "../shared/march_layout.glsl"
+layout(local_size_x = kSourceGroup) in;
+#include "../lib/harmonics.glsl"
+#include "../shared/frame.glsl"
+#include "../shared/groups_layout.glsl"
+
+layout(rgba16f, binding = kSourceImage) writeonly uniform image3D o_source;
+layout(std430, binding = kSourceNodesBuffer) readonly buffer Nodes {
+    uint nodes_[];  // by their index, x fastest
+};
+layout(std430, binding = kSourceMomentsBuffer) readonly buffer Moments {
+    uint moments_[];  // kWordsOfNode of each
+};
+layout(location = kSourceCountLocation) uniform int count;
+layout(location = kFirstGroupLocation) uniform int firstGroup;
+
+void main() {
+    int i = kSourceGroup * (firstGroup + int(gl_WorkGroupID.x)) + int(gl_LocalInvocationID.x);
+    if (i >= count) return;
+    ivec3 size = imageSize(o_source);
+    int index = int(nodes_[i]);
+    ivec3 node = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
+    vec3 at = (vec3(node) + 0.5) / vec3(size);
+    vec3 positionM = (at - u_.lightOffset.xyz) / u_.lightPerM.xyz;
+    vec3 towards = u_.eyeM.xyz - positionM;
+    vec3 travel = towards / max(length(towards), 1e-6);
+    DirectionHarmonics y = directionHarmonics(travel, -u_.towardsSun.xyz);
+    int first = kWordsOfNode * i;
+    float sun = 0.0;
+    for (int w = 0; w < kWordsOfSun; ++w) {
+        vec2 pair = unpackHalf2x16(moments_[first + w]);
+        sun += pair.x * y.value[2 * w];
+        if (2 * w + 1 < kSunMoments) sun += pair.y * y.value[2 * w + 1];
+    }
+    float sky[2] = float[](0.0, 0.0);
+    for (int w = 0; w < kWordsOfSky; ++w) {
+        vec2 pair = unpackHalf2x16(moments_[first + kWordsOfSun + w]);
+        for (int half_ = 0; half_ < 2; ++half_) {
+            int q = 2 * w + half_;
+            sky[q / kSkyMoments] += pair[half_] * y.value[q % kSkyMoments];
+        }
+    }
+    // Light of a sun of this radiance: shaders/medium/phases.glsl.
+    vec3 source = 4.0 * kPi * sun * u_.sunRadiance.rgb + sky[0] * u_.skyHorizon.rgb +
+                  sky[1] * u_.skyZenith.rgb;
+    imageStore(o_source, node, vec4(source, 0.0));
+}
