@@ -7,7 +7,7 @@
 
 layout(binding = kLightUnit) uniform sampler2DArray t_light;
 #if FULL
-// Irradiance of diffuse light / pi.
+// Diffuse light as a share of full light.
 layout(binding = kGroundLightUnit) uniform sampler2D t_groundLight;
 #endif
 
@@ -25,8 +25,7 @@ vec3 groundLight(vec3 positionM, float sun) {
     vec2 at = positionM.xy * u_.lightPerM.xy + u_.lightOffset.xy;
     bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
     vec3 diffuse = known ? textureLod(t_groundLight, at, 0.0).rgb : u_.farGround.rgb;
-    // Irradiance / pi of a sun of this radiance: shaders/medium/phases.glsl.
-    return 4.0 * max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;
+    return max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;
 }
 #else
 vec3 groundLight(vec3 positionM, float sun) {

@@ -39,12 +39,12 @@ struct FrameBlock {
     vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
     vec4 lightPerM;       ///< of the voxels of light: their texture's coordinate is a point
     vec4 lightOffset;     ///< times this and this added
-    vec4 farGround;       ///< rgb: sky's irradiance / pi on ground that no cloud shades
+    vec4 farGround;       ///< rgb: diffuse light, as a share of full light, of ground far away
     vec4 sunRadiance;     ///< rgb: colour × intensity
     vec4 skyZenith;       ///< rgb × intensity
     vec4 skyHorizon;      ///< rgb × intensity
     vec4 ambient;         ///< rgb: radiance that skylight gives a sample under open sky
-    vec4 ground;          ///< rgb; w: 1 when visible
+    vec4 ground;          ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
     ivec4 sampling;  ///< x: number of this image among those averaged at rest; y: 1 for sky and

@@ -26,10 +26,14 @@ float luminanceOf(const glm::vec3& colour) {
     return glm::dot(colour, glsl::kLuminance);
 }
 
-/// Irradiance of the sky's horizon and zenith, if their radiance is 1, on open ground.
-double farIrradiance(LightPart part) {
+/// Irradiance of full light, of which the look has the radiance of the ground.
+constexpr double kFullLight = 4.0 * std::numbers::pi;
+
+/// Light of the sky's horizon and zenith, if their radiance is 1, on open ground.
+double farLight(LightPart part) {
     return SkyLight{part == LightPart::zenith ? 1.0 : 0.0, part == LightPart::horizon ? 1.0 : 0.0}
-        .irradiance();
+               .irradiance() /
+           kFullLight;
 }
 
 LightClass lightClassOf(const MediumClass& c) {
@@ -140,9 +144,8 @@ void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
         glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
     const glm::dvec3 far =
         look.groundVisible
-            ? (farIrradiance(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
-               farIrradiance(LightPart::zenith) * glm::dvec3(block.skyZenith)) /
-                  std::numbers::pi
+            ? farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
+                  farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
             : glm::dvec3(0.0);
     block.farGround = glm::vec4(far, 0.0);
     for (std::size_t i = 0; i < forward_.size(); ++i) block.classes[i].forward = forward_[i];
@@ -152,8 +155,9 @@ void DiffuseLight::update(const Look& look, bool settled, const Progress& progre
     LightRequest request;
     request.medium = medium_;
     request.towardsSun = sunDirWorld(look);
-    request.groundAlbedo =
-        std::clamp(static_cast<double>(luminanceOf(look.groundColour)), 0.0, 1.0);
+    // A Lambert surface whose radiance in full light is the look's.
+    const double reflected = static_cast<double>(luminanceOf(look.groundColour));
+    request.groundAlbedo = std::clamp(std::numbers::pi / kFullLight * reflected, 0.0, 1.0);
     request.groundHidden = !look.groundVisible;
     work_.ask(request);
     // The light of a moment ago is better than none, if it is of the same voxels.
@@ -197,9 +201,10 @@ void DiffuseLight::lightGround(const FrameBlock& block) {
     const glm::ivec2 size(grid_.nodes);
     const auto& [sun, horizon, zenith] = shown_->groundFlux;
     std::vector<glm::vec4> light(sun.size());
-    const glm::vec3 ofSun = 4.0f * glm::vec3(block.sunRadiance);
-    const glm::vec3 ofHorizon = glm::vec3(block.skyHorizon) * std::numbers::inv_pi_v<float>;
-    const glm::vec3 ofZenith = glm::vec3(block.skyZenith) * std::numbers::inv_pi_v<float>;
+    const auto perIrradiance = static_cast<float>(1.0 / kFullLight);
+    const glm::vec3 ofSun(block.sunRadiance);  // whose irradiance is full light
+    const glm::vec3 ofHorizon = perIrradiance * glm::vec3(block.skyHorizon);
+    const glm::vec3 ofZenith = perIrradiance * glm::vec3(block.skyZenith);
     for (std::size_t i = 0; i < light.size(); ++i) {
         light[i] =
             glm::vec4(sun[i] * ofSun + horizon[i] * ofHorizon + zenith[i] * ofZenith, 0.0f);
