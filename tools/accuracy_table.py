@@ -9,10 +9,10 @@ import sys
 
 # Names of the engines in the JSON, as tools/accuracy requests them, and their column headings.
 NAMES = {
-    "slicing:light.phase_display=physical:mode.transport=low_albedo": "low albedo",
-    "slicing:light.phase_display=physical:mode.transport=translucent:light.form=printed":
+    "slicing:light.phase_display=physical:light.transport=low_albedo": "low albedo",
+    "slicing:light.phase_display=physical:light.transport=translucent:light.form=printed":
         "translucent, as printed",
-    "slicing:light.phase_display=physical:mode.transport=translucent:light.form=consistent":
+    "slicing:light.phase_display=physical:light.transport=translucent:light.form=consistent":
         "translucent, consistent",
     "march:light.phase_display=physical": "march",
     "march": "march, phase display of the look",

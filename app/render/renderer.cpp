@@ -42,9 +42,10 @@ struct Renderer::Impl {
     std::optional<Shown> shown;  ///< none when it must be redone
     std::uint64_t images = 0;    ///< that were begun
     std::vector<std::string> messages;
+    std::function<void()> wake;
 
     RenderContext context(const Progress& progress, FrameStats& stats) {
-        return {*volume, medium, noise, programs, timer, progress, stats, messages};
+        return {*volume, medium, noise, programs, timer, progress, stats, messages, wake};
     }
     void use(Engine wanted);
     std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
@@ -204,6 +205,14 @@ Renderer::Renderer(const std::filesystem::path& shaderDir)
 }
 
 Renderer::~Renderer() = default;
+
+void Renderer::setWake(std::function<void()> wake) {
+    impl_->wake = std::move(wake);
+}
+
+bool Renderer::hasNewerLight() const {
+    return impl_->integrator && impl_->integrator->hasNewerLight();
+}
 
 void Renderer::setVolume(const SpeciesVolume& volume) {
     const glm::ivec3 size = volume.grid.size;

@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,11 @@ class Renderer {
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
+
+    /// `wake` is called, from any thread, when hasNewerLight() has become true.
+    void setWake(std::function<void()> wake);
+    /// Whether the last frame would look better by now, with light that was worked out since.
+    bool hasNewerLight() const;
 
     /// Uploads; the volume may be dropped afterwards. An empty volume (no species, all zero) is a
     /// clear sky.

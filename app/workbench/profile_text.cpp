@@ -67,6 +67,17 @@ std::vector<ProfileRow> pathRows(const ReferenceProgress& traced, glm::ivec2 siz
             {"collisions", countText(traced.collisions), aPath(traced.collisions)}};
 }
 
+/// The voxels in which light is solved, and how far it has come.
+std::vector<ProfileRow> lightRows(const LightProgress& light) {
+    const auto& m = light.voxelM;
+    return {{"light voxels",
+             fmt::format("{} x {} x {}", light.voxels.x, light.voxels.y, light.voxels.z),
+             fmt::format("{:.3g} x {:.3g} x {:.3g} m", m.x, m.y, m.z)},
+            {"light", fmt::format("{} cycles", light.cycles),
+             light.chance < 0.0 ? std::string()
+                                : fmt::format("+- {:.1f} % by chance", 100.0 * light.chance)}};
+}
+
 std::vector<ProfileRow> memoryRows(const render::Renderer& renderer) {
     std::vector<ProfileRow> rows{{"GPU memory", mebibytes(renderer.gpuBytes()), ""}};
     for (const render::MemoryUse& part : renderer.memory()) {
@@ -89,6 +100,9 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
                                 : countText(stats.planes, traits.unit)},
                      {"frame", fmt::format("{:.2f} ms", stats.milliseconds),
                       fmt::format("{:.1f} fps", 1000.0 / std::max(stats.milliseconds, 1e-3))}};
+    if (stats.light) {
+        for (ProfileRow& row : lightRows(*stats.light)) profile.image.push_back(std::move(row));
+    }
     profile.passes = passRows(stats);
     if (stats.samples) profile.samples = sampleRows(*stats.samples);
     if (converges) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);

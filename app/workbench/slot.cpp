@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/workbench/profile_text.h"
+#include "core/look/known_error.h"
 
 namespace neph {
 namespace {
@@ -67,11 +68,12 @@ bool Slot::addsPaths(bool moving) const {
 
 Slot::Waiting Slot::waiting(bool moving) const {
     if (!session.shown()) return Waiting::no;
-    if (!drawn_ || retone_) return Waiting::now;
+    if (!drawn_ || retone_ || renderer_.hasNewerLight()) return Waiting::now;
     if (drawn_->step < ui::kFullStep) return Waiting::rest;
     const bool further =
         converges() ? addsPaths(moving) : averages(moving) && drawn_->sample + 1 < ui::kSamples;
-    return further ? Waiting::now : Waiting::no;
+    if (further) return Waiting::now;
+    return report.light && !report.light->settled ? Waiting::rest : Waiting::no;
 }
 
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
@@ -80,6 +82,7 @@ render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& re
     inputs.sampling = session.document.sampling;
     inputs.sizePx = draft.sizePx;
     inputs.draftLight = draft.step == 0;
+    inputs.settledLight = false;
     inputs.profile = request.profile;
     ui::thin(inputs, draft);
     inputs.camera = placeCamera(session.document.camera, session.shown()->grid,
@@ -151,13 +154,16 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
               .device = renderer_.deviceName(),
               .gpuBytes = renderer_.gpuBytes(),
               .time = time,
-              .reference = traced};
+              .reference = traced,
+              .light = stats.light,
+              .knownError = knownErrorText(look)};
     report.reference.targetError = static_cast<double>(of.sampling.targetError);
 }
 
 bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     if (!session.shown()) return false;
     noteChanges();  // a further sample of another image would be no average
+    if (renderer_.hasNewerLight()) drawn_.reset();
     if (placePx_ != request.placePx) {
         placePx_ = request.placePx;
         changed_ = Clock::now();

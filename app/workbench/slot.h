@@ -35,7 +35,9 @@ struct DrawRequest {
 
 class Slot {
   public:
-    Slot(PluginHost host, std::function<void()> wake) : session(std::move(host), std::move(wake)) {}
+    Slot(PluginHost host, const std::function<void()>& wake) : session(std::move(host), wake) {
+        renderer_.setWake(wake);
+    }
 
     Session session;
     ui::FrameReport report;  ///< of the image that `texture` shows

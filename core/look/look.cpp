@@ -20,6 +20,10 @@ Look::Look() {
     }
 }
 
+bool scattersOften(const Look& look) {
+    return look.transport == Transport::full && traitsOf(look.engine).scattersOften;
+}
+
 glm::dvec3 sunDirWorld(const Look& look) {
     return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
 }

@@ -14,6 +14,7 @@
 
 namespace neph {
 
+/// Engines that do not know `full` take it for `translucent`.
 enum class Transport : int { lowAlbedo, translucent, full };
 enum class PhaseMode : int { uniform, perField };
 enum class ExtinctionMode : int { physical, equal };
@@ -54,7 +55,7 @@ inline constexpr double kLookCellM = 1000.0;
 struct Look {
     Look();
 
-    Transport transport = Transport::translucent;
+    Transport transport = Transport::full;
     PhaseMode phaseMode = PhaseMode::perField;
     bool noise = true;
     ExtinctionMode extinction = ExtinctionMode::physical;
@@ -65,7 +66,7 @@ struct Look {
     LightForm lightForm = LightForm::printed;
     float forwardAngleDeg = 20.0f;  ///< half of it, 10°, holds 90 % in [Riley03] fig. 7
     float forwardG = 0.979f;
-    PhaseDisplay phaseDisplay = PhaseDisplay::logarithmic;
+    PhaseDisplay phaseDisplay = PhaseDisplay::physical;
     float phaseTruncationDeg = 10.0f;
     PhaseSpec uniformPhase;
     float equalExtinctionM2PerKg = 10.0f;
@@ -93,6 +94,10 @@ struct Look {
     const SpeciesLook& of(Species s) const { return species[static_cast<std::size_t>(s)]; }
     bool operator==(const Look&) const = default;
 };
+
+/// Whether light is followed through all its scatterings: Transport::full, of an engine that knows
+/// it.
+bool scattersOften(const Look& look);
 
 /// Unit vector towards the sun in world space.
 glm::dvec3 sunDirWorld(const Look& look);

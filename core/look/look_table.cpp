@@ -15,6 +15,13 @@ namespace {
 
 constexpr unsigned kSingleScattering = enginesWith(&EngineTraits::singleScattering, true);
 
+/// Makes up for scatterings that are not followed, and acts where they are not.
+Parameter& ofOneScattering(Parameter& row) {
+    row.engines = kSingleScattering;
+    row.acts = [](const Look& look) { return !scattersOften(look); };
+    return row;
+}
+
 std::vector<Choice> engineChoices() {
     std::vector<Choice> choices;
     for (const EngineTraits& engine : kEngines) {
@@ -72,19 +79,6 @@ std::span<const Parameter> samplingTable() {
 
 void addModes(std::vector<Parameter>& table) {
     LookRows rows(table, {.name = "Modes", .prefix = "mode.", .part = ParameterPart::fields});
-    Parameter& transport = rows.choice(
-        "transport", "Light", &Look::transport, Stage::light,
-        {{"low_albedo", "Low albedo",
-          "Beer-Lambert alone: what is scattered is lost. Dark, for thin or absorbing media."},
-         {"translucent", "Translucent",
-          "Light scattered nearly forward goes on to light what lies behind, Eq. 12, 14-17."},
-         {"full", "Full",
-          "Light scattered any number of times, in every direction, by the march; physical "
-          "radiance. Half-angle slicing shows Translucent instead. docs/transport.md"}},
-        "How light reaches a sample: Beer-Lambert alone, with forward scattering (Eq. 12, 14-17), "
-        "or after any number of scatterings.");
-    transport.engines = kSingleScattering;
-    transport.part = ParameterPart::light;
     rows.choice("phase", "Phase", &Look::phaseMode, Stage::medium,
                 {{"uniform", "Uniform", "The uniform phase function for all fields."},
                  {"per_field", "Per field",
@@ -122,6 +116,19 @@ void addModes(std::vector<Parameter>& table) {
 
 void addLight(std::vector<Parameter>& table) {
     LookRows rows(table, {.name = "Light", .prefix = "light.", .part = ParameterPart::light});
+    Parameter& transport = rows.choice(
+        "transport", "Transport", &Look::transport, Stage::light,
+        {{"low_albedo", "Low albedo",
+          "Beer-Lambert alone: what is scattered is lost. Dark, for thin or absorbing media."},
+         {"translucent", "Translucent",
+          "Light scattered nearly forward goes on to light what lies behind, Eq. 12, 14-17."},
+         {"full", "Full",
+          "Light scattered any number of times, in every direction, by the march; physical "
+          "radiance. Half-angle slicing shows Translucent instead. docs/transport.md"}},
+        "How light reaches a sample: Beer-Lambert alone, with forward scattering (Eq. 12, 14-17), "
+        "or after any number of scatterings.");
+    transport.engines = kSingleScattering;
+    transport.formerId = "mode.transport";
     rows.choice(
             "form", "Forward scattering", &Look::lightForm, Stage::light,
             {{"printed", "As printed", "As the paper prints it: brightness depends on the planes."},
@@ -130,30 +137,33 @@ void addLight(std::vector<Parameter>& table) {
             "Eq. 14-17 as printed, which depend on the number of planes, or the form that does "
             "not, which the march always uses. docs/physics.md §1")
         .engines = enginesWith(&EngineTraits::printedLight, true);
-    rows.number("forward_angle", "Forward angle", "deg", &Look::forwardAngleDeg, {0.0, 60.0},
-                Stage::light,
-                "Full opening of the arc that counts as forward scattered, theta_f of Eq. 15-16.")
-        .engines = kSingleScattering;
-    rows.number("forward_g", "Forward g", "1", &Look::forwardG, {0.0, 0.999}, Stage::light,
-                "Cornette-Shanks g whose cumulative gives the forward share; 0.979 puts 90 % "
-                "within 10 degrees, as [Riley03] fig. 7.")
-        .engines = kSingleScattering;
+    ofOneScattering(rows.number(
+        "forward_angle", "Forward angle", "deg", &Look::forwardAngleDeg, {0.0, 60.0}, Stage::light,
+        "Full opening of the arc that counts as forward scattered, theta_f of "
+        "Eq. 15-16."));
+    ofOneScattering(
+        rows.number("forward_g", "Forward g", "1", &Look::forwardG, {0.0, 0.999}, Stage::light,
+                    "Cornette-Shanks g whose cumulative gives the forward share; 0.979 puts 90 % "
+                    "within 10 degrees, as [Riley03] fig. 7."));
     rows.number("equal_extinction", "Equal extinction", "m2 kg-1", &Look::equalExtinctionM2PerKg,
                 {0.01, 1000.0, true}, Stage::medium,
                 "Mass extinction of every field when mode.extinction is equal.")
         .part = ParameterPart::fields;
-    rows.choice("phase_display", "Phase display", &Look::phaseDisplay, Stage::eye,
-                {{"linear", "Linear", "Cut at the peak and normalised, linear."},
-                 {"logarithmic", "Logarithmic",
-                  "Cut at the peak and normalised, logarithmic, as [Riley03] fig. 10."},
-                 {"physical", "Physical", "The true value times 4 pi."}},
-                "Phase normalised by its range with the peak cut, on a linear or logarithmic scale "
-                "as [Riley03] fig. 10; or the true value x 4 pi.")
-        .engines = kSingleScattering;
-    rows.number("phase_truncation", "Phase truncation angle", "deg", &Look::phaseTruncationDeg,
-                {0.1, 60.0, true}, Stage::eye,
-                "The phase function is cut at its value at this angle when it is normalised.")
-        .engines = kSingleScattering;
+    ofOneScattering(rows.choice(
+        "phase_display", "Phase display", &Look::phaseDisplay, Stage::eye,
+        {{"linear", "Linear", "Cut at the peak and normalised, linear: no radiance."},
+         {"logarithmic", "Logarithmic",
+          "Cut at the peak and normalised, logarithmic, as [Riley03] fig. 10: no radiance."},
+         {"physical", "Physical", "The true value times 4 pi: radiance."}},
+        "The true value x 4 pi, which makes the image a radiance; or, for figures, normalised by "
+        "its range with the peak cut, on a linear or logarithmic scale as [Riley03] fig. 10."));
+    Parameter& truncation = ofOneScattering(
+        rows.number("phase_truncation", "Phase truncation angle", "deg", &Look::phaseTruncationDeg,
+                    {0.1, 60.0, true}, Stage::eye,
+                    "The phase function is cut at its value at this angle when it is normalised."));
+    truncation.acts = [](const Look& look) {
+        return !scattersOften(look) && look.phaseDisplay != PhaseDisplay::physical;
+    };
 }
 
 void addSunAndSky(std::vector<Parameter>& table) {
@@ -173,10 +183,10 @@ void addSunAndSky(std::vector<Parameter>& table) {
                 "Radiance of the sky at the horizon, linear RGB.");
     rows.number("sky.intensity", "Sky intensity", "1", &Look::skyIntensity, {0.0, 5.0}, Stage::eye,
                 "Multiplies the sky's radiance: L_bg of Eq. 5 and the skylight.");
-    rows.number("sky.skylight", "Skylight", "1", &Look::skylight, {0.0, 2.0}, Stage::eye,
-                "Share of the sky's radiance that lights the cloud, dimmed by what lies above and "
-                "below. Not in [Riley03]. docs/physics.md §5")
-        .engines = kSingleScattering;
+    ofOneScattering(
+        rows.number("sky.skylight", "Skylight", "1", &Look::skylight, {0.0, 2.0}, Stage::eye,
+                    "Share of the sky's radiance that lights the cloud, dimmed by what lies above "
+                    "and below. Not in [Riley03]. docs/physics.md §5"));
     rows.toggle("ground.visible", "Ground", &Look::groundVisible, Stage::eye,
                 "A plane at height 0; off shows the sky below the horizon too.");
     rows.colour("ground.colour", "Ground colour", &Look::groundColour, Stage::eye,

@@ -151,7 +151,9 @@ std::string rangeText(const Parameter& row) {
 
 const Parameter* findParameter(std::string_view id) {
     const auto table = parameterTable();
-    const auto found = std::ranges::find(table, id, &Parameter::id);
+    const auto found = std::ranges::find_if(table, [&](const Parameter& row) {
+        return row.id == id || (!row.formerId.empty() && row.formerId == id);
+    });
     return found == table.end() ? nullptr : &*found;
 }
 

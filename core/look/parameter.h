@@ -76,6 +76,7 @@ struct ParameterAccess {
 
 struct Parameter {
     std::string id;
+    std::string formerId;  ///< by which files and commands may still name it; empty: none
     std::string label;
     std::string group;  ///< heading in the panel and the reference page
     std::string unit;   ///< of the value; "1" for a pure number, empty for toggles and choices

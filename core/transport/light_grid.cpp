@@ -22,8 +22,8 @@ LightGrid gridOf(const RegularGrid& medium, const BoxM& occupied, glm::ivec3 str
             const double heightM = medium.originM.z + (first + 0.5) * voxelM;
             const double below = std::round(std::max(0.0, heightM) / grid.spacingM.z);
             // The plane of the lowest nodes stands for the ground.
-            from = first - stride.z * static_cast<int>(std::min<double>(below, first / stride.z +
-                                                                                  kMostNodesBelow));
+            from = first - stride.z * static_cast<int>(std::min<double>(
+                                          below, first / stride.z + kMostNodesBelow));
         }
         grid.firstVoxel[axis] = from;
         grid.lowerM[axis] = (from + 0.5) * voxelM;

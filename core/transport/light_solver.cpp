@@ -67,8 +67,7 @@ LightField LightSolver::sweepFine(const LightDirections& directions) const {
     input.farGroundRadiance = upwards(farFlux);
     for (std::size_t i = 0; i < field_.groundFlux.size(); ++i) {
         const double direct = hasBeam() ? sine * static_cast<double>(beam_[i]) : 0.0;
-        input.groundRadiance.push_back(
-            upwards(direct + static_cast<double>(field_.groundFlux[i])));
+        input.groundRadiance.push_back(upwards(direct + static_cast<double>(field_.groundFlux[i])));
     }
     return swept(input, directions, settings_.threads);
 }

@@ -33,9 +33,9 @@ inline constexpr std::size_t kLightParts = 3;
 
 /// The light at one moment of the work.
 struct LightState {
-    LightRequest request;  ///< that it answers
-    int cycles = 0;        ///< done, of the sun's field
-    bool settled = false;  ///< it gets no better
+    LightRequest request;                   ///< that it answers
+    int cycles = 0;                         ///< done, of the sun's field
+    bool settled = false;                   ///< it gets no better
     double remaining = 1.0, chance = -1.0;  ///< of the sun's field, as LightSolver
     std::vector<std::uint32_t> nodes;       ///< that are active, by their index in the medium
     /// Source function at these nodes, of each part: kAlignedMoments side by side of the sun, else

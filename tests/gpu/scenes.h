@@ -65,8 +65,10 @@ inline std::vector<View> views() {
 /// One phase function, no noise, no skylight.
 inline Look plainLook() {
     Look look;
+    look.transport = Transport::translucent;
     look.noise = false;
     look.phaseMode = PhaseMode::uniform;
+    look.phaseDisplay = PhaseDisplay::logarithmic;
     look.skylight = 0.0f;
     return look;
 }
@@ -103,6 +105,7 @@ inline Look lookOf(const Mode& mode) {
     Look look;
     look.transport = mode.transport;
     look.phaseMode = mode.phase;
+    look.phaseDisplay = PhaseDisplay::logarithmic;
     look.noise = mode.noise;
     look.extinction = mode.extinction;
     look.colour = mode.colour;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/camera/camera.h"
+#include "core/image/light_progress.h"
 #include "core/image/reference_progress.h"
 #include "core/look/parameter.h"
 
@@ -76,6 +77,7 @@ struct FrameStats {
     std::optional<SampleCounts> samples;  ///< of engines that count them; only when profiled
     double bytesPerSample = 0.0;  ///< fetched, caches not considered; 0: not known; likewise
     ReferenceProgress reference;  ///< of engines that converge
+    std::optional<LightProgress> light;  ///< of full transport
 };
 
 }  // namespace neph::render

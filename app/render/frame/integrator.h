@@ -49,6 +49,9 @@ class Integrator {
 
     // What an engine need not be able to do.
 
+    /// Whether work in the background has brought light that is better than that of the last frame.
+    virtual bool hasNewerLight() const { return false; }
+
     /// Repeats the rays and samples of the profiled frame before with a single trilinear fetch of
     /// RGBA16 each, to measure against; `linear` is nonsense afterwards. False: it cannot.
     virtual bool floor(const FrameRequest& frame, RenderContext& context);

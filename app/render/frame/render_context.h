@@ -1,5 +1,6 @@
 // render_context.h: what an engine works with and reports to, whatever it is.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct RenderContext {
     const Progress& progress;            ///< to be asked every few milliseconds
     FrameStats& stats;                   ///< to be filled in
     std::vector<std::string>& messages;  ///< problems, for the user
+    /// To be called from any thread when work in the background has brought something to show; may
+    /// be empty.
+    const std::function<void()>& wake;
 };
 
 /// Has the medium be MediumTextures as the look asks for, with the noise that they need: for

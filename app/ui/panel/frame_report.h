@@ -2,8 +2,10 @@
 #pragma once
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 
+#include "core/image/light_progress.h"
 #include "core/image/reference_progress.h"
 #include "core/look/look.h"
 
@@ -21,6 +23,8 @@ struct FrameReport {
     std::size_t gpuBytes = 0;     ///< held for this slot's images
     int time = -1;                ///< of the data in it; -1: not told
     ReferenceProgress reference;  ///< of that engine alone
+    std::optional<LightProgress> light;  ///< of full transport
+    std::string knownError;              ///< of other transport: core/look/known_error.h
 };
 
 }  // namespace neph::ui

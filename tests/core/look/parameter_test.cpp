@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/look/known_error.h"
 #include "core/optics/phase_functions.h"
 #include "tests/text.h"
 
@@ -82,7 +83,8 @@ TEST_CASE("The table is the rows of looks and then those of the sampling") {
         CHECK(row.part == ParameterPart::sampling);
         sampling.insert(row.id);
     }
-    CHECK(sampling == std::set<std::string>{"view.quality", "view.target_error", "view.seed"});
+    CHECK(sampling == std::set<std::string>{"view.quality", "view.light_voxels", "view.target_error",
+                                            "view.seed"});
     for (const Parameter& row : lookTable()) CHECK(row.part != ParameterPart::sampling);
     CHECK(&lookTable().front() == &parameterTable().front());
     CHECK(&samplingTable().back() == &parameterTable().back());
@@ -135,7 +137,7 @@ TEST_CASE("An assignment sets the one parameter that it names") {
     ParameterSet values;
     applyAssignment(values, "cloud.mixing_scale=0.5");
     CHECK(values.look.of(Species::cloud).mixingScale == 0.5f);
-    applyAssignment(values, "mode.transport=low_albedo");
+    applyAssignment(values, "light.transport=low_albedo");
     CHECK(values.look.transport == Transport::lowAlbedo);
     applyAssignment(values, "sky.zenith=0.1,0.2,0.3");
     CHECK(values.look.skyZenith == glm::vec3(0.1f, 0.2f, 0.3f));
@@ -157,9 +159,9 @@ TEST_CASE("An assignment sets the one parameter that it names") {
 
 TEST_CASE("Values as assignments are read back one by one") {
     ParameterSet values;
-    values.sampling = {.quality = 0.25f, .targetError = 0.05f, .seed = 7};
+    values.sampling = {.quality = 0.25f, .lightVoxels = 5000, .targetError = 0.05f, .seed = 7};
     const std::string text = formatAssignments(samplingTable(), values);
-    CHECK(text == "view.quality=0.25 view.target_error=0.05 view.seed=7");
+    CHECK(text == "view.quality=0.25 view.light_voxels=5000 view.target_error=0.05 view.seed=7");
     ParameterSet again;
     std::istringstream words(text);
     for (std::string word; words >> word;) applyAssignment(again, word);
@@ -193,7 +195,7 @@ TEST_CASE("Text that is no value of the parameter is refused") {
     for (const char* assignment :
          {"cloud.mixing_scale=", "cloud.mixing_scale=1x", "cloud.mixing_scale=nan",
           "cloud.mixing_scale=inf", "cloud.mixing_scale=1e99", "view.planes=64.5",
-          "mode.transport=translucen", "ground.visible=maybe", "sky.zenith=0.1,0.2",
+          "light.transport=translucen", "ground.visible=maybe", "sky.zenith=0.1,0.2",
           "sky.zenith=0.1,0.2,0.3,0.4", "sky.zenith=0.1,0.2,1.5", "no_equals_sign"}) {
         CAPTURE(assignment);
         ParameterSet values;
@@ -264,6 +266,8 @@ TEST_CASE("A phase function shows the parameters that it has, and no others") {
 
 TEST_CASE("What is no parameter of a phase function acts with the engines that it is of") {
     Look look;
+    look.transport = Transport::translucent;
+    look.phaseDisplay = PhaseDisplay::logarithmic;
     for (const Parameter& row : parameterTable()) {
         const bool ofPhase = row.id.find("phase_") != std::string::npos &&
                              row.id.find(".phase_truncation") == std::string::npos &&
@@ -344,4 +348,42 @@ TEST_CASE("An option of the command line stands for one parameter, and says so")
     }
     CHECK(names ==
           std::set<std::string_view>{"--engine", "--quality", "--planes", "--error", "--seed"});
+}
+
+TEST_CASE("What makes up for scatterings that are not followed has no effect where all are") {
+    Look look;
+    for (const char* id : {"light.forward_angle", "light.forward_g", "light.phase_display",
+                           "light.phase_truncation", "sky.skylight"}) {
+        CAPTURE(id);
+        look.phaseDisplay = PhaseDisplay::logarithmic;
+        look.transport = Transport::full;
+        look.engine = Engine::march;
+        CHECK_FALSE(applies(parameter(id), look));
+        look.engine = Engine::slicing;  // which does not know full transport
+        CHECK(applies(parameter(id), look));
+        look.transport = Transport::translucent;
+        CHECK(applies(parameter(id), look));
+    }
+}
+
+TEST_CASE("A parameter is found by its former name, and written by its own") {
+    ParameterSet values;
+    applyAssignment(values, "mode.transport=low_albedo");
+    CHECK(values.look.transport == Transport::lowAlbedo);
+    CHECK(parameter("mode.transport").id == "light.transport");
+}
+
+TEST_CASE("Ways of following light that have an error say so, and full transport says nothing") {
+    Look look;
+    look.engine = Engine::march;
+    CHECK(knownErrorText(look).empty());
+    look.transport = Transport::translucent;
+    CHECK(knownErrorText(look).find("too dark") != std::string::npos);
+    look.phaseDisplay = PhaseDisplay::logarithmic;
+    CHECK(knownErrorText(look).find("not a radiance") != std::string::npos);
+    look.transport = Transport::full;
+    look.engine = Engine::slicing;
+    CHECK_FALSE(knownErrorText(look).empty());
+    look.engine = Engine::reference;
+    CHECK(knownErrorText(look).empty());
 }

@@ -53,7 +53,7 @@ TEST_CASE("Every parameter belongs to one part of a preset, the one that its id 
         CHECK(row.id.starts_with("view.") == (part == kPresetView));
     }
     CHECK(seen == (kPresetAll & ~kPresetCamera));
-    CHECK(partOf(parameter("mode.transport")) == kPresetLight);
+    CHECK(partOf(parameter("light.transport")) == kPresetLight);
     CHECK(partOf(parameter("mode.extinction")) == kPresetFields);
     CHECK(partOf(parameter("light.equal_extinction")) == kPresetFields);
 }
@@ -101,10 +101,10 @@ TEST_CASE("A difference names group, label and both values as the screen shows t
     after.camera->target.z = 0.5f;
     const std::vector<PresetDifference> rows = differences(before, after);
     REQUIRE(rows.size() == 4);
-    CHECK(lineOf(rows[0]) == "Modes: Light Translucent -> Low albedo");
-    CHECK(rows[0].part == kPresetLight);
-    CHECK(lineOf(rows[1]) == "Rain: Effective radius 250 µm -> 1000 µm");
-    CHECK(rows[1].part == kPresetFields);
+    CHECK(lineOf(rows[0]) == "Rain: Effective radius 250 µm -> 1000 µm");
+    CHECK(rows[0].part == kPresetFields);
+    CHECK(lineOf(rows[1]) == "Light: Transport Full -> Low albedo");
+    CHECK(rows[1].part == kPresetLight);
     CHECK(lineOf(rows[2]) == "Camera: Target height 0.35 -> 0.5");
     CHECK(lineOf(rows[3]) == "Camera: Field of view 40° -> 34°");
     CHECK(rows[3].part == kPresetCamera);

@@ -165,8 +165,8 @@ TEST_CASE("A value of the wrong type is refused with key, value and what is expe
           Case{R"("cloud.visible": 1)", "cloud.visible", "true or false"},
           Case{R"("view.planes": 64.5)", "view.planes", "whole number"},
           Case{R"("view.planes": 1e30)", "view.planes", "whole number"},
-          Case{R"("mode.transport": "translucen")", "mode.transport", "translucent"},
-          Case{R"("mode.transport": 1)", "mode.transport", "translucent"},
+          Case{R"("light.transport": "translucen")", "light.transport", "translucent"},
+          Case{R"("light.transport": 1)", "light.transport", "translucent"},
           Case{R"("sky.zenith": [0, 0])", "sky.zenith", "three numbers"},
           Case{R"("sky.zenith": [0, 0, 2])", "sky.zenith", "three numbers"},
           Case{R"("sky.zenith": [0, 0, "1"])", "sky.zenith", "three numbers"}}) {

@@ -75,7 +75,7 @@ TEST_CASE("Labels speak as the panels do: units on screen, words for choices") {
     CHECK(describeChange(before, after) == "Rain: Effective radius 1000 µm -> 500 µm");
     after = {};
     after.look.transport = Transport::lowAlbedo;
-    CHECK(describeChange(before, after) == "Modes: Light Translucent -> Low albedo");
+    CHECK(describeChange(before, after) == "Light: Transport Full -> Low albedo");
     after = {};
     after.sampling.targetError = 0.01f;
     CHECK(describeChange(before, after) == "Sampling: Target error 2 % -> 1 %");

@@ -39,8 +39,7 @@ double farLight(LightPart part) {
 LightClass lightClassOf(const MediumClass& c) {
     const PhaseTable table = makePhaseTable(c.phase);
     LightClass light;
-    light.singleScattering =
-        std::min(1.0, static_cast<double>(c.albedo * luminanceOf(c.colour)));
+    light.singleScattering = std::min(1.0, static_cast<double>(c.albedo * luminanceOf(c.colour)));
     light.moments = phaseMomentsOf([&](float cosTheta) { return lookUp(table, cosTheta).g; });
     return light;
 }
@@ -140,19 +139,17 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
 void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
     const glm::dvec3 perM = 1.0 / grid_.extentM();
     block.lightPerM = glm::vec4(perM, 0.0);
-    block.lightOffset =
-        glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
-    const glm::dvec3 far =
-        look.groundVisible
-            ? farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
-                  farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
-            : glm::dvec3(0.0);
+    block.lightOffset = glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
+    const glm::dvec3 far = look.groundVisible
+                               ? farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
+                                     farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
+                               : glm::dvec3(0.0);
     block.farGround = glm::vec4(far, 0.0);
     for (std::size_t i = 0; i < forward_.size(); ++i) block.classes[i].forward = forward_[i];
 }
 
 void DiffuseLight::update(const Look& look, bool settled, const Progress& progress) {
-    LightRequest request;
+    LightRequest& request = asked_;
     request.medium = medium_;
     request.towardsSun = sunDirWorld(look);
     // A Lambert surface whose radiance in full light is the look's.
@@ -169,6 +166,21 @@ void DiffuseLight::update(const Look& look, bool settled, const Progress& progre
         shownGrid_ = grid_;
         shown_ = std::move(state);
     }
+}
+
+bool DiffuseLight::hasNewer() const {
+    const auto newest = work_.latest();
+    return newest && newest != shown_ && newest->request.medium == medium_;
+}
+
+LightProgress DiffuseLight::progress() const {
+    LightProgress progress{.voxels = grid_.nodes, .voxelM = grid_.spacingM};
+    if (!shown_) return progress;
+    progress.cycles = shown_->cycles;
+    progress.settled = shown_->settled && shown_->request == asked_;
+    progress.remaining = shown_->remaining;
+    progress.chance = shown_->chance;
+    return progress;
 }
 
 void DiffuseLight::upload(const LightState& state) {
@@ -206,8 +218,7 @@ void DiffuseLight::lightGround(const FrameBlock& block) {
     const glm::vec3 ofHorizon = perIrradiance * glm::vec3(block.skyHorizon);
     const glm::vec3 ofZenith = perIrradiance * glm::vec3(block.skyZenith);
     for (std::size_t i = 0; i < light.size(); ++i) {
-        light[i] =
-            glm::vec4(sun[i] * ofSun + horizon[i] * ofHorizon + zenith[i] * ofZenith, 0.0f);
+        light[i] = glm::vec4(sun[i] * ofSun + horizon[i] * ofHorizon + zenith[i] * ofZenith, 0.0f);
     }
     if (glm::ivec2(groundLight_.size()) != size) {
         groundLight_ = gl::Texture::make2D(GL_RGBA16F, size);

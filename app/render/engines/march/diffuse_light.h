@@ -3,7 +3,9 @@
 // docs/transport.md
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/gl/objects.h"
@@ -11,6 +13,7 @@
 #include "app/render/engines/march/packed_medium.h"
 #include "app/render/frame/frame_block.h"
 #include "app/render/frame/frame_inputs.h"
+#include "core/image/light_progress.h"
 #include "core/transport/light_grid.h"
 #include "core/transport/light_work.h"
 
@@ -18,13 +21,13 @@ namespace neph::render {
 
 class DiffuseLight {
   public:
+    /// `wake` as LightWork has it.
+    explicit DiffuseLight(std::function<void()> wake) : work_(std::move(wake)) {}
+
     /// Takes over the medium, which holds the voxels' detail and is bound with its frame block.
     /// `look` is what it was made of.
     void takeMedium(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
                     const gl::Program& nodes);
-    bool hasMedium() const { return medium_ != nullptr; }
-    void dropMedium() { medium_ = nullptr; }
-
     /// Numbers of the block that are its own.
     void fill(FrameBlock& block, const Look& look) const;
 
@@ -35,8 +38,10 @@ class DiffuseLight {
     void lookFrom(const FrameBlock& block, const gl::Program& sourceToEye);
     void bind() const;
 
-    const LightState* state() const { return shown_.get(); }
-    const LightGrid& grid() const { return grid_; }
+    /// Whether there is light of this medium that was not taken over yet.
+    bool hasNewer() const;
+    /// Of what is shown.
+    LightProgress progress() const;
     std::size_t bytes() const;
 
   private:
@@ -48,7 +53,7 @@ class DiffuseLight {
     std::shared_ptr<const LightMedium> medium_;  ///< as it was asked for
     LightGrid shownGrid_;
     std::shared_ptr<const LightState> shown_;  ///< what is on the GPU
-    double groundAlbedo_ = 0.0;
+    LightRequest asked_;
     std::vector<glm::vec4> forward_;  ///< of each class; ClassBlock::forward
     gl::Texture thickness_;           ///< R8, half of lightThickness
     gl::Texture source_;              ///< RGBA16F

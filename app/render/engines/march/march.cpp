@@ -90,16 +90,12 @@ class BlockOrder {
     std::vector<Spanned> blocks_;
 };
 
-bool isFull(const Look& look) {
-    return look.transport == Transport::full;
-}
-
 std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     Look carried = look;  // what reaches a place straight from the sun is solved no further
-    if (isFull(look)) carried.transport = Transport::lowAlbedo;
+    if (scattersOften(look)) carried.transport = Transport::lowAlbedo;
     std::vector<std::string> names = lightDefines(carried, medium.plan, true);
     names.push_back("PACKED 1");
-    if (isFull(look)) names.push_back("FULL 1");
+    if (scattersOften(look)) names.push_back("FULL 1");
     names.push_back("LIGHT_FORMAT r16");
     names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
     return names;
@@ -107,7 +103,7 @@ std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
 
 /// Full transport shows radiance: its phase functions are physical.
 Look shownLook(Look look) {
-    if (isFull(look)) look.phaseDisplay = PhaseDisplay::physical;
+    if (scattersOften(look)) look.phaseDisplay = PhaseDisplay::physical;
     return look;
 }
 
@@ -173,10 +169,15 @@ gl::Texture uploadBlueNoise() {
 
 Stage MarchEngine::stageFor(const FrameInputs& inputs, std::optional<Stage> changed) const {
     const bool finer = lightIsDraft_ && !inputs.draftLight;
+    if (changed && hasNewerLight()) *changed = std::min(Stage::eye, *changed);
     if (changed) return finer ? std::min(Stage::light, *changed) : *changed;
     if (!lit_) return Stage::medium;
     return std::min(finer ? Stage::light : Stage::eye,
                     firstDifference(*lit_, inputs.look).value_or(Stage::eye));
+}
+
+bool MarchEngine::hasNewerLight() const {
+    return diffuse_ && diffuse_->hasNewer();
 }
 
 void MarchEngine::prepare(const Look& look, RenderContext& context) {
@@ -202,7 +203,7 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
         lightIsDraft_ = inputs.draftLight;
         context.stats.marchedLight = true;
     }
-    if (diffuse_) {
+    if (diffuse_ && frame.sample == 0) {  // else it belongs to an image that has its light
         context.timer.pass("light solved");
         diffuse_->update(inputs.look, inputs.settledLight, context.progress);
     }
@@ -211,7 +212,9 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     bind(frame, medium, context, {0, lastLayer_});
     if (diffuse_) {
         context.timer.pass("light to eye");
-        diffuse_->lookFrom(bound_, context.programs.get("march/source_to_eye.comp"));
+        if (frame.sample == 0) {
+            diffuse_->lookFrom(bound_, context.programs.get("march/source_to_eye.comp"));
+        }
         diffuse_->bind();
     }
     context.timer.pass(kEyePass);
@@ -249,14 +252,14 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
 void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
                                  RenderContext& context) {
     const Look& look = frame.inputs.look;
-    if (!isFull(look)) {
+    if (!scattersOften(look)) {
         diffuse_.reset();
         return;
     }
     const int voxels = frame.inputs.sampling.lightVoxels;
     if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
     context.timer.pass("light voxels");
-    if (!diffuse_) diffuse_.emplace();
+    if (!diffuse_) diffuse_.emplace(context.wake);
     bind(frame, medium, context, {0, 0});
     diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
                          context.programs.get("march/light_nodes.comp", defines(look, medium)));
@@ -361,6 +364,7 @@ SampleCounts MarchEngine::counts() const {
 void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
     context.stats.planes = steps_;
     context.stats.lightSize = {plan_.lightSizePx, plan_.count};
+    if (diffuse_) context.stats.light = diffuse_->progress();
     if (!inputs.profile) return;
     const MediumPlan& plan = context.medium.as<PackedMedium>().look;
     const double mixtures = plan.classes.size() > kClassesBesideSkylight ? 2.0 : 1.0;
@@ -370,7 +374,7 @@ void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
 }
 
 std::size_t MarchEngine::otherBytes() const {
-    return phases_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
+    return phases_.bytes() + block_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
 }
 
 template <>

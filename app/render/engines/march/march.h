@@ -25,7 +25,10 @@ class MarchEngine final : public Integrator {
     void prepare(const Look& look, RenderContext& context) override;
     void render(const FrameRequest& frame, RenderContext& context) override;
     void describe(const FrameInputs& inputs, RenderContext& context) override;
-    std::size_t lightBytes() const override { return light_.bytes(); }
+    bool hasNewerLight() const override;
+    std::size_t lightBytes() const override {
+        return light_.bytes() + (diffuse_ ? diffuse_->bytes() : 0);
+    }
     std::size_t otherBytes() const override;
     bool floor(const FrameRequest& frame, RenderContext& context) override;
 

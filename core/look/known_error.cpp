@@ -1,0 +1,16 @@
+// known_error.cpp: the least and the largest bias in the views of docs/accuracy.md.
+#include "core/look/known_error.h"
+
+#include <fmt/format.h>
+
+namespace neph {
+
+std::string knownErrorText(const Look& look) {
+    const EngineTraits& engine = traitsOf(look.engine);
+    if (!engine.singleScattering || scattersOften(look)) return {};
+    if (look.phaseDisplay != PhaseDisplay::physical) return "phase for display: not a radiance";
+    if (look.transport == Transport::lowAlbedo) return "light scattered once: 15 to 75 % too dark";
+    return "forward scattering alone: 73 % too dark to 33 % too bright";
+}
+
+}  // namespace neph
