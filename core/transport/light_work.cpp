@@ -80,7 +80,7 @@ struct LightWork::Solution {
         return all;
     }
     bool isSettled(std::size_t part) const {
-        return solvers[part]->cyclesDone() >= toSettle[part] || nodes.empty();
+        return solvers[part]->cyclesDone() >= (nodes.empty() ? 1 : toSettle[part]);
     }
     /// Returns whether the outcome is worth showing.
     bool cycle() {
@@ -184,7 +184,7 @@ void LightWork::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const auto asked = take(!solution || solution->settled(), stop);
         if (stop.stop_requested()) return;
-        if (asked && solution && solution->request.medium == asked->medium) {
+        if (asked && asked->warm && solution && solution->request.medium == asked->medium) {
             solution->change(*asked);
         } else if (asked) {
             solution = std::make_unique<Solution>(*asked);

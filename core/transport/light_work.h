@@ -1,7 +1,6 @@
 // light_work.h: solves the light of a medium in the background, and shows how far it has come.
 //
-// The newest request wins. Between two cycles the worker takes over what was asked meanwhile:
-// another sun or ground warms up from the field that is there, another medium starts anew.
+// The newest request wins; between two cycles the worker takes over what was asked meanwhile.
 #pragma once
 #include <condition_variable>
 #include <cstdint>
@@ -23,6 +22,9 @@ struct LightRequest {
     glm::dvec3 towardsSun{0.0, 0.0, 1.0};
     double groundAlbedo = 0.0;
     bool groundHidden = false;  ///< the sky's horizon shines from below instead
+    /// May start from the light that is there, which is quicker; else the outcome depends on
+    /// nothing that was asked before.
+    bool warm = false;
     bool operator==(const LightRequest&) const = default;
 };
 

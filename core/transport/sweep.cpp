@@ -306,10 +306,15 @@ void addField(const LightField& from, LightField& to) {
 }
 
 /// A random set has not quite the right flux through a horizontal plane.
-void scaleGroundFlux(const LightDirections& directions, LightField& field) {
+void scaleGroundFlux(const SkyLight& sky, const LightDirections& directions, LightField& field) {
+    const bool dark = sky == SkyLight{0.0, 0.0};
     double downward = 0.0;
-    for (const LightDirection& d : directions) downward += d.weightSr * std::max(0.0, -d.travel.z);
-    const auto scale = static_cast<float>(std::numbers::pi / downward);
+    for (const LightDirection& d : directions) {
+        const double up = -d.travel.z;
+        if (up > 0.0) downward += d.weightSr * up * (dark ? 1.0 : sky.radianceAt(up));
+    }
+    const auto scale =
+        static_cast<float>((dark ? std::numbers::pi : sky.irradiance()) / downward);
     for (float& flux : field.groundFlux) flux *= scale;
 }
 
@@ -332,7 +337,7 @@ LightField swept(const SweepInput& input, const LightDirections& directions, int
         }
     });
     for (std::size_t group = 1; group < groups; ++group) addField(sums[group], sums[0]);
-    scaleGroundFlux(directions, sums[0]);
+    scaleGroundFlux(input.sky, directions, sums[0]);
     return std::move(sums[0]);
 }
 

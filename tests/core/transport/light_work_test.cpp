@@ -53,11 +53,13 @@ TEST_CASE("Another sun starts from the light that is there; the newest request w
     LightRequest request = requestOf(small());
     work.ask(request);
     work.wait(false, {});
+    request.warm = true;
     for (const double east : {0.1, 0.2, 0.3}) {
         request.towardsSun = glm::normalize(glm::dvec3(east, 0.0, 1.0));
         work.ask(request);
     }
-    CHECK(work.wait(true, {})->request.towardsSun == request.towardsSun);
+    const auto warm = work.wait(true, {});
+    CHECK(warm->request.towardsSun == request.towardsSun);
     request.medium = std::make_shared<const LightMedium>(small().medium());
     work.ask(request);
     CHECK(work.wait(true, {})->request.medium == request.medium);
@@ -107,4 +109,16 @@ TEST_CASE("Nodes beside particles scatter as those do") {
         CHECK(shares[i * degrees] == doctest::Approx(0.9));
         CHECK(shares[i * degrees + 1] == doctest::Approx(0.0));
     }
+}
+
+TEST_CASE("Light that may not start from other light is the same whatever was asked before") {
+    LightRequest request = requestOf(small());
+    LightWork fresh, used;
+    fresh.ask(request);
+    used.ask(request);
+    used.wait(true, {});
+    request.towardsSun = glm::normalize(glm::dvec3(0.5, 0.2, 1.0));
+    fresh.ask(request);
+    used.ask(request);
+    CHECK(fresh.wait(true, {})->source == used.wait(true, {})->source);
 }

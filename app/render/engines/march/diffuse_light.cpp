@@ -151,6 +151,7 @@ void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
 void DiffuseLight::update(const Look& look, bool settled, const Progress& progress) {
     LightRequest& request = asked_;
     request.medium = medium_;
+    request.warm = !settled;
     request.towardsSun = sunDirWorld(look);
     // A Lambert surface whose radiance in full light is the look's.
     const double reflected = static_cast<double>(luminanceOf(look.groundColour));
