@@ -44,7 +44,6 @@ void main() {
         for (int s = 0; s < kSpeciesCount; ++s) {
             if (classOf[s] < 0) continue;
             float held = textureLod(t_held[s], positionM / u_.gridExtentM.xyz, 0.0).r;
-            if (held <= 0.0) continue;
             depth[s] += extinctionPerHeld[s] * held * stepM * detailOf(classOf[s], positionM);
         }
     }
