@@ -10,7 +10,7 @@ namespace neph {
 
 struct Sampling {
     float quality = 1.0f;       ///< steps per voxel of the march
-    int lightVoxels = 300000;   ///< at most about so many, of full transport
+    int lightVoxels = 450000;   ///< at most about so many, of full transport
     float targetError = 0.02f;  ///< relative standard error at which the reference rests
     int seed = 0;               ///< of the reference's random numbers
     bool operator==(const Sampling&) const = default;

@@ -21,6 +21,7 @@ namespace {
 static_assert(kSunMoments == kAlignedMoments && kSkyMoments == kBroadMoments);
 
 constexpr std::size_t kMostPackers = 4;
+constexpr std::size_t kMostPhases = 64;  // that are kept, while sliders change them
 
 float luminanceOf(const glm::vec3& colour) {
     return glm::dot(colour, glsl::kLuminance);
@@ -36,20 +37,27 @@ double farLight(LightPart part) {
            kFullLight;
 }
 
-LightClass lightClassOf(const MediumClass& c) {
-    const PhaseTable table = makePhaseTable(c.phase);
-    LightClass light;
-    light.singleScattering = std::min(1.0, static_cast<double>(c.albedo * luminanceOf(c.colour)));
-    light.moments = phaseMomentsOf([&](float cosTheta) { return lookUp(table, cosTheta).g; });
-    return light;
-}
-
 /// Light that scatters in the class's forward peak; ClassBlock::forward.
 glm::vec4 forwardOf(const LightClass& light) {
     const auto share = [&](double thickness) {
         return static_cast<float>(light.singleScattering * forwardShare(light, true, thickness));
     };
     return {share(0.0), share(1.0), share(2.0), 0.0f};
+}
+
+/// Samples along each axis of a node's share of space: one a voxel, and with detail at least so
+/// many that they lie about as close on all axes.
+glm::ivec3 samplesOf(const LightGrid& grid, bool detailed) {
+    constexpr int kMostOfAVoxel = 4;
+    glm::ivec3 samples = grid.stride;
+    if (!detailed) return samples;
+    const glm::dvec3 voxelM = grid.spacingM / glm::dvec3(grid.stride);
+    const double leastM = std::min({voxelM.x, voxelM.y, voxelM.z});
+    for (int axis = 0; axis < 3; ++axis) {
+        const int ofVoxel = static_cast<int>(std::lround(voxelM[axis] / leastM));
+        samples[axis] *= std::clamp(ofVoxel, 1, kMostOfAVoxel);
+    }
+    return samples;
 }
 
 /// Two values in a word.
@@ -94,6 +102,21 @@ gl::Texture makeLinear(GLenum format, glm::ivec3 size) {
 
 }  // namespace
 
+LightClass DiffuseLight::lightClassOf(const MediumClass& c) {
+    LightClass light;
+    light.singleScattering = std::min(1.0, static_cast<double>(c.albedo * luminanceOf(c.colour)));
+    const auto met =
+        std::ranges::find(phases_, c.phase, &std::pair<PhaseSpec, PhaseMoments>::first);
+    if (met != phases_.end()) {
+        light.moments = met->second;
+        return light;
+    }
+    const PhaseTable table = makePhaseTable(c.phase);
+    light.moments = phaseMomentsOf([&](float cosTheta) { return lookUp(table, cosTheta).g; });
+    phases_.emplace_back(c.phase, light.moments);
+    return light;
+}
+
 void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid,
                               const PackedMedium& medium, const gl::Program& nodes) {
     const BoxM whole{glm::dvec3(0.0), grid.extentM()};
@@ -103,6 +126,7 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     made->nodes = grid_.nodes;
     made->spacingM = grid_.spacingM;
     for (const MediumClass& c : medium.plan.classes) made->classes.push_back(lightClassOf(c));
+    if (phases_.size() > kMostPhases) phases_.clear();
     const Array3f empty(grid_.nodes, 0.0f);
     std::vector<float> values(std::max<std::size_t>(made->classes.size(), 1) * empty.values.size());
     extinctions_.write(values.data(), values.size() * sizeof(float));
@@ -110,13 +134,13 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     nodes.setIvec3(kNodesFirstVoxelLocation, grid_.firstVoxel);
     nodes.setIvec3(kNodesStrideLocation, grid_.stride);
     nodes.setIvec3(kNodesCountLocation, grid_.nodes);
+    nodes.setIvec3(kNodesSamplesLocation, samplesOf(grid_, isNoisy(medium.plan)));
     nodes.dispatch(grid_.nodes);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(extinctions_.name(), 0,
                             static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
     std::vector<std::uint8_t> thickness(empty.values.size());
     std::vector<double> sum(empty.values.size(), 0.0);
-    forward_.clear();
     for (std::size_t c = 0; c < made->classes.size(); ++c) {
         LightClass& light = made->classes[c];
         light.extinctionPerM = empty;
@@ -125,7 +149,6 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
         for (std::size_t i = 0; i < sum.size(); ++i) {
             sum[i] += static_cast<double>(light.extinctionPerM.values[i]);
         }
-        forward_.push_back(forwardOf(light));
     }
     for (std::size_t i = 0; i < sum.size(); ++i) {
         thickness[i] =
@@ -136,7 +159,8 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     medium_ = std::move(made);
 }
 
-void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
+void DiffuseLight::fill(FrameBlock& block, const Look& look,
+                        const std::vector<MediumClass>& classes) {
     const glm::dvec3 perM = 1.0 / grid_.extentM();
     block.lightPerM = glm::vec4(perM, 0.0);
     block.lightOffset = glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
@@ -145,7 +169,9 @@ void DiffuseLight::fill(FrameBlock& block, const Look& look) const {
                                      farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
                                : glm::dvec3(0.0);
     block.farGround = glm::vec4(far, 0.0);
-    for (std::size_t i = 0; i < forward_.size(); ++i) block.classes[i].forward = forward_[i];
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        block.classes[i].forward = forwardOf(lightClassOf(classes[i]));
+    }
 }
 
 void DiffuseLight::update(const Look& look, bool settled, const Progress& progress) {

@@ -24,12 +24,11 @@ class DiffuseLight {
     /// `wake` as LightWork has it.
     explicit DiffuseLight(std::function<void()> wake) : work_(std::move(wake)) {}
 
-    /// Takes over the medium, which holds the voxels' detail and is bound with its frame block.
-    /// `look` is what it was made of.
+    /// Takes over the medium, which holds no detail and is bound with its frame block.
     void takeMedium(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
                     const gl::Program& nodes);
-    /// Numbers of the block that are its own.
-    void fill(FrameBlock& block, const Look& look) const;
+    /// Numbers of the block that are its own. `classes` are those of the block.
+    void fill(FrameBlock& block, const Look& look, const std::vector<MediumClass>& classes);
 
     /// Asks for the light of a look, and takes over the newest there is: waits for the first, or
     /// with `settled` for the last. Throws Cancelled.
@@ -45,6 +44,7 @@ class DiffuseLight {
     std::size_t bytes() const;
 
   private:
+    LightClass lightClassOf(const MediumClass& c);
     void upload(const LightState& state);
     void lightGround(const FrameBlock& block);
 
@@ -54,10 +54,10 @@ class DiffuseLight {
     LightGrid shownGrid_;
     std::shared_ptr<const LightState> shown_;  ///< what is on the GPU
     LightRequest asked_;
-    std::vector<glm::vec4> forward_;  ///< of each class; ClassBlock::forward
-    gl::Texture thickness_;           ///< R8, half of lightThickness
-    gl::Texture source_;              ///< RGBA16F
-    gl::Texture groundLight_;         ///< RGBA16F
+    std::vector<std::pair<PhaseSpec, PhaseMoments>> phases_;  ///< that were met
+    gl::Texture thickness_;                                   ///< R8, half of lightThickness
+    gl::Texture source_;                                      ///< RGBA16F
+    gl::Texture groundLight_;                                 ///< RGBA16F
     gl::Buffer extinctions_, nodes_, moments_;
 };
 

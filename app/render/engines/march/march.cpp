@@ -196,8 +196,8 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     PackedMedium& medium = context.medium.as<PackedMedium>();
     if (frame.from <= Stage::light) {
         lit_.reset();
-        repack(inputs.look, PackedDetail::voxels, medium, context);
         takeLightNodes(frame, medium, context);
+        repack(inputs.look, PackedDetail::voxels, medium, context);
         carryLight(frame, medium, context);
         lit_ = inputs.look;
         lightIsDraft_ = inputs.draftLight;
@@ -236,7 +236,7 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     block.sampling.x = frame.sample;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
-    if (diffuse_) diffuse_->fill(block, inputs.look);
+    if (diffuse_) diffuse_->fill(block, inputs.look, medium.plan.classes);
     bound_ = block;
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
@@ -249,7 +249,7 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
 }
 
 /// Has the voxels of light hold the medium, where the look asks for them.
-void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
+void MarchEngine::takeLightNodes(const FrameRequest& frame, PackedMedium& medium,
                                  RenderContext& context) {
     const Look& look = frame.inputs.look;
     if (!scattersOften(look)) {
@@ -258,11 +258,13 @@ void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& 
     }
     const int voxels = frame.inputs.sampling.lightVoxels;
     if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
+    repack(look, isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels, medium, context);
     context.timer.pass("light voxels");
     if (!diffuse_) diffuse_.emplace(context.wake);
     bind(frame, medium, context, {0, 0});
-    diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
-                         context.programs.get("march/light_nodes.comp", defines(look, medium)));
+    diffuse_->takeMedium(
+        frame.inputs, context.volume.grid, medium,
+        context.programs.get("march/light_nodes.comp", eyeDefines(frame.inputs, medium, false)));
     diffuseOf_ = {context.medium.version(), voxels};
 }
 
