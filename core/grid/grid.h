@@ -64,6 +64,7 @@ struct Array3 {
     }
     T& at(int x, int y, int z) { return values[index(x, y, z)]; }
     const T& at(int x, int y, int z) const { return values[index(x, y, z)]; }
+    bool operator==(const Array3&) const = default;
 };
 
 using Array3f = Array3<float>;

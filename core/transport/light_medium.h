@@ -21,12 +21,14 @@ struct LightClass {
     Array3f extinctionPerM;         ///< at nodes, not scaled
     double singleScattering = 1.0;  ///< albedo of single scattering
     PhaseMoments moments{};
+    bool operator==(const LightClass&) const = default;
 };
 
 struct LightMedium {
     glm::ivec3 nodes{0};  ///< at least 2 each
     glm::dvec3 spacingM{0.0};
     std::vector<LightClass> classes;
+    bool operator==(const LightMedium&) const = default;
 };
 
 /// Light comes from one source at a time; the answers to both add up.

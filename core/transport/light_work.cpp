@@ -17,7 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostThreads = 16;
-constexpr int kAveragedCycles = 12;
+// Cycles that are averaged; the light of the sky is a twentieth of that of the sun.
+constexpr std::array<int, kLightParts> kAveragedCycles{12, 4, 4};
 // While cycles are averaged, every so many of them are worth showing.
 constexpr int kShownOf = 4;
 
@@ -70,7 +71,7 @@ struct LightWork::Solution {
                 }
             }
             solvers[i]->restart(scene);
-            toSettle[i] = settingsOf(part).warmCycles + kAveragedCycles;
+            toSettle[i] = settingsOf(part).warmCycles + kAveragedCycles[i];
         }
         request = to;
     }
@@ -88,7 +89,7 @@ struct LightWork::Solution {
             if (!isSettled(i)) solvers[i]->cycle();
         }
         ++rounds;
-        const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles);
+        const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles[0]);
         return averaged <= 0 || averaged % kShownOf == 0 || settled();
     }
     std::shared_ptr<const LightState> state() const {
@@ -117,8 +118,8 @@ struct LightWork::Solution {
 
   private:
     static std::array<int, kLightParts> filled() {
-        std::array<int, kLightParts> cycles{};
-        cycles.fill(LightSettings{}.coldCycles + kAveragedCycles);
+        std::array<int, kLightParts> cycles = kAveragedCycles;
+        for (int& each : cycles) each += LightSettings{}.coldCycles;
         return cycles;
     }
 };
@@ -154,7 +155,7 @@ std::shared_ptr<const LightState> LightWork::wait(bool settled, const Progress& 
         const double done = answers ? latest_->cycles : 0;
         changed_.wait_for(lock, 5ms);
         lock.unlock();
-        if (!goOn(progress, done / (LightSettings{}.coldCycles + kAveragedCycles))) {
+        if (!goOn(progress, done / (LightSettings{}.coldCycles + kAveragedCycles[0]))) {
             throw Cancelled{};
         }
         lock.lock();

@@ -1,4 +1,5 @@
-// bench_changes.cpp: from a change to a first image, drawn as in motion, and to the full one.
+// bench_changes.cpp: from a change to a first image, drawn as in motion, and to the full one, with
+// settled light.
 //
 // Before each change the full image is there and nothing is left to be done. A time is one that
 // has been read already. Kinds of change take turns.
@@ -51,6 +52,7 @@ class Screen {
         draft.sizePx = glm::max(full_.sizePx / kDraftDivisor, glm::ivec2(1));
         draft.planes = kDraftSteps;
         draft.draftLight = true;
+        draft.settledLight = false;
         return draft;
     }
 

@@ -1,8 +1,10 @@
-// bench_modes.cpp: orbiting frames in [Riley03] table 4's modes beside the floor.
+// bench_modes.cpp: orbiting frames in [Riley03] table 4's modes, and with full transport, beside the
+// floor.
 //
-// All eight rows take turns, so that other work on the machine slows down all alike.
+// All rows take turns, so that other work on the machine slows down all alike.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/cli/bench/bench_orbit.h"
@@ -24,7 +26,7 @@ Json rowJson(const Row& row, const OrbitPlan& plan, const Row& simplest) {
     const double median = medianOf(row.frameMs);
     json["fps"] = 1000.0 / median;
     json["ratio_to_simplest"] = median / medianOf(simplest.frameMs);
-    json["paper_fps"] = row.mode->paperFps;
+    json["paper_fps"] = row.mode->paperFps > 0.0 ? Json(row.mode->paperFps) : Json();
     return json;
 }
 
@@ -41,6 +43,7 @@ void measureSize(const Run& run, const OrbitPlan& plan, render::Renderer& render
     std::vector<Row> orbits;
     for (const Engine engine : run.request.engines) {
         for (const Mode& mode : kModes) orbits.push_back({engine, &mode});
+        if (traitsOf(engine).scattersOften) orbits.push_back({engine, &kFullMode});
     }
     orbitAll(run, plan, renderer, orbits);
     fmt::print(stderr, "\nmodes: {} pixels, {} steps, {} cells\n", textOf(plan.sizePx), plan.steps,
@@ -48,9 +51,9 @@ void measureSize(const Run& run, const OrbitPlan& plan, render::Renderer& render
     fmt::print(stderr, "{:<8} {:<28} {:>8} {:>8} {:>8} {:>7} {:>6} {:>7} {:>7} {:>6} {:>7} {:>6}\n",
                "engine", "mode", "median", "min", "max", "fps", "ratio", "eye ms", "floor", "ratio",
                "GB/s", "paper");
-    for (std::size_t i = 0; i < orbits.size(); ++i) {
-        const Row& simplest = orbits[i - i % kModes.size()];
-        rows.push_back(rowJson(orbits[i], plan, simplest));
+    for (const Row& row : orbits) {
+        const Row& simplest = *std::ranges::find(orbits, row.engine, &Row::engine);
+        rows.push_back(rowJson(row, plan, simplest));
         print(rows.back());
     }
 }

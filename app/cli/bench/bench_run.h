@@ -28,7 +28,7 @@ struct Mode {
     Transport transport;
     PhaseMode phase;
     bool noise;
-    double paperFps;  ///< [Riley03] table 4, on a GeForce FX 5800 Ultra
+    double paperFps;  ///< [Riley03] table 4, on a GeForce FX 5800 Ultra; 0: not in it
 };
 inline constexpr std::array kModes{
     Mode{"uniform-low-albedo", Transport::lowAlbedo, PhaseMode::uniform, false, 5.1},
@@ -36,6 +36,10 @@ inline constexpr std::array kModes{
     Mode{"per-field-translucent", Transport::translucent, PhaseMode::perField, false, 1.68},
     Mode{"per-field-noise-translucent", Transport::translucent, PhaseMode::perField, true, 1.18},
 };
+
+/// Of engines that scatter often.
+inline constexpr Mode kFullMode{"per-field-noise-full", Transport::full, PhaseMode::perField, true,
+                                0.0};
 
 /// The mode as part of a look; the rest of it stays.
 void setMode(Look& look, const Mode& mode, Engine engine);

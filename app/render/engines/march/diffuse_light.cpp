@@ -156,7 +156,8 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     }
     if (thickness_.size() != grid_.nodes) thickness_ = makeLinear(GL_R8, grid_.nodes);
     thickness_.upload(GL_RED, GL_UNSIGNED_BYTE, thickness.data());
-    medium_ = std::move(made);
+    const bool same = medium_ && *medium_ == *made;
+    if (!same) medium_ = std::move(made);
 }
 
 void DiffuseLight::fill(FrameBlock& block, const Look& look,

@@ -177,7 +177,7 @@ Stage MarchEngine::stageFor(const FrameInputs& inputs, std::optional<Stage> chan
 }
 
 bool MarchEngine::hasNewerLight() const {
-    return diffuse_ && diffuse_->hasNewer();
+    return full_ && diffuse_->hasNewer();
 }
 
 void MarchEngine::prepare(const Look& look, RenderContext& context) {
@@ -203,14 +203,14 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
         lightIsDraft_ = inputs.draftLight;
         context.stats.marchedLight = true;
     }
-    if (diffuse_ && frame.sample == 0) {  // else it belongs to an image that has its light
+    if (full_ && frame.sample == 0) {  // else it belongs to an image that has its light
         context.timer.pass("light solved");
         diffuse_->update(inputs.look, inputs.settledLight, context.progress);
     }
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
     phases_.update(shownLook(inputs.look), medium.plan);
     bind(frame, medium, context, {0, lastLayer_});
-    if (diffuse_) {
+    if (full_) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {
             diffuse_->lookFrom(bound_, context.programs.get("march/source_to_eye.comp"));
@@ -236,7 +236,7 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     block.sampling.x = frame.sample;
     block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
                    fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
-    if (diffuse_) diffuse_->fill(block, inputs.look, medium.plan.classes);
+    if (full_) diffuse_->fill(block, inputs.look, medium.plan.classes);
     bound_ = block;
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
@@ -252,10 +252,8 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
 void MarchEngine::takeLightNodes(const FrameRequest& frame, PackedMedium& medium,
                                  RenderContext& context) {
     const Look& look = frame.inputs.look;
-    if (!scattersOften(look)) {
-        diffuse_.reset();
-        return;
-    }
+    full_ = scattersOften(look);
+    if (!full_) return;  // what is known of the medium stays, for when it is wanted again
     const int voxels = frame.inputs.sampling.lightVoxels;
     if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
     repack(look, isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels, medium, context);
@@ -280,7 +278,7 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
         sunDirWorld(inputs.look), boxOf(medium, grid),
         (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid));
     if (medium.bricks.empty()) plan_.count = 0;
-    if (diffuse_) diffuse_->bind();
+    if (full_) diffuse_->bind();
     const int batch = batchOf(plan_, grid);
     light_.resize(plan_.lightSizePx, batch + 1, GL_R16);
     light_.open(-1);
@@ -366,7 +364,7 @@ SampleCounts MarchEngine::counts() const {
 void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
     context.stats.planes = steps_;
     context.stats.lightSize = {plan_.lightSizePx, plan_.count};
-    if (diffuse_) context.stats.light = diffuse_->progress();
+    if (full_) context.stats.light = diffuse_->progress();
     if (!inputs.profile) return;
     const MediumPlan& plan = context.medium.as<PackedMedium>().look;
     const double mixtures = plan.classes.size() > kClassesBesideSkylight ? 2.0 : 1.0;

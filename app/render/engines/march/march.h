@@ -50,7 +50,8 @@ class MarchEngine final : public Integrator {
     bool lightIsDraft_ = false;
     int lastLayer_ = 0;  ///< of the light that is held: what is left behind the last slice
     PhaseTexture phases_;
-    std::optional<DiffuseLight> diffuse_;  ///< only with Transport::full
+    bool full_ = false;                    ///< the light that is held is of full transport
+    std::optional<DiffuseLight> diffuse_;  ///< since full transport was first wanted
     /// Version of the medium that it knows, and voxels that were asked for.
     std::pair<std::uint64_t, int> diffuseOf_{0, 0};
     FrameBlock bound_{};
