@@ -8,7 +8,7 @@ function(neph_compile_alone folder)
 endfunction()
 
 neph_compile_alone(core base/child_process.cpp camera/camera_moves.cpp optics/particle_size.cpp
-  plugin/plugin_library.cpp session/settings.cpp)
+  plugin/plugin_library.cpp session/settings.cpp transport/direction_feed.cpp)
 neph_compile_alone(readers/raw_les sidecar.cpp)
 file(GLOB action_tables RELATIVE ${PROJECT_SOURCE_DIR}/app CONFIGURE_DEPENDS app/ui/shell/actions_*.cpp)
 neph_compile_alone(app ${action_tables} cli/bench/bench_growth.cpp cli/bench/bench_modes.cpp
