@@ -1,6 +1,7 @@
 # Unity builds compile several files as one: the builds under sanitizers take a third of the time
 # (docs/measurements.md). These files have a name of their own that another file has too, each in its
-# unnamed namespace, and are compiled alone.
+# unnamed namespace, and are compiled alone; direction_feed.cpp instantiates members of a template
+# that another file instantiates for others.
 function(neph_compile_alone folder)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
   set_source_files_properties(${ARGN} DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}

@@ -47,8 +47,8 @@ LightField missingFrom(const TransportLevel& level, const Swept& sums, const Lig
 }
 
 std::vector<float> resistanceOf(const TransportLevel& level, const Swept& sums) {
-    // Twice what an isolated change meets: neighbours follow, and with less it slowly diverges.
-    constexpr float kDamping = 2.0f, kLeast = 1e-7f;
+    // Four times what an isolated change meets: with 2 the corners of clouds slowly diverge.
+    constexpr float kDamping = 4.0f, kLeast = 1e-7f;
     constexpr auto kPerSphere = static_cast<float>(0.25 / std::numbers::pi);
     std::vector<float> resistance(level.activeCount, 1.0f);
     forEachBalanced(level, [&](std::size_t node, std::size_t place, float toMean) {

@@ -89,10 +89,16 @@ BeamRays::BeamRays(const TransportGrid& grid, const glm::dvec3& towardsSun)
             (kPerSide * kPerSide);
 }
 
+/// What rays lose: around each node, altogether, and where nodes are far apart in optical depth.
+struct DepositSum {
+    std::vector<float> power;
+    double whole = 0.0, underResolved = 0.0;
+};
+
 /// Leaves what a ray loses at the nodes around.
 class Deposit {
   public:
-    Deposit(const TransportLevel& level, float power, std::vector<float>& sum)
+    Deposit(const TransportLevel& level, float power, DepositSum& sum)
         : level_(level),
           power_(power),
           lengthM_(static_cast<float>(thicknessLengthM(level.grid.spacingM))),
@@ -100,9 +106,9 @@ class Deposit {
 
     bool operator()(const glm::ivec3& cell, const glm::vec3& entry, const glm::vec3& rate,
                     float lengthM) {
-        constexpr float kNothing = 1e-5f;
+        constexpr float kNothing = 1e-5f, kUnderResolved = 4.0f;
         const CellCorners corners(level_.grid, level_.extinctionPerM, cell);
-        const float most = corners.most();
+        const float most = corners.most(), entered = left_;
         if (most <= 0.0f) return true;
         // In a thick cell finer where the light enters: 1, 3, 5 ... parts of the length.
         const int pieces = most * lengthM > 1.0f ? 8 : 2;
@@ -123,6 +129,9 @@ class Deposit {
             give(corners, entry + rate * (from + centre * (to - from)), lost);
             left_ -= lost;
         }
+        const double lost = static_cast<double>(power_) * static_cast<double>(entered - left_);
+        sum_.whole += lost;
+        if (most * lengthM_ > kUnderResolved) sum_.underResolved += lost;
         return left_ > kNothing;
     }
 
@@ -133,13 +142,13 @@ class Deposit {
             const float weight = ((corner & 1U) != 0 ? share.x : 1.0f - share.x) *
                                  ((corner & 2U) != 0 ? share.y : 1.0f - share.y) *
                                  ((corner & 4U) != 0 ? share.z : 1.0f - share.z);
-            sum_[corners.node[corner]] += power_ * lost * weight;
+            sum_.power[corners.node[corner]] += power_ * lost * weight;
         }
     }
 
     const TransportLevel& level_;
     float power_, lengthM_, left_ = 1.0f;
-    std::vector<float>& sum_;
+    DepositSum& sum_;
 };
 
 }  // namespace
@@ -192,13 +201,12 @@ std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3&
 
 double blendDeposit(const TransportLevel& level, const glm::dvec3& towardsSun, int threads,
                     std::vector<float>& irradiance) {
-    constexpr float kUnderResolved = 4.0f;
     const TransportGrid& grid = level.grid;
     const BeamRays rays(grid, towardsSun);
     const auto groups = static_cast<std::size_t>(std::max(threads, 1));
-    std::vector<std::vector<float>> sums(groups);
+    std::vector<DepositSum> sums(groups);
     shareOut(groups, groups, [&](std::size_t group, std::size_t, const Progress&) {
-        sums[group].assign(grid.nodeCount(), 0.0f);
+        sums[group].power.assign(grid.nodeCount(), 0.0f);
         for (int c = static_cast<int>(group); c < rays.countC; c += static_cast<int>(groups)) {
             for (int b = 0; b < rays.countB; ++b) {
                 walkCells(grid, rays.start(b, c), rays.perM,
@@ -207,21 +215,20 @@ double blendDeposit(const TransportLevel& level, const glm::dvec3& towardsSun, i
         }
     });
     const double volumeM3 = grid.spacingM.x * grid.spacingM.y * grid.spacingM.z;
-    const auto lengthM = static_cast<float>(thicknessLengthM(grid.spacingM));
-    double whole = 0.0, underResolved = 0.0;
     forEachNode(grid, [&](const glm::ivec3& at, std::size_t node) {
         double power = 0.0;
-        for (const auto& sum : sums) power += static_cast<double>(sum[node]);
-        if (power <= 0.0) return;
-        const float around = level.weightAt(node);
-        whole += power;
-        if (around * lengthM > kUnderResolved) underResolved += power;
+        for (const DepositSum& sum : sums) power += static_cast<double>(sum.power[node]);
         const float share = level.balanced[node];
         if (share <= 0.0f) return;
-        const auto deposited =
-            static_cast<float>(power * static_cast<double>(timesCut(grid, at) / around) / volumeM3);
+        const auto toMean = static_cast<double>(timesCut(grid, at) / level.weightAt(node));
+        const auto deposited = static_cast<float>(power * toMean / volumeM3);
         irradiance[node] += share * (deposited - irradiance[node]);
     });
+    double whole = 0.0, underResolved = 0.0;
+    for (const DepositSum& sum : sums) {
+        whole += sum.whole;
+        underResolved += sum.underResolved;
+    }
     return whole > 0.0 ? underResolved / whole : 0.0;
 }
 

@@ -20,7 +20,7 @@ std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3&
                                   int threads);
 
 /// Gives balanced nodes of a thick level the irradiance that brings in what the beam loses around
-/// them. Returns the share of what the beam loses that it loses at nodes further apart than a
+/// them. Returns the share of what the beam loses that it loses between nodes further apart than a
 /// scaled optical depth of 4.
 double blendDeposit(const TransportLevel& level, const glm::dvec3& towardsSun, int threads,
                     std::vector<float>& irradiance);

@@ -53,7 +53,7 @@ class LightSolver {
     /// Of every node: the share of l = 0 that follows from its energy balance, 0 ... 1; empty
     /// unless the medium is thick.
     const std::vector<float>& balanced() const { return level().balanced; }
-    /// Which part of the sunlight that the medium scatters it scatters first at nodes further apart
+    /// Which part of the sunlight that the medium catches it catches between nodes further apart
     /// than a scaled optical depth of 4, 0 ... 1; 0 without a beam.
     double underResolved() const { return underResolved_; }
     /// Downward irradiance at the ground without the beam, x fastest.
