@@ -10,7 +10,7 @@
 namespace neph {
 namespace {
 
-const float kIsotropic = static_cast<float>(1.0 / std::sqrt(4.0 * std::numbers::pi));
+const float kIsotropicHarmonic = static_cast<float>(1.0 / std::sqrt(4.0 * std::numbers::pi));
 
 /// `visit(node, place, what an integral around the node is multiplied by to become a mean)` of
 /// balanced nodes.
@@ -36,9 +36,9 @@ LightField missingFrom(const TransportLevel& level, const Swept& sums, const Lig
     const auto degrees = static_cast<std::size_t>(level.degreeCount);
     forEachBalanced(level, [&](std::size_t node, std::size_t place, float toMean) {
         const float share = level.balanced[node], albedo = level.albedo[place * degrees];
-        const float lit = beam != nullptr ? albedo * kIsotropic * beam[node] : 0.0f;
+        const float lit = beam != nullptr ? albedo * kIsotropicHarmonic * beam[node] : 0.0f;
         // Not as a difference of moments, which would leave rounding alone where nodes are thick.
-        const float gain = kIsotropic * toMean * sums.excess[place] +
+        const float gain = kIsotropicHarmonic * toMean * sums.excess[place] +
                            (albedo - 1.0f) * field.moments[place * moments] + lit;
         float& value = missing.moments[place * moments];
         value += share * (gain - value);
@@ -73,7 +73,7 @@ void relax(const LightField& missing, const std::vector<float>& resistance, Ligh
 }
 
 void limitBalanced(const TransportLevel& level, double brightest, LightField& field) {
-    const auto most = static_cast<float>(brightest) / kIsotropic;
+    const auto most = static_cast<float>(brightest) / kIsotropicHarmonic;
     forEachBalanced(level, [&](std::size_t, std::size_t place, float) {
         float& value = field.moments[place * static_cast<std::size_t>(level.momentCount)];
         value = std::clamp(value, 0.0f, most);
