@@ -15,8 +15,14 @@ double depthTowards(const TransportLevel& level, const glm::dvec3& atM,
                     const glm::dvec3& towardsSun);
 
 /// Irradiance across the beam at every node, 1 above the medium; empty if the sun is not above the
-/// horizon.
+/// horizon. Wholly balanced nodes above the ground are left at 0.
 std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3& towardsSun,
                                   int threads);
+
+/// Gives balanced nodes of a thick level the irradiance that brings in what the beam loses around
+/// them. Returns the share of what the beam loses that it loses between nodes further apart than a
+/// scaled optical depth of 4.
+double blendDeposit(const TransportLevel& level, const glm::dvec3& towardsSun, int threads,
+                    std::vector<float>& irradiance);
 
 }  // namespace neph

@@ -69,15 +69,20 @@ LightDirections DirectionSource::rings(const glm::dvec3& axis) {
     const glm::dvec3 u = glm::normalize(glm::cross(other, axis)), v = glm::cross(axis, u);
     const int count = kFewestRings + turn_++ % kRingChoices;
     LightDirections set;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < (count + 1) / 2; ++i) {
         const GaussPoint ring = gaussPoint(count, i);
         const double radius = std::sqrt(1.0 - ring.x * ring.x), first = uniform();
-        const int azimuths =
+        const bool equator = 2 * i + 1 == count;
+        int azimuths =
             std::max(kFewestAzimuths, static_cast<int>(std::lround(kAzimuthsAtEquator * radius)));
+        if (equator && azimuths % 2 != 0) ++azimuths;
         for (int j = 0; j < azimuths; ++j) {
             const double angle = kTau * (j + first) / azimuths;
             const glm::dvec3 across = u * std::cos(angle) + v * std::sin(angle);
-            set.push_back({axis * ring.x + across * radius, ring.weight * kTau / azimuths});
+            const glm::dvec3 travel = axis * ring.x + across * radius;
+            const double weightSr = ring.weight * kTau / azimuths;
+            set.push_back({travel, weightSr});
+            if (!equator) set.push_back({-travel, weightSr});
         }
     }
     return set;

@@ -14,7 +14,8 @@ struct LightDirection {
 
 using LightDirections = std::vector<LightDirection>;
 
-/// Draws the sets; the same seed gives the same ones in turn on every platform.
+/// Draws the sets; the same seed gives the same ones in turn on every platform. The opposite of
+/// each direction is in its set too.
 class DirectionSource {
   public:
     explicit DirectionSource(std::uint64_t seed) : random_(seed) {}

@@ -27,18 +27,29 @@ double SkyLight::irradiance() const {
 }
 
 double forwardShare(const LightClass& light, bool aligned, double thickness) {
-    // What is kept of the phase function ends at l = 2, or at l = 8 where the nodes are thin.
-    const double broad = std::max(0.0, light.moments[kBroadDegrees]);
-    if (!aligned) return broad;
-    const double narrow = std::max(0.0, light.moments[kAlignedDegrees]);
-    return narrow + thickness * (broad - narrow);
+    const auto momentOf = [&](int l) {
+        return std::max(0.0, light.moments[static_cast<std::size_t>(l)]);
+    };
+    const double broad = momentOf(kBroadDegrees);
+    const double thin = aligned ? momentOf(kAlignedDegrees) : broad;
+    return glm::mix(glm::mix(thin, broad, std::min(thickness, 1.0)), momentOf(1),
+                    std::max(thickness - 1.0, 0.0));
+}
+
+double thicknessLengthM(const glm::dvec3& spacingM) {
+    // The bounds of thickness were found with nodes that are 2.5 times as wide as high.
+    constexpr double kFlattest = 2.5;
+    return std::min(meanCellM(glm::dvec2(spacingM)), kFlattest * spacingM.z);
 }
 
 double lightThickness(const LightMedium& medium, double extinctionPerM) {
-    // Tuned on a storm: f of l = 8 up to an optical depth of 1 between nodes, of l = 2 from 4 on.
-    constexpr double kThin = 1.0, kThick = 4.0;
-    const double depth = extinctionPerM * meanCellM(glm::dvec2(medium.spacingM));
-    return std::clamp((depth - kThin) / (kThick - kThin), 0.0, 1.0);
+    // Tuned on a storm.
+    constexpr double kThin = 1.0, kThick = 4.0, kTowardsIsotropic = 10.0, kIsotropic = 30.0;
+    const double depth = extinctionPerM * thicknessLengthM(medium.spacingM);
+    const auto between = [&](double from, double to) {
+        return std::clamp((depth - from) / (to - from), 0.0, 1.0);
+    };
+    return between(kThin, kThick) + between(kTowardsIsotropic, kIsotropic);
 }
 
 ScaledOptics scaledOptics(const LightClass& light, double extinctionPerM, bool aligned,
@@ -46,10 +57,12 @@ ScaledOptics scaledOptics(const LightClass& light, double extinctionPerM, bool a
     const double share = forwardShare(light, aligned, thickness);
     const double scattering = light.singleScattering * extinctionPerM;
     ScaledOptics scaled;
-    scaled.extinctionPerM = extinctionPerM - scattering * share;
+    scaled.absorptionPerM = extinctionPerM - scattering;
+    scaled.extinctionPerM = scaled.absorptionPerM + scattering * (1.0 - share);
     for (std::size_t l = 0; l < scaled.scatteringPerM.size(); ++l) {
-        const double left = scattering * (light.moments[l] - share);
-        scaled.scatteringPerM[l] = l < kBroadDegrees ? left : std::max(0.0, left);
+        // More than there is of a degree is not taken away.
+        const double least = l < kBroadDegrees ? std::min(0.0, light.moments[l]) : 0.0;
+        scaled.scatteringPerM[l] = scattering * std::max(light.moments[l] - share, least);
     }
     return scaled;
 }

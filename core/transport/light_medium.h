@@ -69,17 +69,23 @@ struct LightSettings {
     std::uint64_t seed = 1;
 };
 
-/// Delta-M: which share of the scattered light of a class counts as not scattered.
-/// `thickness` is `lightThickness` at the same place. Without `aligned` it has no influence.
-double forwardShare(const LightClass& light, bool aligned, double thickness);
+/// The distance between nodes by which they are called thin or thick: the horizontal one, or 2.5
+/// times the vertical one where nodes are flatter than that.
+double thicknessLengthM(const glm::dvec3& spacingM);
 
-/// 0 where nodes are optically thin to 1 where they are thick; `extinctionPerM` is the sum of all
-/// classes, not scaled.
+/// How optically thick a node is, 0 ... 2: 0 up to a depth of 1 between nodes, 1 from 4 to 10, 2
+/// from 30 on, linear between. `extinctionPerM` is the sum of all classes, not scaled.
 double lightThickness(const LightMedium& medium, double extinctionPerM);
+
+/// Delta-M: which share of the scattered light of a class counts as not scattered.
+/// `thickness` is `lightThickness` at the same place. At 0 what is kept of the phase function ends
+/// at l = 8 with `aligned` and at l = 2 without, at 1 at l = 2; at 2 the rest is isotropic.
+double forwardShare(const LightClass& light, bool aligned, double thickness);
 
 /// Extinction and scattering of degree l = 0 ... 8, of one class at one place, scaled by delta-M.
 struct ScaledOptics {
     double extinctionPerM = 0.0;
+    double absorptionPerM = 0.0;
     std::array<double, kAlignedDegrees> scatteringPerM{};  ///< times chi'_l
 };
 

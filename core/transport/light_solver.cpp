@@ -1,13 +1,13 @@
 // light_solver.cpp: cycles, and the average over them.
 #include "core/transport/light_solver.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "core/transport/balance.h"
 #include "core/transport/beam.h"
-#include "core/transport/multigrid.h"
-#include "core/transport/sweep.h"
 
 namespace neph {
 namespace {
@@ -42,7 +42,14 @@ void LightSolver::restart(const LightScene& scene) {
     const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun;
     scene_ = scene;
     if (scene.source == LightSource::sun && moved) {
-        beam_ = beamIrradiance(levels_.front(), scene.towardsSun, settings_.threads);
+        const TransportLevel& fine = levels_.front();
+        beam_ = beamIrradiance(fine, scene.towardsSun, settings_.threads);
+        groundBeam_ = beam_;
+        groundBeam_.resize(std::min(beam_.size(), fine.grid.columnCount()));
+        underResolved_ = 0.0;
+        if (hasBeam() && fine.thick()) {
+            underResolved_ = blendDeposit(fine, scene.towardsSun, settings_.threads, beam_);
+        }
     }
     cycles_ = 0;
     replacing_ = settings_.warmCycles;
@@ -51,10 +58,10 @@ void LightSolver::restart(const LightScene& scene) {
     for (auto& half : halves_) half.assign(levels_.front().activeCount, 0.0f);
 }
 
-LightField LightSolver::sweepFine(const LightDirections& directions) const {
+Swept LightSolver::sweepFine(const LightField& field, const LightDirections& directions) const {
     SweepInput input;
     input.level = &levels_.front();
-    input.field = &field_;
+    input.field = &field;
     input.sunTravel = -scene_.towardsSun;
     const double sine = scene_.towardsSun.z;
     if (hasBeam()) input.beam = beam_.data();
@@ -65,9 +72,9 @@ LightField LightSolver::sweepFine(const LightDirections& directions) const {
         return static_cast<float>(scene_.groundRadiance + perFlux * flux);
     };
     input.farGroundRadiance = upwards(farFlux);
-    for (std::size_t i = 0; i < field_.groundFlux.size(); ++i) {
-        const double direct = hasBeam() ? sine * static_cast<double>(beam_[i]) : 0.0;
-        input.groundRadiance.push_back(upwards(direct + static_cast<double>(field_.groundFlux[i])));
+    for (std::size_t i = 0; i < field.groundFlux.size(); ++i) {
+        const double direct = hasBeam() ? sine * static_cast<double>(groundBeam_[i]) : 0.0;
+        input.groundRadiance.push_back(upwards(direct + static_cast<double>(field.groundFlux[i])));
     }
     return swept(input, directions, settings_.threads);
 }
@@ -76,11 +83,35 @@ void LightSolver::cycle() {
     const bool rings = momentCount() == kAlignedMoments;
     const LightDirections directions =
         rings ? directions_.rings(-scene_.towardsSun) : directions_.turnedIcosahedron();
-    LightField next = sweepFine(directions);
     const MultigridPass pass{&directions, -scene_.towardsSun, scene_.groundAlbedo,
                              settings_.sweepsPerLevel, settings_.threads};
+    if (level().thick()) {
+        average(thickCycle(directions, pass));
+        return;
+    }
+    LightField next = sweepFine(field_, directions).field;
     remaining_ = correctByMultigrid(levels_, pass, field_, next);
     average(next);
+}
+
+/// Nodes follow their balance, and a second sweep finds what is left for coarser grids.
+LightField LightSolver::thickCycle(const LightDirections& directions, const MultigridPass& pass) {
+    // Mean radiance over irradiance / pi, or over radiance: more is a node that overshoots.
+    constexpr double kBrightest = 1.7;
+    const TransportLevel& fine = levels_.front();
+    const float* beam = hasBeam() ? beam_.data() : nullptr;
+    LightField next = field_;
+    {
+        const Swept sums = sweepFine(field_, directions);
+        relax(missingFrom(fine, sums, field_, beam), resistanceOf(fine, sums), next);
+    }
+    if (levels_.size() > 1) {
+        LightField missing = missingFrom(fine, sweepFine(next, directions), next, beam);
+        remaining_ = correctThick(levels_, pass, missing, next);
+    }
+    const bool sky = scene_.source == LightSource::sky;
+    limitBalanced(fine, kBrightest * (sky ? 1.0 : 1.0 / std::numbers::pi), next);
+    return next;
 }
 
 /// The cycles that replace the field are not part of the average, but for the last of them.
@@ -105,7 +136,7 @@ double LightSolver::chance() const {
     for (std::size_t node = 0; node < fine.place.size(); ++node) {
         if (fine.place[node] < 0) continue;
         const auto i = static_cast<std::size_t>(fine.place[node]);
-        const auto weight = static_cast<double>(fine.extinctionPerM[node]);
+        const auto weight = static_cast<double>(fine.weightAt(node));
         const double half = 0.5 * static_cast<double>(halves_[0][i] - halves_[1][i]);
         const double mean = 0.5 * static_cast<double>(halves_[0][i] + halves_[1][i]);
         spread += weight * half * half;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/transport/directions.h"
+#include "core/transport/multigrid.h"
+#include "core/transport/sweep.h"
 #include "core/transport/transport_level.h"
 
 namespace neph {
@@ -40,8 +42,20 @@ class LightSolver {
     std::span<const float> momentsAt(std::size_t node) const;
     /// Of all nodes, x fastest, momentCount() side by side, 0 where not active.
     std::vector<float> momentsOfAllNodes() const;
-    /// Across the beam with scaled extinction, of every node; empty without a beam.
+    /// Across the beam with scaled extinction, of every node; empty without a beam. Where nodes are
+    /// balanced, that which would bring in what the beam loses around them.
     const std::vector<float>& beam() const { return beam_; }
+    /// The same of the ground, everywhere what the beam has left; x fastest.
+    const std::vector<float>& groundBeam() const { return groundBeam_; }
+    /// How optically thick every node is, 0 ... 2 (`lightThickness`); where the medium is thick, of
+    /// the mean around it.
+    const std::vector<float>& thickness() const { return level().thickness; }
+    /// Of every node: the share of l = 0 that follows from its energy balance, 0 ... 1; empty
+    /// unless the medium is thick.
+    const std::vector<float>& balanced() const { return level().balanced; }
+    /// Which part of the sunlight that the medium catches it catches between nodes further apart
+    /// than a scaled optical depth of 4, 0 ... 1; 0 without a beam.
+    double underResolved() const { return underResolved_; }
     /// Downward irradiance at the ground without the beam, x fastest.
     const std::vector<float>& groundFlux() const { return field_.groundFlux; }
 
@@ -54,7 +68,8 @@ class LightSolver {
     std::size_t bytes() const;
 
   private:
-    LightField sweepFine(const LightDirections& directions) const;
+    Swept sweepFine(const LightField& field, const LightDirections& directions) const;
+    LightField thickCycle(const LightDirections& directions, const MultigridPass& pass);
     void average(const LightField& next);
     bool hasBeam() const { return !beam_.empty(); }
 
@@ -62,7 +77,8 @@ class LightSolver {
     LightSettings settings_;
     std::vector<TransportLevel> levels_;
     LightField field_;
-    std::vector<float> beam_;
+    std::vector<float> beam_, groundBeam_;
+    double underResolved_ = 0.0;
     DirectionSource directions_;
     std::array<std::vector<float>, 2> halves_;  ///< averages of l = 0 over every other cycle
     std::array<int, 2> halfCycles_{};

@@ -52,7 +52,7 @@ struct LightWork::Solution {
             solvers[i] = std::make_unique<LightSolver>(*first.medium, sceneOf(first, part),
                                                        settingsOf(part));
         }
-        shares = scatteringShares(solvers[0]->level());
+        albedo = filledAlbedo(solvers[0]->level());
         const auto& place = solvers[0]->level().place;
         for (std::size_t node = 0; node < place.size(); ++node) {
             if (place[node] >= 0) nodes.push_back(static_cast<std::uint32_t>(node));
@@ -99,10 +99,12 @@ struct LightWork::Solution {
         made->settled = settled();
         made->remaining = solvers[0]->remaining();
         made->chance = solvers[0]->chance();
+        made->underResolved = solvers[0]->underResolved();
         made->nodes = nodes;
+        made->balanced = balancedAlbedo(solvers[0]->level(), albedo);
         const int degrees = solvers[0]->level().degreeCount;
         for (std::size_t i = 0; i < kLightParts; ++i) {
-            made->source[i] = sourceMoments(*solvers[i], shares, degrees);
+            made->source[i] = sourceMoments(*solvers[i], albedo, degrees);
             made->groundFlux[i] = solvers[i]->groundFlux();
             made->bytes += solvers[i]->bytes();
         }
@@ -112,7 +114,7 @@ struct LightWork::Solution {
     LightRequest request;
     std::array<std::unique_ptr<LightSolver>, kLightParts> solvers;
     std::array<int, kLightParts> toSettle{filled()};
-    std::vector<float> shares;
+    std::vector<float> albedo;
     std::vector<std::uint32_t> nodes;
     int rounds = 0;
 

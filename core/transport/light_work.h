@@ -35,14 +35,17 @@ inline constexpr std::size_t kLightParts = 3;
 
 /// The light at one moment of the work.
 struct LightState {
-    LightRequest request;                   ///< that it answers
-    int cycles = 0;                         ///< done, of the sun's field
-    bool settled = false;                   ///< it gets no better
-    double remaining = 1.0, chance = -1.0;  ///< of the sun's field, as LightSolver
-    std::vector<std::uint32_t> nodes;       ///< that are active, by their index in the medium
+    LightRequest request;                                        ///< that it answers
+    int cycles = 0;                                              ///< done, of the sun's field
+    bool settled = false;                                        ///< it gets no better
+    double remaining = 1.0, chance = -1.0, underResolved = 0.0;  ///< of the sun, as LightSolver
+    std::vector<std::uint32_t> nodes;  ///< that are active, by their index in the medium
     /// Source function at these nodes, of each part: kAlignedMoments side by side of the sun, else
     /// kBroadMoments. core/transport/source_moments.h
     std::array<std::vector<float>, kLightParts> source;
+    /// Albedo of each degree times the balanced share of these nodes, kAlignedDegrees side by side;
+    /// empty where none is balanced. core/transport/source_moments.h
+    std::vector<float> balanced;
     /// Downward irradiance at the ground of each part, without the beam, x fastest.
     std::array<std::vector<float>, kLightParts> groundFlux;
     std::size_t bytes = 0;  ///< that the solvers hold

@@ -7,22 +7,21 @@
 #include <optional>
 #include <utility>
 
+#include "core/transport/balance.h"
 #include "core/transport/sweep.h"
 
 namespace neph {
 namespace {
 
 constexpr int kSweepsOnCoarsest = 4;  ///< times as many as on the levels above
-
-void addTo(std::vector<float>& sum, const std::vector<float>& term) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
-}
+/// Of a thick level's correction that is taken over: all of it overshoots.
+constexpr float kThickPart = 0.7f;
 
 /// Root mean square of l = 0, weighted by extinction.
 double strength(const TransportLevel& level, const std::vector<float>& moments) {
     double sum = 0.0, weights = 0.0;
     for (std::size_t node = 0; node < level.place.size(); ++node) {
-        const auto weight = static_cast<double>(level.extinctionPerM[node]);
+        const auto weight = static_cast<double>(level.weightAt(node));
         if (weight <= 0.0) continue;
         const auto value =
             static_cast<double>(moments[static_cast<std::size_t>(level.place[node]) *
@@ -44,7 +43,9 @@ class Correction {
         const int sweeps = pass_.sweepsPerLevel * (last ? kSweepsOnCoarsest : 1);
         LightField delta = levels_[at].emptyField();
         for (int i = 0; i < sweeps; ++i) {
-            LightField next = sweptOnce(at, delta, residual);
+            LightField scattered = delta;
+            addTo(scattered, residual);
+            LightField next = sweptOnce(at, scattered).field;
             if (!last) correct(at, delta, next);
             delta = std::move(next);
         }
@@ -53,15 +54,36 @@ class Correction {
     }
     void correct(std::size_t at, const LightField& before, LightField& after) {
         const LightField residual = restricted(levels_[at], levels_[at + 1], after, before);
-        addProlonged(levels_[at], levels_[at + 1], solved(at + 1, residual), after);
+        addProlonged(levels_[at], levels_[at + 1], solved(at + 1, residual), 1.0f, after);
+    }
+    /// Solves error = K error + residual on a thick level.
+    LightField solvedThick(std::size_t at, const LightField& residual) {
+        const bool last = at + 1 == levels_.size();
+        const int sweeps = pass_.sweepsPerLevel * (last ? kSweepsOnCoarsest : 1);
+        LightField error = levels_[at].emptyField();
+        const auto update = [&] {
+            const Swept sums = sweptOnce(at, error);
+            relax(missingAt(at, sums, error, residual), resistanceOf(levels_[at], sums), error);
+        };
+        for (int i = 0; i < sweeps; ++i) {
+            update();
+            if (last) continue;
+            correctThick(at, missingAt(at, sweptOnce(at, error), error, residual), error);
+        }
+        if (!last) update();
+        if (last && !coarsest_) coarsest_ = strength(levels_[at], error.moments);
+        return error;
+    }
+    void correctThick(std::size_t at, const LightField& missing, LightField& field) {
+        const LightField none = levels_[at].emptyField();
+        const LightField residual = restricted(levels_[at], levels_[at + 1], missing, none);
+        addProlonged(levels_[at], levels_[at + 1], solvedThick(at + 1, residual), kThickPart,
+                     field);
     }
     double coarsest() const { return coarsest_.value_or(0.0); }
 
   private:
-    LightField sweptOnce(std::size_t at, const LightField& delta, const LightField& residual) {
-        LightField scattered = delta;
-        addTo(scattered.moments, residual.moments);
-        addTo(scattered.groundFlux, residual.groundFlux);
+    Swept sweptOnce(std::size_t at, const LightField& scattered) const {
         SweepInput input;
         input.level = &levels_[at];
         input.field = &scattered;
@@ -72,6 +94,12 @@ class Correction {
             input.groundRadiance.push_back(perFlux * flux);
         }
         return swept(input, *pass_.directions, pass_.threads);
+    }
+    LightField missingAt(std::size_t at, const Swept& sums, const LightField& error,
+                         const LightField& residual) const {
+        LightField missing = missingFrom(levels_[at], sums, error, nullptr);
+        addTo(missing, residual);
+        return missing;
     }
 
     const std::vector<TransportLevel>& levels_;
@@ -91,6 +119,14 @@ double correctByMultigrid(const std::vector<TransportLevel>& levels, const Multi
     }
     Correction correction(levels, pass);
     correction.correct(0, before, after);
+    return whole > 0.0 ? correction.coarsest() / whole : 0.0;
+}
+
+double correctThick(const std::vector<TransportLevel>& levels, const MultigridPass& pass,
+                    const LightField& missing, LightField& field) {
+    const double whole = strength(levels[0], field.moments);
+    Correction correction(levels, pass);
+    correction.correctThick(0, missing, field);
     return whole > 0.0 ? correction.coarsest() / whole : 0.0;
 }
 

@@ -2,7 +2,8 @@
 //
 // A sweep K x + b carries light from a node to its neighbours well and through a thick cloud badly;
 // the error of what it gave obeys delta = K (delta + residual), which coarse grids solve at a
-// fraction of the work. docs/transport.md
+// fraction of the work. With thick nodes the residual left after an update is found by a sweep of
+// its own, and the error obeys error = K error + residual. docs/transport.md
 #pragma once
 #include <vector>
 
@@ -25,5 +26,9 @@ struct MultigridPass {
 /// squares of l = 0; without coarse levels the relative change from `before` to `after`.
 double correctByMultigrid(const std::vector<TransportLevel>& levels, const MultigridPass& pass,
                           const LightField& before, LightField& after);
+
+/// The same for thick levels, of which there are several: `missing` is `missingFrom(field)`.
+double correctThick(const std::vector<TransportLevel>& levels, const MultigridPass& pass,
+                    const LightField& missing, LightField& field);
 
 }  // namespace neph

@@ -23,6 +23,23 @@ struct SliceShape {
     }
     int at(int b, int c) const { return (c + kSliceBorder) * stride() + b + kSliceBorder; }
 
+    /// Adds what was added to the border between periodic sides to the nodes that it repeats.
+    void foldBorder(std::vector<float>& values) const {
+        for (int c = -kSliceBorder; c < nc + kSliceBorder; ++c) {
+            for (int b = -kSliceBorder; b < nb + kSliceBorder; ++b) {
+                const bool besideB = b < 0 || b >= nb, besideC = c < 0 || c >= nc;
+                if (!besideB && !besideC) continue;
+                float& value = values[static_cast<std::size_t>(at(b, c))];
+                if ((!besideB || periodicB) && (!besideC || periodicC)) {
+                    const int inB = (b + kSliceBorder * nb) % nb,
+                              inC = (c + kSliceBorder * nc) % nc;
+                    values[static_cast<std::size_t>(at(inB, inC))] += value;
+                }
+                value = 0.0f;
+            }
+        }
+    }
+
     /// Repeats the values at the edges, or those opposite where a side is periodic.
     void fillBorder(std::vector<float>& values) const {
         const auto inside = [](int i, int n, bool periodic) {
@@ -41,6 +58,24 @@ struct SliceShape {
                 std::copy_n(from, stride(), &v[at(-kSliceBorder, c)]);
             }
         }
+    }
+};
+
+/// Neighbouring nodes of a row: `to` is behind the last.
+struct RowSpan {
+    int from = 0, to = 0;
+
+    bool empty() const { return from >= to; }
+    void include(int i) {
+        *this = empty() ? RowSpan{i, i + 1} : RowSpan{std::min(from, i), std::max(to, i + 1)};
+    }
+    void include(const RowSpan& other) {
+        if (other.empty()) return;
+        include(other.from);
+        include(other.to - 1);
+    }
+    RowSpan within(const RowSpan& other) const {
+        return {std::max(from, other.from), std::min(to, other.to)};
     }
 };
 
@@ -64,15 +99,15 @@ struct SliceTaps {
                 -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6};
     }
     /// `row` is the lower left tap of the first of `n` nodes.
-    void linearRow(const float* row, int stride, int n, float* out) const {
+    void linearRow(const float* __restrict row, int stride, int n, float* __restrict out) const {
         const float* next = row + stride;
+        const auto [w0, w1, w2, w3] = linear;
         for (int i = 0; i < n; ++i) {
-            out[i] = linear[0] * row[i] + linear[1] * row[i + 1] + linear[2] * next[i] +
-                     linear[3] * next[i + 1];
+            out[i] = w0 * row[i] + w1 * row[i + 1] + w2 * next[i] + w3 * next[i + 1];
         }
     }
     /// The same by cubics, kept within the four nearest values.
-    void cubicRow(const float* row, int stride, int n, float* out) const {
+    void cubicRow(const float* __restrict row, int stride, int n, float* __restrict out) const {
         for (int i = 0; i < n; ++i) {
             const float* p = row + i;
             float sum = 0.0f;
@@ -100,12 +135,16 @@ inline float decayOf(float t) {
     return series * std::bit_cast<float>((127 - whole) << 23);
 }
 
+/// (1 - exp(-t)) / t, where `decay` is exp(-t).
+inline float meanDecay(float t, float decay) {
+    constexpr float kSmall = 0.02f;
+    const float series = 1.0f - t * (0.5f - t * (1.0f / 6 - t * (1.0f / 24)));
+    return t < kSmall ? series : (1.0f - decay) / std::max(t, kSmall);
+}
+
 /// Radiance behind a piece of optical depth t whose source runs linearly from s0 to s1.
 inline float throughPiece(float radiance, float s0, float s1, float t) {
-    constexpr float kSmall = 0.02f;
-    const float e = decayOf(t);
-    const float series = 1.0f - t * (0.5f - t * (1.0f / 6 - t * (1.0f / 24)));
-    const float g = t < kSmall ? series : (1.0f - e) / std::max(t, kSmall);
+    const float e = decayOf(t), g = meanDecay(t, e);
     return radiance * e + s0 * (g - e) + s1 * (1.0f - g);
 }
 

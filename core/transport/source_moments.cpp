@@ -1,91 +1,86 @@
 // source_moments.cpp: moments of the field times what is scattered of them.
 #include "core/transport/source_moments.h"
 
-#include <algorithm>
 #include <cstddef>
+
+#include "core/transport/grid_loops.h"
 
 namespace neph {
 namespace {
 
-/// Nodes from `at` - 1 to `at` + 1 that exist.
-struct Around {
-    int from, to;
-};
-
-Around around(int at, int count) {
-    return {std::max(at - 1, 0), std::min(at + 1, count - 1)};
-}
-
 /// Calls `visit(node)` for a node and those around it.
 template <typename Visit>
 void forNeighbours(const TransportGrid& grid, const glm::ivec3& at, const Visit& visit) {
-    const Around x = around(at.x, grid.nodes.x), y = around(at.y, grid.nodes.y),
-                 z = around(at.z, grid.nodes.z);
-    for (int k = z.from; k <= z.to; ++k) {
-        for (int j = y.from; j <= y.to; ++j) {
-            for (int i = x.from; i <= x.to; ++i) visit(grid.index(i, j, k));
-        }
-    }
-}
-
-/// Sums over the particles of some nodes.
-class MeanShares {
-  public:
-    MeanShares(const TransportLevel& level, float* out) : level_(level), out_(out) {}
-    void add(std::size_t node) {
-        const auto degrees = static_cast<std::size_t>(level_.degreeCount);
-        if (level_.extinctionPerM[node] <= 0.0f) return;
-        const float* from =
-            &level_.scatteringPerM[static_cast<std::size_t>(level_.place[node]) * degrees];
-        for (std::size_t l = 0; l < degrees; ++l) out_[l] += from[l];
-        extinctionPerM_ += level_.extinctionPerM[node];
-    }
-    void divide() {
-        if (extinctionPerM_ <= 0.0f) return;
-        for (int l = 0; l < level_.degreeCount; ++l) out_[l] /= extinctionPerM_;
-    }
-
-  private:
-    const TransportLevel& level_;
-    float* out_;
-    float extinctionPerM_ = 0.0f;
-};
-
-}  // namespace
-
-std::vector<float> scatteringShares(const TransportLevel& level) {
-    const auto degrees = static_cast<std::size_t>(level.degreeCount);
-    std::vector<float> shares(level.activeCount * degrees, 0.0f);
-    std::size_t node = 0;
-    for (int k = 0; k < level.grid.nodes.z; ++k) {
-        for (int j = 0; j < level.grid.nodes.y; ++j) {
-            for (int i = 0; i < level.grid.nodes.x; ++i, ++node) {
-                if (level.place[node] < 0) continue;
-                MeanShares mean(level,
-                                &shares[static_cast<std::size_t>(level.place[node]) * degrees]);
-                if (level.extinctionPerM[node] > 0.0f) {
-                    mean.add(node);
-                } else {
-                    forNeighbours(level.grid, {i, j, k}, [&](std::size_t n) { mean.add(n); });
-                }
-                mean.divide();
+    for (const int k : beside(grid, 2, at.z)) {
+        for (const int j : beside(grid, 1, at.y)) {
+            for (const int i : beside(grid, 0, at.x)) {
+                if (i >= 0 && j >= 0 && k >= 0) visit(grid.index(i, j, k));
             }
         }
     }
-    return shares;
 }
 
-std::vector<float> sourceMoments(const LightSolver& solver, const std::vector<float>& shares,
+/// Adds the albedo of a node times its extinction, which is returned.
+float addAlbedo(const TransportLevel& level, std::size_t node, float* sum) {
+    const float extinction = level.extinctionPerM[node];
+    if (extinction <= 0.0f) return 0.0f;
+    const float* albedo = level.albedoAt(node);
+    for (int l = 0; l < level.degreeCount; ++l) sum[l] += extinction * albedo[l];
+    return extinction;
+}
+
+/// Moments of the beam of irradiance 1.
+Harmonics beamMoments(const LightSolver& solver) {
+    const glm::dvec3 travel = -solver.scene().towardsSun;
+    return harmonicsAt(travel, travel);
+}
+
+}  // namespace
+
+std::vector<float> filledAlbedo(const TransportLevel& level) {
+    std::vector<float> filled = level.albedo;
+    const auto degrees = static_cast<std::size_t>(level.degreeCount);
+    forEachNode(level.grid, [&](const glm::ivec3& at, std::size_t node) {
+        if (level.place[node] < 0 || level.extinctionPerM[node] > 0.0f) return;
+        float* to = &filled[static_cast<std::size_t>(level.place[node]) * degrees];
+        if (to[0] > 0.0f) return;
+        float extinction = 0.0f;
+        forNeighbours(level.grid, at,
+                      [&](std::size_t other) { extinction += addAlbedo(level, other, to); });
+        for (std::size_t l = 0; l < degrees && extinction > 0.0f; ++l) to[l] /= extinction;
+    });
+    return filled;
+}
+
+std::vector<float> sourceMoments(const LightSolver& solver, const std::vector<float>& albedo,
                                  int degrees) {
+    const TransportLevel& level = solver.level();
     const auto moments = static_cast<std::size_t>(solver.momentCount());
+    const Harmonics ofBeam = beamMoments(solver);
     std::vector<float> source = solver.field().moments;
-    for (std::size_t i = 0; i < solver.level().activeCount; ++i) {
-        const float* share = &shares[i * static_cast<std::size_t>(degrees)];
+    for (std::size_t node = 0; node < level.place.size(); ++node) {
+        if (level.place[node] < 0) continue;
+        const auto place = static_cast<std::size_t>(level.place[node]);
+        const bool lit = level.thick() && !solver.beam().empty();
+        const float beam = lit ? level.balanced[node] * solver.beam()[node] : 0.0f;
+        const float* of = &albedo[place * static_cast<std::size_t>(degrees)];
         for (std::size_t q = 0; q < moments; ++q) {
-            source[i * moments + q] *= share[degreeOf(static_cast<int>(q))];
+            float& value = source[place * moments + q];
+            value = of[degreeOf(static_cast<int>(q))] * (value + beam * ofBeam[q]);
         }
     }
     return source;
+}
+
+std::vector<float> balancedAlbedo(const TransportLevel& level, std::vector<float> albedo) {
+    if (!level.thick()) return {};
+    const auto degrees = static_cast<std::size_t>(level.degreeCount);
+    for (std::size_t node = 0; node < level.place.size(); ++node) {
+        if (level.place[node] < 0) continue;
+        float* of = &albedo[static_cast<std::size_t>(level.place[node]) * degrees];
+        for (std::size_t l = 0; l < degrees; ++l) of[l] *= level.balanced[node];
+    }
+    return albedo;
 }
 
 }  // namespace neph

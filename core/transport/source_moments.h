@@ -6,14 +6,19 @@
 
 namespace neph {
 
-/// Scattering of degree l per extinction, both scaled: degreeCount side by side of each active
-/// node. Nodes without particles, which are beside some, have the mean of those.
-std::vector<float> scatteringShares(const TransportLevel& level);
+/// Albedo of each degree, scaled: TransportLevel::albedo, where nodes without particles, which are
+/// beside some, have the mean of those.
+std::vector<float> filledAlbedo(const TransportLevel& level);
 
 /// Moments of the source function: what a unit of scaled optical depth sends out in the direction
-/// `travel` is the sum over q of them times harmonicsAt(travel, -towardsSun)[q]. `shares` are those
-/// of a level of the same nodes and at least as many degrees, `degrees`.
-std::vector<float> sourceMoments(const LightSolver& solver, const std::vector<float>& shares,
+/// `travel` is the sum over q of them times harmonicsAt(travel, -towardsSun)[q]. The balanced share
+/// of the beam is part of them. `albedo` is of a level of the same nodes and at least as many
+/// degrees, `degrees`.
+std::vector<float> sourceMoments(const LightSolver& solver, const std::vector<float>& albedo,
                                  int degrees);
+
+/// `albedo` times the share in which a node is balanced; empty where none is. Who adds sunlight
+/// that is scattered once takes this much of it away again.
+std::vector<float> balancedAlbedo(const TransportLevel& level, std::vector<float> albedo);
 
 }  // namespace neph

@@ -22,8 +22,16 @@ struct SweepInput {
     bool cubic = true;                  ///< interpolation upwind; linear if not
 };
 
-/// The field that one scattering of `input` and its boundaries give. Directions are shared out over
-/// `threads`; the sum depends on their number only by rounding.
-LightField swept(const SweepInput& input, const LightDirections& directions, int threads);
+/// What a sweep adds up.
+struct Swept {
+    LightField field;  ///< that one scattering of the input and its boundaries give
+    // Of active nodes; empty unless the level is thick.
+    std::vector<float> excess;    ///< radiance over source, over all directions and depths around
+    std::vector<float> exchange;  ///< how much of the excess a source of the node alone would lose
+};
+
+/// Directions are shared out over `threads`; the sum depends on their number only by rounding. On a
+/// thick level they are such that the opposite of each is one too.
+Swept swept(const SweepInput& input, const LightDirections& directions, int threads);
 
 }  // namespace neph

@@ -5,6 +5,9 @@
 #include "core/transport/transport_level.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/transport/grid_loops.h"
 
 namespace neph {
 namespace {
@@ -48,23 +51,6 @@ class Parents {
     glm::bvec3 halved_{false};
 };
 
-template <typename Visit>
-void forEachNode(const TransportGrid& grid, const Visit& visit) {
-    std::size_t index = 0;
-    for (int k = 0; k < grid.nodes.z; ++k) {
-        for (int j = 0; j < grid.nodes.y; ++j) {
-            for (int i = 0; i < grid.nodes.x; ++i) visit(glm::ivec3(i, j, k), index++);
-        }
-    }
-}
-
-/// The nodes beside `at` along one axis, itself included; out of the grid is -1.
-std::array<int, 3> beside(const TransportGrid& grid, int axis, int at) {
-    const int n = grid.nodes[axis];
-    if (grid.periodic(axis)) return {(at + n - 1) % n, at, (at + 1) % n};
-    return {at - 1, at, at + 1 < n ? at + 1 : -1};
-}
-
 void markAround(const TransportGrid& grid, const glm::ivec3& node,
                 std::vector<std::int32_t>& place) {
     for (const int z : beside(grid, 2, node.z)) {
@@ -76,26 +62,43 @@ void markAround(const TransportGrid& grid, const glm::ivec3& node,
     }
 }
 
-/// Numbers the active nodes in the order of all nodes.
-void numberActive(TransportLevel& level) {
-    level.place.assign(level.grid.nodeCount(), -1);
-    forEachNode(level.grid, [&](const glm::ivec3& node, std::size_t index) {
-        if (level.extinctionPerM[index] > 0.0f) markAround(level.grid, node, level.place);
-    });
-    level.activeCount = 0;
-    for (std::int32_t& place : level.place) {
-        if (place == 0) place = static_cast<std::int32_t>(level.activeCount++);
-    }
-    level.scatteringPerM.assign(level.activeCount * static_cast<std::size_t>(level.degreeCount),
-                                0.0f);
-}
-
-float* scatteringAt(TransportLevel& level, std::size_t node) {
-    return &level.scatteringPerM[static_cast<std::size_t>(level.place[node]) *
-                                 static_cast<std::size_t>(level.degreeCount)];
+void addValues(std::vector<float>& sum, const std::vector<float>& term) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
 }
 
 }  // namespace
+
+void addTo(LightField& sum, const LightField& term) {
+    addValues(sum.moments, term.moments);
+    addValues(sum.groundFlux, term.groundFlux);
+}
+
+void TransportLevel::numberActive() {
+    place.assign(grid.nodeCount(), -1);
+    forEachNode(grid, [&](const glm::ivec3& node, std::size_t index) {
+        if (extinctionPerM[index] > 0.0f) markAround(grid, node, place);
+    });
+    activeCount = 0;
+    for (std::int32_t& number : place) {
+        if (number == 0) number = static_cast<std::int32_t>(activeCount++);
+    }
+    albedo.assign(activeCount * static_cast<std::size_t>(degreeCount), 0.0f);
+}
+
+float* TransportLevel::albedoAt(std::size_t node) {
+    return &albedo[static_cast<std::size_t>(place[node]) * static_cast<std::size_t>(degreeCount)];
+}
+
+void TransportLevel::setBalanced() {
+    constexpr float kFrom = 0.2f, kWhole = 0.8f;
+    const auto lengthM = static_cast<float>(thicknessLengthM(grid.spacingM));
+    balanced.assign(grid.nodeCount(), 0.0f);
+    for (std::size_t node = 0; node < place.size(); ++node) {
+        if (place[node] < 0) continue;
+        const float depth = aroundPerM[static_cast<std::size_t>(place[node])] * lengthM;
+        balanced[node] = glm::smoothstep(kFrom, kWhole, depth);
+    }
+}
 
 LightField TransportLevel::emptyField() const {
     LightField field;
@@ -105,48 +108,9 @@ LightField TransportLevel::emptyField() const {
 }
 
 std::size_t TransportLevel::bytes() const {
-    return sizeof(float) * (extinctionPerM.size() + scatteringPerM.size()) +
+    return sizeof(float) * (extinctionPerM.size() + thickness.size() + albedo.size() +
+                            aroundPerM.size() + balanced.size()) +
            sizeof(std::int32_t) * place.size();
-}
-
-TransportLevel finestLevel(const LightMedium& medium, bool periodicSides, bool aligned,
-                           int momentCount) {
-    TransportLevel level;
-    level.grid = {medium.nodes, medium.spacingM, periodicSides};
-    level.momentCount = momentCount;
-    level.degreeCount = momentCount == kBroadMoments ? kBroadDegrees : kAlignedDegrees;
-    level.extinctionPerM.assign(level.grid.nodeCount(), 0.0f);
-    const auto thicknessAt = [&](std::size_t node) {
-        double sum = 0.0;
-        for (const LightClass& light : medium.classes) {
-            sum += static_cast<double>(light.extinctionPerM.values[node]);
-        }
-        return lightThickness(medium, sum);
-    };
-    const auto scaledAt = [&](const LightClass& light, std::size_t node, double thickness) {
-        return scaledOptics(light, static_cast<double>(light.extinctionPerM.values[node]), aligned,
-                            thickness);
-    };
-    for (std::size_t node = 0; node < level.extinctionPerM.size(); ++node) {
-        const double thickness = thicknessAt(node);
-        for (const LightClass& light : medium.classes) {
-            level.extinctionPerM[node] +=
-                static_cast<float>(scaledAt(light, node, thickness).extinctionPerM);
-        }
-    }
-    numberActive(level);
-    for (std::size_t node = 0; node < level.place.size(); ++node) {
-        if (level.extinctionPerM[node] <= 0.0f) continue;
-        const double thickness = thicknessAt(node);
-        for (const LightClass& light : medium.classes) {
-            const ScaledOptics scaled = scaledAt(light, node, thickness);
-            for (int l = 0; l < level.degreeCount; ++l) {
-                scatteringAt(level, node)[l] +=
-                    static_cast<float>(scaled.scatteringPerM[static_cast<std::size_t>(l)]);
-            }
-        }
-    }
-    return level;
 }
 
 bool canCoarsen(const TransportGrid& grid) {
@@ -160,27 +124,38 @@ TransportLevel coarsened(const TransportLevel& fine) {
     coarse.degreeCount = fine.degreeCount;
     const Parents parents(fine.grid, coarse.grid);
     coarse.extinctionPerM.assign(coarse.grid.nodeCount(), 0.0f);
-    std::vector<float> weight(coarse.grid.nodeCount(), 0.0f);
+    std::vector<float> children(coarse.grid.nodeCount(), 0.0f);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
         for (int p = 0; p < kParents; ++p) {
             const std::size_t parent = parents.of(at, p);
-            weight[parent] += kShare;
+            children[parent] += kShare;
             coarse.extinctionPerM[parent] += kShare * fine.extinctionPerM[node];
         }
     });
-    for (std::size_t i = 0; i < weight.size(); ++i) coarse.extinctionPerM[i] /= weight[i];
-    numberActive(coarse);
+    for (std::size_t i = 0; i < children.size(); ++i) coarse.extinctionPerM[i] /= children[i];
+    coarse.numberActive();
+    if (fine.thick()) coarse.aroundPerM.assign(coarse.activeCount, 0.0f);
+    std::vector<float> weights(coarse.grid.nodeCount(), 0.0f);
     const auto degrees = static_cast<std::size_t>(fine.degreeCount);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
-        if (fine.extinctionPerM[node] <= 0.0f) return;
-        const float* from =
-            &fine.scatteringPerM[static_cast<std::size_t>(fine.place[node]) * degrees];
+        const float share = kShare * fine.weightAt(node);
+        if (share <= 0.0f) return;
+        const float* from = &fine.albedo[static_cast<std::size_t>(fine.place[node]) * degrees];
         for (int p = 0; p < kParents; ++p) {
             const std::size_t parent = parents.of(at, p);
-            float* to = scatteringAt(coarse, parent);
-            for (std::size_t l = 0; l < degrees; ++l) to[l] += kShare / weight[parent] * from[l];
+            weights[parent] += share;
+            float* to = coarse.albedoAt(parent);
+            for (std::size_t l = 0; l < degrees; ++l) to[l] += share * from[l];
         }
     });
+    for (std::size_t node = 0; node < weights.size(); ++node) {
+        const float sum = weights[node];
+        if (sum <= 0.0f) continue;
+        for (std::size_t l = 0; l < degrees; ++l) coarse.albedoAt(node)[l] /= sum;
+        if (!fine.thick()) continue;
+        coarse.aroundPerM[static_cast<std::size_t>(coarse.place[node])] = sum / children[node];
+    }
+    if (fine.thick()) coarse.setBalanced();
     return coarse;
 }
 
@@ -197,7 +172,7 @@ LightField restricted(const TransportLevel& fine, const TransportLevel& coarse,
             columns[parent] += 1.0f;
             field.groundFlux[parent] += after.groundFlux[node] - before.groundFlux[node];
         }
-        const float share = kShare * fine.extinctionPerM[node];
+        const float share = kShare * fine.weightAt(node);
         if (share <= 0.0f) return;
         const std::size_t from = static_cast<std::size_t>(fine.place[node]) * moments;
         for (int p = 0; p < kParents; ++p) {
@@ -218,12 +193,12 @@ LightField restricted(const TransportLevel& fine, const TransportLevel& coarse,
 }
 
 void addProlonged(const TransportLevel& fine, const TransportLevel& coarse,
-                  const LightField& correction, LightField& field) {
+                  const LightField& correction, float part, LightField& field) {
     const Parents parents(fine.grid, coarse.grid);
     const auto moments = static_cast<std::size_t>(fine.momentCount);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
         for (int p = 0; at.z == 0 && p < 4; ++p) {
-            field.groundFlux[node] += correction.groundFlux[parents.of(at, p)] / 4.0f;
+            field.groundFlux[node] += part * correction.groundFlux[parents.of(at, p)] / 4.0f;
         }
         if (fine.place[node] < 0) return;
         const std::size_t to = static_cast<std::size_t>(fine.place[node]) * moments;
@@ -232,7 +207,7 @@ void addProlonged(const TransportLevel& fine, const TransportLevel& coarse,
             if (place < 0) continue;
             const std::size_t from = static_cast<std::size_t>(place) * moments;
             for (std::size_t q = 0; q < moments; ++q) {
-                field.moments[to + q] += kShare * correction.moments[from + q];
+                field.moments[to + q] += kShare * part * correction.moments[from + q];
             }
         }
     });

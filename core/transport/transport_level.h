@@ -37,18 +37,48 @@ struct LightField {
     std::vector<float> groundFlux;  ///< x fastest
 };
 
+/// Of two fields of one level.
+void addTo(LightField& sum, const LightField& term);
+
 struct TransportLevel {
     TransportGrid grid;
     int momentCount = kBroadMoments;
     int degreeCount = kBroadDegrees;
-    std::vector<float> extinctionPerM;  ///< scaled, of every node
+    std::vector<float> extinctionPerM;  ///< scaled, of every node: what light meets between nodes
+    std::vector<float> thickness;       ///< of every node, on the finest grid: `lightThickness`
     std::vector<std::int32_t> place;    ///< of every node among the active ones, or -1
-    std::vector<float> scatteringPerM;  ///< degreeCount of each active node
+    /// Scattering over extinction times chi'_l, degreeCount of each active node.
+    std::vector<float> albedo;
     std::size_t activeCount = 0;
+
+    // Empty unless nodes are optically thick. docs/transport.md
+    std::vector<float> aroundPerM;  ///< scaled, of each active node: the mean around it
+    /// Of every node: which share of l = 0 follows from its energy balance.
+    std::vector<float> balanced;
+
+    bool thick() const { return !balanced.empty(); }
+    /// What a node counts in means.
+    float weightAt(std::size_t node) const {
+        if (!thick()) return extinctionPerM[node];
+        return place[node] < 0 ? 0.0f : aroundPerM[static_cast<std::size_t>(place[node])];
+    }
+    /// Of an active node.
+    float* albedoAt(std::size_t node);
+    const float* albedoAt(std::size_t node) const {
+        return &albedo[static_cast<std::size_t>(place[node]) *
+                       static_cast<std::size_t>(degreeCount)];
+    }
+    /// Finds the active nodes from the extinctions, and makes room for their albedos.
+    void numberActive();
+    void setBalanced();
 
     LightField emptyField() const;
     std::size_t bytes() const;
 };
+
+/// Thick where light is scattered more often than 4 times between two nodes.
+/// TransportLevel::thickness of the finest level alone, with open sides.
+std::vector<float> nodeThickness(const LightMedium& medium, bool aligned);
 
 TransportLevel finestLevel(const LightMedium& medium, bool periodicSides, bool aligned,
                            int momentCount);
@@ -63,8 +93,8 @@ TransportLevel coarsened(const TransportLevel& fine);
 LightField restricted(const TransportLevel& fine, const TransportLevel& coarse,
                       const LightField& after, const LightField& before);
 
-/// Adds a coarse correction to a fine field, trilinear between nodes.
+/// Adds `part` of a coarse correction to a fine field, trilinear between nodes.
 void addProlonged(const TransportLevel& fine, const TransportLevel& coarse,
-                  const LightField& correction, LightField& field);
+                  const LightField& correction, float part, LightField& field);
 
 }  // namespace neph

@@ -33,7 +33,7 @@ layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 #endif
 
 #if FULL
-// What voxels of light send towards the eye by scattering diffuse light, per unit of scaled depth.
+// Of source_to_eye.comp.
 layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
 #endif
 
@@ -143,8 +143,9 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
 #endif
 #if FULL
         float through = eye.through * exp2(-kept * depth);
-        vec3 diffuse = textureLod(t_source, lightVoxelAt(path.ray.originM + sampleM * path.ray.dir),
-                                  0.0).rgb;
+        vec4 source = textureLod(t_source, lightVoxelAt(path.ray.originM + sampleM * path.ray.dir),
+                                 0.0);
+        vec3 diffuse = source.rgb - medium.g * source.a * u_.sunRadiance.rgb;
         eye.radiance += (eye.through - through) * max(medium.g * single + colour * diffuse, 0.0);
 #else
         float through = eye.through * exp2(-depth);

@@ -1,5 +1,6 @@
 // source_to_eye.comp: what each active voxel of light sends towards the eye by scattering diffuse
-// light, per unit of scaled optical depth. One invocation a node.
+// light, per unit of scaled optical depth (rgb), and how much of it, times the sun's radiance, is
+// sunlight scattered once (a). One invocation a node.
 #version 450 core
 #include "../shared/march_layout.glsl"
 layout(local_size_x = kSourceGroup) in;
@@ -14,8 +15,31 @@ layout(std430, binding = kSourceNodesBuffer) readonly buffer Nodes {
 layout(std430, binding = kSourceMomentsBuffer) readonly buffer Moments {
     uint moments_[];  // kWordsOfNode of each
 };
+#if BALANCED
+layout(std430, binding = kSourceBalancedBuffer) readonly buffer Balanced {
+    uint balanced_[];  // kWordsOfBalanced of each
+};
+#endif
 layout(location = kSourceCountLocation) uniform int count;
 layout(location = kFirstGroupLocation) uniform int firstGroup;
+
+#if BALANCED
+/// How much sunlight that is scattered once, per irradiance, the moments of a node hold.
+float heldOfBeam(int first, float cosTheta) {
+    float held = 0.0;
+    float before = 0.0;
+    float legendre = 1.0;
+    for (int l = 0; l < kBalancedDegrees; ++l) {
+        vec2 pair = unpackHalf2x16(balanced_[first + l / 2]);
+        held += pair[l % 2] * (2.0 * float(l) + 1.0) * kInverseFourPi * legendre;
+        float next = ((2.0 * float(l) + 1.0) * cosTheta * legendre - float(l) * before) /
+                     float(l + 1);
+        before = legendre;
+        legendre = next;
+    }
+    return held;
+}
+#endif
 
 void main() {
     int i = kSourceGroup * (firstGroup + int(gl_WorkGroupID.x)) + int(gl_LocalInvocationID.x);
@@ -46,5 +70,9 @@ void main() {
     // Light of a sun of this radiance: shaders/medium/phases.glsl.
     vec3 source = 4.0 * kPi * sun * u_.sunRadiance.rgb + sky[0] * u_.skyHorizon.rgb +
                   sky[1] * u_.skyZenith.rgb;
-    imageStore(o_source, node, vec4(source, 0.0));
+    float held = 0.0;
+#if BALANCED
+    held = 4.0 * kPi * heldOfBeam(kWordsOfBalanced * i, dot(travel, -u_.towardsSun.xyz));
+#endif
+    imageStore(o_source, node, vec4(source, held));
 }

@@ -46,6 +46,7 @@ const int kNodesSamplesLocation = 3;
 const int kSourceImage = 0;
 const int kSourceNodesBuffer = 4;
 const int kSourceMomentsBuffer = 5;
+const int kSourceBalancedBuffer = 6;
 const int kSourceCountLocation = 0;
 const int kSourceGroup = 64;
 const int kSunMoments = 15;
@@ -53,6 +54,8 @@ const int kSkyMoments = 9;
 const int kWordsOfSun = (kSunMoments + 1) / 2;
 const int kWordsOfSky = (2 * kSkyMoments + 1) / 2;
 const int kWordsOfNode = kWordsOfSun + kWordsOfSky;
+const int kBalancedDegrees = 9;
+const int kWordsOfBalanced = (kBalancedDegrees + 1) / 2;
 
 // pack_mixture.comp
 const int kPackMixture0Image = 0;

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -72,4 +73,18 @@ TEST_CASE("transport: a set of directions is never drawn twice") {
     CHECK(first.front().travel == same.turnedIcosahedron().front().travel);
     CHECK(first.front().travel != source.turnedIcosahedron().front().travel);
     CHECK(first.front().travel != other.turnedIcosahedron().front().travel);
+}
+
+TEST_CASE("transport: the opposite of each direction is in its set") {
+    DirectionSource source(5);
+    for (int turn = 0; turn < 5; ++turn) {
+        for (const LightDirections& set : {source.turnedIcosahedron(), source.rings(kTiltedAxis)}) {
+            for (const LightDirection& d : set) {
+                CHECK(std::ranges::any_of(set, [&](const LightDirection& other) {
+                    return glm::length(other.travel + d.travel) < 1e-9 &&
+                           std::abs(other.weightSr - d.weightSr) < 1e-9;
+                }));
+            }
+        }
+    }
 }

@@ -102,7 +102,7 @@ TEST_CASE("Nodes beside particles scatter as those do") {
     for (float& extinction : light.extinctionPerM.values) extinction = 0.0f;
     light.extinctionPerM.at(2, 2, 2) = 1e-3f;
     const LightSolver solver(medium, {}, {});
-    const std::vector<float> shares = scatteringShares(solver.level());
+    const std::vector<float> shares = filledAlbedo(solver.level());
     const auto degrees = static_cast<std::size_t>(solver.level().degreeCount);
     REQUIRE(shares.size() == 27 * degrees);
     for (std::size_t i = 0; i < 27; ++i) {

@@ -18,7 +18,8 @@ namespace neph::render {
 
 namespace {
 
-static_assert(kSunMoments == kAlignedMoments && kSkyMoments == kBroadMoments);
+static_assert(kSunMoments == kAlignedMoments && kSkyMoments == kBroadMoments &&
+              kBalancedDegrees == kAlignedDegrees);
 
 constexpr std::size_t kMostPackers = 4;
 constexpr std::size_t kMostPhases = 64;  // that are kept, while sliders change them
@@ -140,19 +141,15 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     glGetNamedBufferSubData(extinctions_.name(), 0,
                             static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
     std::vector<std::uint8_t> thickness(empty.values.size());
-    std::vector<double> sum(empty.values.size(), 0.0);
     for (std::size_t c = 0; c < made->classes.size(); ++c) {
-        LightClass& light = made->classes[c];
-        light.extinctionPerM = empty;
-        const auto from = values.begin() + static_cast<std::ptrdiff_t>(c * sum.size());
-        std::copy_n(from, sum.size(), light.extinctionPerM.values.begin());
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            sum[i] += static_cast<double>(light.extinctionPerM.values[i]);
-        }
+        const std::size_t count = empty.values.size();
+        made->classes[c].extinctionPerM = empty;
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(c * count), count,
+                    made->classes[c].extinctionPerM.values.begin());
     }
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        thickness[i] =
-            static_cast<std::uint8_t>(std::lround(127.5 * lightThickness(*made, sum[i])));
+    const std::vector<float> thick = nodeThickness(*made, true);
+    for (std::size_t i = 0; i < thick.size(); ++i) {
+        thickness[i] = static_cast<std::uint8_t>(std::lround(127.5f * thick[i]));
     }
     if (thickness_.size() != grid_.nodes) thickness_ = makeLinear(GL_R8, grid_.nodes);
     thickness_.upload(GL_RED, GL_UNSIGNED_BYTE, thickness.data());
@@ -208,6 +205,7 @@ LightProgress DiffuseLight::progress() const {
     progress.settled = shown_->settled && shown_->request == asked_;
     progress.remaining = shown_->remaining;
     progress.chance = shown_->chance;
+    progress.underResolved = shown_->underResolved;
     return progress;
 }
 
@@ -219,6 +217,15 @@ void DiffuseLight::upload(const LightState& state) {
                  any ? state.nodes.size() * sizeof(std::uint32_t) : sizeof(kNone));
     moments_.write(any ? words.data() : &kNone,
                    any ? words.size() * sizeof(std::uint32_t) : sizeof(kNone));
+    std::vector<std::uint32_t> balanced(
+        state.balanced.empty() ? 0 : state.nodes.size() * kWordsOfBalanced);
+    for (std::size_t i = 0; i * kWordsOfBalanced < balanced.size(); ++i) {
+        packPairs(&state.balanced[i * kBalancedDegrees], kBalancedDegrees,
+                  &balanced[i * kWordsOfBalanced]);
+    }
+    if (!balanced.empty()) {
+        balanced_.write(balanced.data(), balanced.size() * sizeof(std::uint32_t));
+    }
     if (source_.size() != grid_.nodes) source_ = makeLinear(GL_RGBA16F, grid_.nodes);
     // Other voxels may have been occupied before.
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
@@ -230,6 +237,7 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceTo
     if (count == 0) return;
     nodes_.bind(GL_SHADER_STORAGE_BUFFER, kSourceNodesBuffer);
     moments_.bind(GL_SHADER_STORAGE_BUFFER, kSourceMomentsBuffer);
+    if (isBalanced()) balanced_.bind(GL_SHADER_STORAGE_BUFFER, kSourceBalancedBuffer);
     source_.bindImage(kSourceImage, GL_WRITE_ONLY);
     sourceToEye.setInt(kSourceCountLocation, count);
     sourceToEye.dispatchGroups((count + kSourceGroup - 1) / kSourceGroup);
@@ -263,7 +271,7 @@ void DiffuseLight::bind() const {
 
 std::size_t DiffuseLight::bytes() const {
     return thickness_.bytes() + source_.bytes() + groundLight_.bytes() + extinctions_.bytes() +
-           nodes_.bytes() + moments_.bytes();
+           nodes_.bytes() + moments_.bytes() + balanced_.bytes();
 }
 
 }  // namespace neph::render

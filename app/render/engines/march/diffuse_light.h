@@ -36,6 +36,8 @@ class DiffuseLight {
     /// What the voxels of light send towards the eye of the block, which is bound.
     void lookFrom(const FrameBlock& block, const gl::Program& sourceToEye);
     void bind() const;
+    /// Whether some of the light that is shown is balanced: BALANCED of source_to_eye.comp.
+    bool isBalanced() const { return shown_ && !shown_->balanced.empty(); }
 
     /// Whether there is light of this medium that was not taken over yet.
     bool hasNewer() const;
@@ -58,7 +60,7 @@ class DiffuseLight {
     gl::Texture thickness_;                                   ///< R8, half of lightThickness
     gl::Texture source_;                                      ///< RGBA16F
     gl::Texture groundLight_;                                 ///< RGBA16F
-    gl::Buffer extinctions_, nodes_, moments_;
+    gl::Buffer extinctions_, nodes_, moments_, balanced_;
 };
 
 }  // namespace neph::render

@@ -213,7 +213,10 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     if (full_) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {
-            diffuse_->lookFrom(bound_, context.programs.get("march/source_to_eye.comp"));
+            diffuse_->lookFrom(
+                bound_,
+                context.programs.get("march/source_to_eye.comp",
+                                     {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0)}));
         }
         diffuse_->bind();
     }
