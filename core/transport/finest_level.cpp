@@ -103,10 +103,16 @@ void setAlbedo(const MixedOptics& mixed, int degrees, float* albedo) {
     }
 }
 
+/// Whether more than a few of the nodes with particles are optically thick.
 bool needsBalance(const TransportLevel& level) {
-    constexpr double kMostBetweenNodes = 4.0;
-    const float most = *std::ranges::max_element(level.extinctionPerM);
-    return static_cast<double>(most) * thicknessLengthM(level.grid.spacingM) > kMostBetweenNodes;
+    constexpr double kMostBetweenNodes = 4.0, kFew = 0.03;
+    const auto thickPerM =
+        static_cast<float>(kMostBetweenNodes / thicknessLengthM(level.grid.spacingM));
+    const auto above = [&](float least) {
+        return static_cast<double>(std::ranges::count_if(
+            level.extinctionPerM, [&](float perM) { return perM > least; }));
+    };
+    return above(thickPerM) > kFew * above(0.0f);
 }
 
 /// What all parts of a level start from.
