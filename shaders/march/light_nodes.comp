@@ -1,9 +1,8 @@
 // light_nodes.comp: the mean extinction of each class around each voxel of light, one invocation a
-// node, from samples spread evenly over the node's share of space. A linear fetch between voxels is
-// the mean of those around it; detail is as fine as the distance of samples.
+// node. A linear fetch between voxels is the mean of those around it: as many of them along an axis
+// as a node has voxels make the mean over the node's share of space.
 #version 450 core
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
-#include "detail.glsl"
 #include "packed_sample.glsl"
 
 layout(std430, binding = kNodesExtinctionBuffer) writeonly buffer Extinctions {
@@ -12,7 +11,6 @@ layout(std430, binding = kNodesExtinctionBuffer) writeonly buffer Extinctions {
 layout(location = kNodesFirstVoxelLocation) uniform ivec3 firstVoxel;
 layout(location = kNodesStrideLocation) uniform ivec3 stride;
 layout(location = kNodesCountLocation) uniform ivec3 nodes;
-layout(location = kNodesSamplesLocation) uniform ivec3 samplesOfNode;  // along each axis
 
 /// Whether bricks say that nothing is within `voxels` of a voxel.
 bool isEmptyAround(vec3 voxel, float voxels) {
@@ -20,20 +18,6 @@ bool isEmptyAround(vec3 voxel, float voxels) {
     ivec3 brick = ivec3(clamp(voxel, vec3(0.0), last)) / kBrickVoxels;
     float empty = float(texelFetch(t_bricks, brick, 0).r);
     return (empty - 1.0) * float(kBrickVoxels) > voxels;
-}
-
-/// Adds the extinctions at a point, with detail as fine as the distance of samples.
-void add(vec3 positionM, vec3 distanceM, inout float sum[CLASSES]) {
-    float extinctionPerM = textureLod(t_extinction, positionM / u_.gridExtentM.xyz, 0.0).r;
-    Mixture mixture = mixtureAt(positionM);
-    float finestM = min(min(distanceM.x, distanceM.y), distanceM.z);
-    for (int i = 0; i < CLASSES; ++i) {
-        float part = extinctionPerM * mixture.share[i];
-#if NOISE
-        part *= detailOfClass(i, positionM, finestM);
-#endif
-        sum[i] += part;
-    }
 }
 
 void main() {
@@ -44,19 +28,19 @@ void main() {
     float sum[CLASSES];
     for (int i = 0; i < CLASSES; ++i) sum[i] = 0.0;
     float reach = float(max(max(stride.x, stride.y), stride.z));
-    ivec3 samples = isEmptyAround(middle, reach) ? ivec3(0) : samplesOfNode;
-    vec3 spacing = vec3(stride) / vec3(samplesOfNode);  // in voxels
+    ivec3 samples = isEmptyAround(middle, reach) ? ivec3(0) : stride;
     for (int z = 0; z < samples.z; ++z) {
         for (int y = 0; y < samples.y; ++y) {
             for (int x = 0; x < samples.x; ++x) {
-                vec3 at = middle + (vec3(x, y, z) + 0.5) * spacing - 0.5 * vec3(stride);
-                if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, size))) continue;
-                add(at / size * u_.gridExtentM.xyz, spacing * u_.gridExtentM.xyz / size, sum);
+                vec3 at = (middle + vec3(x, y, z) + 0.5 - 0.5 * vec3(stride)) / size;
+                if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) continue;
+                MediumSample s = sampleMedium(at * u_.gridExtentM.xyz);
+                for (int i = 0; i < CLASSES; ++i) sum[i] += s.extinctionPerM[i];
             }
         }
     }
     int index = node.x + nodes.x * (node.y + nodes.y * node.z);
     int count = nodes.x * nodes.y * nodes.z;
-    float share = 1.0 / float(samplesOfNode.x * samplesOfNode.y * samplesOfNode.z);
+    float share = 1.0 / float(stride.x * stride.y * stride.z);
     for (int i = 0; i < CLASSES; ++i) extinctionPerM_[i * count + index] = share * sum[i];
 }

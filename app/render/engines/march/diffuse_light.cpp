@@ -46,21 +46,6 @@ glm::vec4 forwardOf(const LightClass& light) {
     return {share(0.0), share(1.0), share(2.0), 0.0f};
 }
 
-/// Samples along each axis of a node's share of space: one a voxel, and with detail at least so
-/// many that they lie about as close on all axes.
-glm::ivec3 samplesOf(const LightGrid& grid, bool detailed) {
-    constexpr int kMostOfAVoxel = 4;
-    glm::ivec3 samples = grid.stride;
-    if (!detailed) return samples;
-    const glm::dvec3 voxelM = grid.spacingM / glm::dvec3(grid.stride);
-    const double leastM = std::min({voxelM.x, voxelM.y, voxelM.z});
-    for (int axis = 0; axis < 3; ++axis) {
-        const int ofVoxel = static_cast<int>(std::lround(voxelM[axis] / leastM));
-        samples[axis] *= std::clamp(ofVoxel, 1, kMostOfAVoxel);
-    }
-    return samples;
-}
-
 /// Two values in a word.
 std::uint32_t pairOf(float low, float high) {
     return static_cast<std::uint32_t>(imath_float_to_half(low)) |
@@ -135,7 +120,6 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     nodes.setIvec3(kNodesFirstVoxelLocation, grid_.firstVoxel);
     nodes.setIvec3(kNodesStrideLocation, grid_.stride);
     nodes.setIvec3(kNodesCountLocation, grid_.nodes);
-    nodes.setIvec3(kNodesSamplesLocation, samplesOf(grid_, isNoisy(medium.plan)));
     nodes.dispatch(grid_.nodes);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(extinctions_.name(), 0,

@@ -24,7 +24,7 @@ class DiffuseLight {
     /// `wake` as LightWork has it.
     explicit DiffuseLight(std::function<void()> wake) : work_(std::move(wake)) {}
 
-    /// Takes over the medium, which holds no detail and is bound with its frame block.
+    /// Takes over the medium, which holds the voxels' detail and is bound with its frame block.
     void takeMedium(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
                     const gl::Program& nodes);
     /// Numbers of the block that are its own. `classes` are those of the block.

@@ -196,8 +196,8 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     PackedMedium& medium = context.medium.as<PackedMedium>();
     if (frame.from <= Stage::light) {
         lit_.reset();
-        takeLightNodes(frame, medium, context);
         repack(inputs.look, PackedDetail::voxels, medium, context);
+        takeLightNodes(frame, medium, context);
         carryLight(frame, medium, context);
         lit_ = inputs.look;
         lightIsDraft_ = inputs.draftLight;
@@ -252,20 +252,18 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
 }
 
 /// Has the voxels of light hold the medium, where the look asks for them.
-void MarchEngine::takeLightNodes(const FrameRequest& frame, PackedMedium& medium,
+void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
                                  RenderContext& context) {
     const Look& look = frame.inputs.look;
     full_ = scattersOften(look);
     if (!full_) return;  // what is known of the medium stays, for when it is wanted again
     const int voxels = frame.inputs.sampling.lightVoxels;
     if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
-    repack(look, isNoisy(medium.look) ? PackedDetail::none : PackedDetail::voxels, medium, context);
     context.timer.pass("light voxels");
     if (!diffuse_) diffuse_.emplace(context.wake);
     bind(frame, medium, context, {0, 0});
-    diffuse_->takeMedium(
-        frame.inputs, context.volume.grid, medium,
-        context.programs.get("march/light_nodes.comp", eyeDefines(frame.inputs, medium, false)));
+    diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
+                         context.programs.get("march/light_nodes.comp", defines(look, medium)));
     diffuseOf_ = {context.medium.version(), voxels};
 }
 

@@ -34,7 +34,8 @@ class MarchEngine final : public Integrator {
 
   private:
     void carryLight(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context);
-    void takeLightNodes(const FrameRequest& frame, PackedMedium& medium, RenderContext& context);
+    void takeLightNodes(const FrameRequest& frame, const PackedMedium& medium,
+                        RenderContext& context);
     void lightToMedium(const std::vector<glm::ivec4>& blocks, const PackedMedium& medium,
                        gl::ProgramCache& programs);
     void bind(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context,
