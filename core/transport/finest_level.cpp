@@ -109,8 +109,8 @@ bool needsBalance(const TransportLevel& level) {
     const auto thickPerM =
         static_cast<float>(kMostBetweenNodes / thicknessLengthM(level.grid.spacingM));
     const auto above = [&](float least) {
-        return static_cast<double>(std::ranges::count_if(
-            level.extinctionPerM, [&](float perM) { return perM > least; }));
+        return static_cast<double>(
+            std::ranges::count_if(level.extinctionPerM, [&](float perM) { return perM > least; }));
     };
     return above(thickPerM) > kFew * above(0.0f);
 }

@@ -26,6 +26,47 @@ double SkyLight::irradiance() const {
     return sum;
 }
 
+namespace {
+
+/// Along one axis, (1, 2, 1) / 4; beyond the ends there is nothing.
+Array3f halvedAlong(int axis, const Array3f& fine) {
+    glm::ivec3 size = fine.size;
+    size[axis] = fine.size[axis] / 2 + 1;
+    Array3f coarse(size);
+    const auto valueAt = [&](glm::ivec3 node, int place) {
+        node[axis] = place;
+        return place < 0 || place >= fine.size[axis] ? 0.0f : fine.at(node.x, node.y, node.z);
+    };
+    std::size_t index = 0;
+    for (int k = 0; k < size.z; ++k) {
+        for (int j = 0; j < size.y; ++j) {
+            for (int i = 0; i < size.x; ++i) {
+                const glm::ivec3 node{i, j, k};
+                const int at = 2 * node[axis];
+                coarse.values[index++] = 0.5f * valueAt(node, at) +
+                                         0.25f * (valueAt(node, at - 1) + valueAt(node, at + 1));
+            }
+        }
+    }
+    return coarse;
+}
+
+}  // namespace
+
+LightMedium halved(const LightMedium& medium) {
+    constexpr int kFewest = 5;
+    LightMedium coarse = medium;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (medium.nodes[axis] < kFewest) continue;
+        coarse.nodes[axis] = medium.nodes[axis] / 2 + 1;
+        coarse.spacingM[axis] *= 2.0;
+        for (LightClass& light : coarse.classes) {
+            light.extinctionPerM = halvedAlong(axis, light.extinctionPerM);
+        }
+    }
+    return coarse;
+}
+
 double forwardShare(const LightClass& light, bool aligned, double thickness) {
     const auto momentOf = [&](int l) {
         return std::max(0.0, light.moments[static_cast<std::size_t>(l)]);

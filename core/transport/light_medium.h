@@ -31,6 +31,10 @@ struct LightMedium {
     bool operator==(const LightMedium&) const = default;
 };
 
+/// At half the resolution: node n is node 2 n, with the mean around it. Axes of fewer than 5 nodes
+/// stay as they are.
+LightMedium halved(const LightMedium& medium);
+
 /// Light comes from one source at a time; the answers to both add up.
 enum class LightSource : int {
     sun,  ///< irradiance 1 on a plane across the beam; the sky is dark

@@ -8,9 +8,36 @@
 
 #include "core/transport/balance.h"
 #include "core/transport/beam.h"
+#include "core/transport/grid_loops.h"
 
 namespace neph {
 namespace {
+
+/// The nodes around a point, which is given in nodes, and their shares of what is between them.
+struct Between {
+    std::array<std::size_t, 8> node{};
+    std::array<float, 8> weight{};
+
+    Between(const TransportGrid& grid, const glm::dvec3& at) {
+        const glm::ivec3 low =
+            glm::clamp(glm::ivec3(glm::floor(at)), glm::ivec3(0), grid.nodes - 2);
+        const glm::vec3 share(glm::clamp(at - glm::dvec3(low), 0.0, 1.0));
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::ivec3 upper{corner & 1, (corner >> 1) & 1, corner >> 2};
+            const glm::vec3 of = glm::mix(1.0f - share, share, glm::vec3(upper));
+            const auto i = static_cast<std::size_t>(corner);
+            node[i] = grid.index(low.x + upper.x, low.y + upper.y, low.z + upper.z);
+            weight[i] = of.x * of.y * of.z;
+        }
+    }
+    /// Where all is on the ground.
+    float groundOf(const std::vector<float>& flux) const {
+        float sum = 0.0f;
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            sum += weight[corner] * flux[node[corner]];
+        return sum;
+    }
+};
 
 bool usesRings(const LightScene& scene, const LightSettings& settings) {
     return settings.aligned && scene.source == LightSource::sun;
@@ -56,6 +83,27 @@ void LightSolver::restart(const LightScene& scene) {
     remaining_ = 1.0;
     halfCycles_ = {};
     for (auto& half : halves_) half.assign(levels_.front().activeCount, 0.0f);
+}
+
+void LightSolver::startFrom(const LightSolver& other) {
+    assert(other.scene_.source == scene_.source && other.momentCount() == momentCount());
+    const TransportLevel& to = levels_.front();
+    const glm::dvec3 perNode = to.grid.spacingM / other.level().grid.spacingM;
+    const auto moments = static_cast<std::size_t>(momentCount());
+    forEachNode(to.grid, [&](const glm::ivec3& node, std::size_t index) {
+        const Between between(other.level().grid, glm::dvec3(node) * perNode);
+        if (node.z == 0) field_.groundFlux[index] = between.groundOf(other.groundFlux());
+        if (to.place[index] < 0) return;
+        float* sum = &field_.moments[static_cast<std::size_t>(to.place[index]) * moments];
+        std::fill_n(sum, moments, 0.0f);
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const std::span<const float> from = other.momentsAt(between.node[corner]);
+            for (std::size_t q = 0; q < from.size(); ++q) {
+                sum[q] += between.weight[corner] * from[q];
+            }
+        }
+    });
+    replacing_ = settings_.warmCycles;
 }
 
 Swept LightSolver::sweepFine(const LightField& field, const LightDirections& directions) const {

@@ -25,6 +25,10 @@ class LightSolver {
     /// Another sun or ground; the field is kept as a start. Source and sides are as before.
     void restart(const LightScene& scene);
 
+    /// Starts from the field of another solver of the same source, between whose nodes it is
+    /// interpolated; node 0 is at the same place.
+    void startFrom(const LightSolver& other);
+
     /// One sweep along new directions, corrected by multigrid. The first cycles replace the field,
     /// those after them are averaged.
     void cycle();

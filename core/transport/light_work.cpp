@@ -19,6 +19,8 @@ using namespace std::chrono_literals;
 constexpr std::size_t kMostThreads = 16;
 // Cycles that are averaged; the light of the sky is a twentieth of that of the sun.
 constexpr std::array<int, kLightParts> kAveragedCycles{12, 4, 4};
+constexpr double kWorthACoarseStart = 5000;  // nodes
+constexpr int kCoarseCycles = 3;
 // While cycles are averaged, every so many of them are worth showing.
 constexpr int kShownOf = 4;
 
@@ -46,11 +48,16 @@ LightScene sceneOf(const LightRequest& request, LightPart part) {
 
 /// The fields of one medium.
 struct LightWork::Solution {
-    explicit Solution(const LightRequest& first) : request(first) {
+    /// Starts from `start`, if there is one. `medium` is that of the request, or a coarser one.
+    Solution(const LightRequest& first, const LightMedium& medium, const Solution* start)
+        : request(first) {
         for (std::size_t i = 0; i < kLightParts; ++i) {
             const auto part = static_cast<LightPart>(i);
-            solvers[i] = std::make_unique<LightSolver>(*first.medium, sceneOf(first, part),
-                                                       settingsOf(part));
+            const LightSettings settings = settingsOf(part);
+            solvers[i] = std::make_unique<LightSolver>(medium, sceneOf(first, part), settings);
+            if (start != nullptr) solvers[i]->startFrom(*start->solvers[i]);
+            toSettle[i] =
+                kAveragedCycles[i] + (start != nullptr ? settings.warmCycles : settings.coldCycles);
         }
         albedo = filledAlbedo(solvers[0]->level());
         const auto& place = solvers[0]->level().place;
@@ -88,15 +95,16 @@ struct LightWork::Solution {
         for (std::size_t i = 0; i < kLightParts; ++i) {
             if (!isSettled(i)) solvers[i]->cycle();
         }
-        ++rounds;
         const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles[0]);
         return averaged <= 0 || averaged % kShownOf == 0 || settled();
     }
-    std::shared_ptr<const LightState> state() const {
+    std::shared_ptr<const LightState> state(bool whole) const {
         auto made = std::make_shared<LightState>();
         made->request = request;
+        made->size = solvers[0]->level().grid.nodes;
+        made->spacingM = solvers[0]->level().grid.spacingM;
         made->cycles = solvers[0]->cyclesDone();
-        made->settled = settled();
+        made->settled = whole && settled();
         made->remaining = solvers[0]->remaining();
         made->chance = solvers[0]->chance();
         made->underResolved = solvers[0]->underResolved();
@@ -113,17 +121,9 @@ struct LightWork::Solution {
 
     LightRequest request;
     std::array<std::unique_ptr<LightSolver>, kLightParts> solvers;
-    std::array<int, kLightParts> toSettle{filled()};
+    std::array<int, kLightParts> toSettle{};
     std::vector<float> albedo;
     std::vector<std::uint32_t> nodes;
-    int rounds = 0;
-
-  private:
-    static std::array<int, kLightParts> filled() {
-        std::array<int, kLightParts> cycles = kAveragedCycles;
-        for (int& each : cycles) each += LightSettings{}.coldCycles;
-        return cycles;
-    }
 };
 
 LightWork::LightWork(std::function<void()> wake)
@@ -182,6 +182,35 @@ void LightWork::publish(std::shared_ptr<const LightState> state) {
     if (wake_) wake_();
 }
 
+/// A first light on half the resolution, which is worth showing long before that of the whole; null
+/// where there are few nodes anyway, or something else was asked for meanwhile.
+std::unique_ptr<LightWork::Solution> LightWork::coarseStart(const LightRequest& request) {
+    const glm::ivec3 nodes = request.medium->nodes;
+    if (static_cast<double>(nodes.x) * nodes.y * nodes.z < kWorthACoarseStart) return {};
+    auto coarse = std::make_unique<Solution>(request, halved(*request.medium), nullptr);
+    for (int cycle = 0; cycle < kCoarseCycles; ++cycle) {
+        if (!isNewest(request)) return {};
+        coarse->cycle();
+        if (cycle > 0) publish(coarse->state(false));
+    }
+    return coarse;
+}
+
+/// The same nodes may start from the light that is there.
+std::unique_ptr<LightWork::Solution> LightWork::solutionFor(const LightRequest& request,
+                                                            std::unique_ptr<Solution> before) {
+    const bool same = before && before->request.medium->nodes == request.medium->nodes &&
+                      before->request.medium->spacingM == request.medium->spacingM;
+    if (!request.warm || !same) before = coarseStart(request);
+    if (!isNewest(request)) return before;
+    return std::make_unique<Solution>(request, *request.medium, before.get());
+}
+
+bool LightWork::isNewest(const LightRequest& request) const {
+    const std::lock_guard lock(mutex_);
+    return asked_ == request;
+}
+
 void LightWork::run(const std::stop_token& stop) {
     std::unique_ptr<Solution> solution;
     while (!stop.stop_requested()) {
@@ -190,10 +219,10 @@ void LightWork::run(const std::stop_token& stop) {
         if (asked && asked->warm && solution && solution->request.medium == asked->medium) {
             solution->change(*asked);
         } else if (asked) {
-            solution = std::make_unique<Solution>(*asked);
+            solution = solutionFor(*asked, std::move(solution));
         }
-        if (!solution) continue;
-        if (solution->cycle()) publish(solution->state());
+        if (!solution || !isNewest(solution->request)) continue;
+        if (solution->cycle()) publish(solution->state(true));
     }
 }
 

@@ -35,11 +35,13 @@ inline constexpr std::size_t kLightParts = 3;
 
 /// The light at one moment of the work.
 struct LightState {
-    LightRequest request;                                        ///< that it answers
+    LightRequest request;  ///< that it answers
+    glm::ivec3 size{0};    ///< nodes along each axis: fewer than the medium's at first
+    glm::dvec3 spacingM{0.0};
     int cycles = 0;                                              ///< done, of the sun's field
     bool settled = false;                                        ///< it gets no better
     double remaining = 1.0, chance = -1.0, underResolved = 0.0;  ///< of the sun, as LightSolver
-    std::vector<std::uint32_t> nodes;  ///< that are active, by their index in the medium
+    std::vector<std::uint32_t> nodes;  ///< that are active, by their index, x fastest
     /// Source function at these nodes, of each part: kAlignedMoments side by side of the sun, else
     /// kBroadMoments. core/transport/source_moments.h
     std::array<std::vector<float>, kLightParts> source;
@@ -68,6 +70,10 @@ class LightWork {
   private:
     struct Solution;
     void run(const std::stop_token& stop);
+    std::unique_ptr<Solution> coarseStart(const LightRequest& request);
+    std::unique_ptr<Solution> solutionFor(const LightRequest& request,
+                                          std::unique_ptr<Solution> before);
+    bool isNewest(const LightRequest& request) const;
     std::optional<LightRequest> take(bool idle, const std::stop_token& stop);
     void publish(std::shared_ptr<const LightState> state);
 

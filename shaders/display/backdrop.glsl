@@ -22,7 +22,7 @@ float sunOnGround(vec3 positionM, int lastLayer) {
 
 #if FULL
 vec3 groundLight(vec3 positionM, float sun) {
-    vec2 at = positionM.xy * u_.lightPerM.xy + u_.lightOffset.xy;
+    vec2 at = positionM.xy * u_.sourcePerM.xy + u_.sourceOffset.xy;
     bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
     vec3 diffuse = known ? textureLod(t_groundLight, at, 0.0).rgb : u_.farGround.rgb;
     return max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;

@@ -186,7 +186,7 @@ void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
 #endif
 #if FULL
         float through = eye.through * exp2(-kept * depth);
-        vec4 source = textureLod(t_source, lightVoxelAt(path.ray.originM + sampleM * path.ray.dir),
+        vec4 source = textureLod(t_source, sourceAt(path.ray.originM + sampleM * path.ray.dir),
                                  0.0);
         vec3 diffuse = source.rgb - medium.g * source.a * u_.sunRadiance.rgb;
         eye.radiance += (eye.through - through) * max(medium.g * single + colour * diffuse, 0.0);

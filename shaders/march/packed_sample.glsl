@@ -63,6 +63,11 @@ vec3 lightVoxelAt(vec3 positionM) {
     return positionM * u_.lightPerM.xyz + u_.lightOffset.xyz;
 }
 
+/// Place of a point in the texture of their light.
+vec3 sourceAt(vec3 positionM) {
+    return positionM * u_.sourcePerM.xyz + u_.sourceOffset.xyz;
+}
+
 /// How thick the voxels of light are around a point: 0 thin, 1 thick, 2 very thick.
 float thicknessAt(vec3 positionM) {
     return 2.0 * textureLod(t_thickness, lightVoxelAt(positionM), 0.0).r;

@@ -48,7 +48,7 @@ void main() {
     int index = int(nodes_[i]);
     ivec3 node = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
     vec3 at = (vec3(node) + 0.5) / vec3(size);
-    vec3 positionM = (at - u_.lightOffset.xyz) / u_.lightPerM.xyz;
+    vec3 positionM = (at - u_.sourceOffset.xyz) / u_.sourcePerM.xyz;
     vec3 towards = u_.eyeM.xyz - positionM;
     vec3 travel = towards / max(length(towards), 1e-6);
     DirectionHarmonics y = directionHarmonics(travel, -u_.towardsSun.xyz);

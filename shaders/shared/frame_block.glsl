@@ -39,6 +39,8 @@ struct FrameBlock {
     vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
     vec4 lightPerM;       ///< of the voxels of light: their texture's coordinate is a point
     vec4 lightOffset;     ///< times this and this added
+    vec4 sourcePerM;      ///< likewise of the light in them, which may be coarser
+    vec4 sourceOffset;
     vec4 farGround;       ///< rgb: diffuse light, as a share of full light, of ground far away
     vec4 sunRadiance;     ///< rgb: colour × intensity
     vec4 skyZenith;       ///< rgb × intensity

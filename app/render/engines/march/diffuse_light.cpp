@@ -143,9 +143,13 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
 
 void DiffuseLight::fill(FrameBlock& block, const Look& look,
                         const std::vector<MediumClass>& classes) {
-    const glm::dvec3 perM = 1.0 / grid_.extentM();
-    block.lightPerM = glm::vec4(perM, 0.0);
-    block.lightOffset = glm::vec4(0.5 / glm::dvec3(grid_.nodes) - grid_.lowerM * perM, 0.0);
+    const auto setMap = [](const LightGrid& grid, glm::vec4& perM, glm::vec4& offset) {
+        const glm::dvec3 ofTexture = 1.0 / grid.extentM();
+        perM = glm::vec4(ofTexture, 0.0);
+        offset = glm::vec4(0.5 / glm::dvec3(grid.nodes) - grid.lowerM * ofTexture, 0.0);
+    };
+    setMap(grid_, block.lightPerM, block.lightOffset);
+    setMap(shownGrid_, block.sourcePerM, block.sourceOffset);
     const glm::dvec3 far = look.groundVisible
                                ? farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
                                      farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
@@ -167,12 +171,14 @@ void DiffuseLight::update(const Look& look, bool settled, const Progress& progre
     request.groundHidden = !look.groundVisible;
     work_.ask(request);
     // The light of a moment ago is better than none, if it is of the same voxels.
-    const bool some = shown_ && shownGrid_ == grid_;
+    const bool some = shown_ && wholeGrid_ == grid_;
     std::shared_ptr<const LightState> state =
         settled || !some ? work_.wait(settled, progress) : work_.latest();
     if (state && state != shown_ && state->request.medium == medium_) {
+        wholeGrid_ = shownGrid_ = grid_;
+        shownGrid_.nodes = state->size;
+        shownGrid_.spacingM = state->spacingM;
         upload(*state);
-        shownGrid_ = grid_;
         shown_ = std::move(state);
     }
 }
@@ -210,7 +216,7 @@ void DiffuseLight::upload(const LightState& state) {
     if (!balanced.empty()) {
         balanced_.write(balanced.data(), balanced.size() * sizeof(std::uint32_t));
     }
-    if (source_.size() != grid_.nodes) source_ = makeLinear(GL_RGBA16F, grid_.nodes);
+    if (source_.size() != state.size) source_ = makeLinear(GL_RGBA16F, state.size);
     // Other voxels may have been occupied before.
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
 }
@@ -230,7 +236,7 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceTo
 
 /// Diffuse light that comes down to the ground, in the colours of the look.
 void DiffuseLight::lightGround(const FrameBlock& block) {
-    const glm::ivec2 size(grid_.nodes);
+    const glm::ivec2 size(shown_->size);
     const auto& [sun, horizon, zenith] = shown_->groundFlux;
     std::vector<glm::vec4> light(sun.size());
     const auto perIrradiance = static_cast<float>(1.0 / kFullLight);

@@ -53,8 +53,9 @@ class DiffuseLight {
     LightWork work_;
     LightGrid grid_;
     std::shared_ptr<const LightMedium> medium_;  ///< as it was asked for
-    LightGrid shownGrid_;
-    std::shared_ptr<const LightState> shown_;  ///< what is on the GPU
+    LightGrid shownGrid_;                        ///< of what is on the GPU
+    LightGrid wholeGrid_;                        ///< of the medium that it is of
+    std::shared_ptr<const LightState> shown_;    ///< what is on the GPU
     LightRequest asked_;
     std::vector<std::pair<PhaseSpec, PhaseMoments>> phases_;  ///< that were met
     gl::Texture thickness_;                                   ///< R8, half of lightThickness
