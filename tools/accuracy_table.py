@@ -14,8 +14,8 @@ NAMES = {
         "translucent, as printed",
     "slicing:light.phase_display=physical:light.transport=translucent:light.form=consistent":
         "translucent, consistent",
-    "march:light.phase_display=physical": "march",
-    "march": "march, phase display of the look",
+    "march:light.transport=translucent": "march, translucent",
+    "march:light.transport=full": "march, full",
 }
 
 
@@ -23,7 +23,7 @@ def cell(image):
     """Bias in %, relRMSE in % and mean FLIP; relRMSE is null where it is not finite."""
     bias, rmse = 100 * image["bias"], image["rel_rmse"]
     text = "–" if rmse is None else f"{100 * rmse:.0f}"
-    return f"{bias:+.0f} · {text} · {image['flip']['mean']:.2f}"
+    return f"{bias:+.1f} · {text} · {image['flip']['mean']:.2f}"
 
 
 def main():

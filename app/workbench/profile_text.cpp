@@ -70,9 +70,11 @@ std::vector<ProfileRow> pathRows(const ReferenceProgress& traced, glm::ivec2 siz
 /// The voxels in which light is solved, and how far it has come.
 std::vector<ProfileRow> lightRows(const LightProgress& light) {
     const auto& m = light.voxelM;
-    return {{"light voxels",
+    return {{"under-resolved", fmt::format("{:.0f} %", 100.0 * light.underResolved),
+             "of caught sunlight"},
+            {"light voxels",
              fmt::format("{} x {} x {}", light.voxels.x, light.voxels.y, light.voxels.z),
-             fmt::format("{:.3g} x {:.3g} x {:.3g} m", m.x, m.y, m.z)},
+             fmt::format("{:.0f} x {:.0f} x {:.0f} m", m.x, m.y, m.z)},
             {"light", fmt::format("{} cycles", light.cycles),
              light.chance < 0.0 ? std::string()
                                 : fmt::format("+- {:.1f} % by chance", 100.0 * light.chance)}};
@@ -117,7 +119,7 @@ std::string profileText(const ui::Profile& profile) {
     for (const auto* rows : {&profile.image, &profile.passes, &profile.samples, &profile.memory}) {
         for (const ProfileRow& row : *rows) {
             const std::string line =
-                fmt::format("  {:<16}{:>14}{:>18}", row.label, row.value, row.note);
+                fmt::format("  {:<16}{:>14}  {:>16}", row.label, row.value, row.note);
             text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
         }
     }

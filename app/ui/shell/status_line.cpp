@@ -31,7 +31,8 @@ std::string workText(const FrameReport& report) {
     return work + (report.full ? "" : ", draft");
 }
 
-/// "light 6 cycles, noise 1.3 %" of light that is being solved; of other light how far it is off.
+/// "light at 6 cycles, 1.3 % to go", "light ± 0.6 %" of full transport; of other light how far it
+/// is off.
 std::string lightText(const FrameReport& report) {
     if (!report.light) return report.knownError;
     const LightProgress& light = *report.light;
@@ -39,8 +40,14 @@ std::string lightText(const FrameReport& report) {
         return fmt::format("light at {}, {:.1f} % to go", countText(light.cycles, "cycle"),
                            100.0 * light.remaining);
     }
-    return light.chance < 0.0 ? "light settled"
-                              : fmt::format("light \u00b1 {:.1f} %", 100.0 * light.chance);
+    std::string text = light.chance < 0.0
+                           ? "light settled"
+                           : fmt::format("light \u00b1 {:.1f} %", 100.0 * light.chance);
+    constexpr double kWorthSaying = 0.1;
+    if (light.underResolved > kWorthSaying) {
+        text += fmt::format(", {:.0f} % under-resolved", 100.0 * light.underResolved);
+    }
+    return text;
 }
 
 /// In motion frames per second say more.
