@@ -1,10 +1,10 @@
 // eye.comp: Eq. 5 along each pixel's ray, in runs of four steps.
 //
-// A run skips what is empty, reads once what varies slowly (the mixture) and four times what
-// varies fast (extinction and light). Each step is sampled at one place within it, the same share
-// of the step in all steps of a pixel, which differs from pixel to pixel by a blue-noise pattern.
-// PROFILE counts; FLOOR repeats the rays and samples of an image with one fetch each and nothing
-// else, to measure against. docs/performance.md
+// A run skips what is empty, reads four times what varies fast (extinction and light) and once what
+// varies slowly (the mixture), where most of the run's light comes from. Samples lie at whole
+// numbers of steps from the eye, shifted from pixel to pixel by a blue-noise pattern.
+// ADAPTIVE halves steps where that shows; PROFILE counts; FLOOR repeats the rays and samples of an
+// image with one fetch each and nothing else, to measure against. docs/performance.md
 #version 450 core
 #include "../shared/march_layout.glsl"
 layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
@@ -40,7 +40,8 @@ layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 #endif
 
 const int kRun = 4;
-const float kOpaque = 0.005;  // transmittance below which a ray ends
+const float kOpaque = 0.005;                       // transmittance below which a ray ends
+const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
 const float kLog2E = 1.44269504;
 
 /// A ray in the units in which it is used.
@@ -49,8 +50,22 @@ struct Path {
     vec3 at, atPerM;        // in the medium's texture
     vec3 brick, brickPerM;  // in bricks
     vec3 mPerBrick;         // distance along the ray for one brick of each axis, signed
-    float endM;             // of the part that can meet anything
-    float place;            // within a step, in [0, 1)
+    float startM, endM;     // of the part that can meet anything
+    float stepM;            // the shortest
+    float place;            // of the samples on the ray, in shortest steps, less than the longest
+};
+
+/// A sample: where it is on the ray, and what is there.
+struct Station {
+    float atM;
+    float extinctionPerM, light;
+};
+
+/// What a run scatters towards the eye.
+struct Scattered {
+    float atM;      // the mean of where, by how much of it is seen
+    float light;    // sunlight times the share of it that is seen
+    float through;  // transmittance from the eye to the end of the run
 };
 
 struct Eye {
@@ -66,7 +81,7 @@ float placeInStep(ivec2 pixel) {
     return fract(pattern + 0.61803399 * float(u_.sampling.x));
 }
 
-Path pathOf(ivec2 pixel, Ray ray, float endM) {
+Path pathOf(ivec2 pixel, Ray ray, vec2 insideM) {
     Path path;
     path.ray = ray;
     path.at = ray.originM / u_.gridExtentM.xyz;
@@ -74,27 +89,33 @@ Path pathOf(ivec2 pixel, Ray ray, float endM) {
     path.brick = ray.originM / u_.brickM.xyz;
     path.brickPerM = divisible(ray.dir) / u_.brickM.xyz;
     path.mPerBrick = 1.0 / path.brickPerM;
-    path.endM = endM;
-    path.place = placeInStep(pixel);
+    path.startM = insideM.x;
+    path.endM = insideM.y;
+    path.stepM = 1.0 / length(ray.dir * u_.march.xyz);
+    path.place = kLongest * placeInStep(pixel);
     return path;
 }
 
-/// Length of step for a level of extinction.
-float stepM(uint level) {
-    float perM = exp2((float(kLevelOfOne) - float(level)) / float(kLevelsPerOctave));
-    return clamp(u_.march.y * perM, u_.march.z * u_.march.x, u_.march.w * u_.march.x);
+/// Samples lie at the same distances from the eye whatever was skipped before, so that no brick
+/// shows in an image. The first and the last lie at the ends of the path.
+float stationM(Path path, float index) {
+    return clamp((index + path.place) * path.stepM, path.startM, path.endM);
 }
 
-/// Leaps from empty brick to empty brick; returns the level of the brick where that ends.
-uint leap(Path path, inout float atM, inout uint skipped) {
+/// The last sample that begins a longest step and does not lie beyond.
+float stationBefore(Path path, float atM) {
+    return kLongest * floor((atM / path.stepM - path.place) / kLongest);
+}
+
+/// Leaps from empty brick to empty brick; returns where that ends.
+float leap(Path path, float atM, inout uint skipped) {
     ivec3 last = textureSize(t_bricks, 0) - 1;
     vec3 ahead = step(0.0, path.brickPerM);
     while (true) {
         vec3 p = path.brick + atM * path.brickPerM;
         vec3 corner = floor(p);
-        uvec2 brick = texelFetch(t_bricks, clamp(ivec3(corner), ivec3(0), last), 0).rg;
-        if (brick.r == 0u || atM >= path.endM) return brick.g;
-        float reach = float(brick.r);
+        float reach = float(texelFetch(t_bricks, clamp(ivec3(corner), ivec3(0), last), 0).r);
+        if (reach == 0.0 || atM >= path.endM) return atM;
         vec3 wall = corner + mix(vec3(1.0 - reach), vec3(reach), ahead);
         vec3 distanceM = (wall - p) * path.mPerBrick;
         // A thousandth of a brick over the wall, so that rounding cannot hold the ray at it.
@@ -139,56 +160,127 @@ float detailAt(vec3 positionM, vec3 jitter, Detail detail) {
 }
 #endif
 
+Station stationAt(Path path, float index) {
+    float atM = stationM(path, index);
 #if FLOOR
-void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
+    vec4 texel = textureLod(t_floor, path.at + atM * path.atPerM, 0.0);
+    return Station(atM, 0.0, dot(texel.rgb, vec3(texel.a)));
+#else
+    vec2 medium = textureLod(t_extinction, path.at + atM * path.atPerM, 0.0).rg;
+    return Station(atM, medium.r, medium.g);
+#endif
+}
+
+/// Whether a step dims the image by more than is wanted.
+bool isCoarse(Station stations[kRun], float stepM, float through) {
+    float largestPerM = 0.0;
+    for (int i = 0; i < kRun; ++i) largestPerM = max(largestPerM, stations[i].extinctionPerM);
+    return through * largestPerM * stepM > u_.march.w;
+}
+
+/// The samples of one run after number `index`, in steps of `stride` samples, or of half as many
+/// for as long as these turn out to be too coarse.
+void take(Path path, float index, inout float stride, inout Eye eye, out Station stations[kRun]) {
     for (int i = 0; i < kRun; ++i) {
-        vec3 at = path.at + (atM + (float(i) + path.place) * h) * path.atPerM;
-        vec4 texel = textureLod(t_floor, at, 0.0);
-        eye.radiance += texel.rgb * texel.a;
+        stations[i] = stationAt(path, index + float(i + 1) * stride);
     }
+    eye.taken += uint(kRun);
+#if ADAPTIVE
+    if (stride == 1.0 || !isCoarse(stations, kLongest * path.stepM, eye.through)) return;
+    stride = 1.0;
+    stations[3] = stations[1];
+    stations[1] = stations[0];
+    stations[0] = stationAt(path, index + 1.0);
+    stations[2] = stationAt(path, index + 3.0);
+    eye.taken += uint(kRun / 2);
+#endif
+}
+
+#if FLOOR
+void run(Path path, Station stations[kRun], vec3 sunlit[CLASSES], inout Station last,
+         inout Eye eye) {
+    for (int i = 0; i < kRun; ++i) eye.radiance += stations[i].light;
+    last = stations[kRun - 1];
 }
 #else
-/// One run of steps of length `h` from `atM`; steps beyond the end have no length.
-void run(Path path, float atM, float h, vec3 sunlit[CLASSES], inout Eye eye) {
-    vec3 middleM = path.ray.originM + (atM + 0.5 * float(kRun) * h) * path.ray.dir;
-    Mixture mixture = mixtureAt(middleM);
+/// Where in a step, as a share of it, the light that it scatters comes from on average, as the eye
+/// sees it, if the extinction varies linearly in it.
+///
+/// In optical depth τ it is 1/τ - 1/(e^τ - 1): half of what is thin, the beginning of what is
+/// thick. The fraction has the same value and slope at 0 and the same limit, and is within 6 %.
+/// The root finds where that depth is reached.
+float originInStep(float fromPerM, float toPerM, float depth) {
+    float share = (1.0 + 0.165 * depth) / (2.0 + depth * (0.6633 + 0.165 * depth));
+    float first = fromPerM / max(fromPerM + toPerM, 1e-20);
+    return share / max(first + sqrt(first * first + (1.0 - 2.0 * first) * share), 1e-6);
+}
+
+/// From one sample through four others.
+Scattered scatteredIn(Station from, Station stations[kRun], float through) {
+    Scattered met = Scattered(0.0, 0.0, through);
+    for (int i = 0; i < kRun; ++i) {
+        Station to = stations[i];
+        float depth = 0.5 * (from.extinctionPerM + to.extinctionPerM) * (to.atM - from.atM);
+        float origin = originInStep(from.extinctionPerM, to.extinctionPerM, depth);
+        float beyond = met.through * exp2(-kLog2E * depth);
+        float seen = met.through - beyond;
+        met.light += seen * mix(from.light, to.light, origin);
+        met.atM += seen * mix(from.atM, to.atM, origin);
+        met.through = beyond;
+        from = to;
+    }
+    const float kHardly = 1e-5;  // seen; where it is no more, the middle
+    met.atM = (met.atM + kHardly * stations[1].atM) / (through - met.through + kHardly);
+    return met;
+}
+
+/// What a run adds to the image.
+void run(Path path, Station stations[kRun], vec3 sunlit[CLASSES], inout Station last,
+         inout Eye eye) {
+    Scattered met = scatteredIn(last, stations, eye.through);
+    Mixture mixture = mixtureAt(path.ray.originM + met.atM * path.ray.dir);
 #if NOISE
     Detail detail = detailOf(mixture);
     vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / float(kNoiseSize);
-#endif
-    float lit = 0.0;
-    float before = eye.through;
     for (int i = 0; i < kRun; ++i) {
-        float startM = atM + float(i) * h;
-        float sampleM = startM + path.place * h;
-        vec2 medium = textureLod(t_extinction, path.at + sampleM * path.atPerM, 0.0).rg;
-        float depth = kLog2E * medium.r * clamp(path.endM - startM, 0.0, h);
-#if NOISE
-        depth *= detailAt(path.ray.originM + sampleM * path.ray.dir, jitter, detail);
+        vec3 positionM = path.ray.originM + stations[i].atM * path.ray.dir;
+        stations[i].extinctionPerM *= detailAt(positionM, jitter, detail);
+    }
+    met = scatteredIn(last, stations, eye.through);
 #endif
-        float through = eye.through * exp2(-depth);
-        lit += (eye.through - through) * medium.g;
-        eye.through = through;
-    }
-    float seen = (before - eye.through) * mixture.skylight;
+    float seen = (eye.through - met.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
-        eye.radiance += mixture.share[i] *
-                        (lit * sunlit[i] + seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
+        eye.radiance += mixture.share[i] * (met.light * sunlit[i] +
+                                            seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
     }
+    eye.through = met.through;
+    last = stations[kRun - 1];
 }
 #endif
 
-Eye march(Path path, float atM, uint most) {
+Eye march(Path path, uint most) {
     vec3 sunlit[CLASSES];
     for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, path.ray.dir);
     Eye eye = Eye(vec3(0.0), 1.0, 0u, 0u);
-    while (atM < path.endM && eye.through > kOpaque && eye.taken < most) {
-        uint level = leap(path, atM, eye.skipped);
+    float stride = kLongest;
+    float index = stationBefore(path, path.startM);
+    Station last = stationAt(path, index);
+    while (last.atM < path.endM && eye.through > kOpaque && eye.taken < most) {
+        float atM = leap(path, last.atM, eye.skipped);
         if (atM >= path.endM) break;
-        float h = stepM(level);
-        run(path, atM, h, sunlit, eye);
-        eye.taken += uint(kRun);
-        atM += float(kRun) * h;
+        float before = stationBefore(path, atM);
+        if (before > index) {  // on from the last sample in what is empty
+            index = before;
+            last = stationAt(path, index);
+            ++eye.taken;
+        }
+        Station stations[kRun];
+        take(path, index, stride, eye, stations);
+        index += float(kRun) * stride;
+        run(path, stations, sunlit, last, eye);
+#if ADAPTIVE
+        if (!isCoarse(stations, kLongest * path.stepM, eye.through)) stride = kLongest;
+#endif
     }
     return eye;
 }
@@ -216,7 +308,7 @@ void main() {
 #if FLOOR
     most = imageLoad(i_taken, pixel).r;
 #endif
-    Eye eye = march(pathOf(pixel, ray, insideM.y), insideM.x, most);
+    Eye eye = march(pathOf(pixel, ray, insideM), most);
     closeRay(eye);
     vec4 seen = vec4(eye.radiance + eye.through * backdrop(ray, u_.slices.z), 1.0 - eye.through);
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);

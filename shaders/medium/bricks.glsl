@@ -1,20 +1,16 @@
-// bricks.glsl: what is known of the medium brick by brick: emptiness, to skip it, and density.
+// bricks.glsl: what is known of the medium brick by brick: emptiness, to skip it.
 #pragma once
 #include "../lib/ray_box.glsl"
 #include "../shared/frame.glsl"
 #include "../shared/medium_layout.glsl"
 
-// r: distance to the nearest occupied brick, in bricks; g: level of the largest extinction nearby
+// Distance to the nearest occupied brick, in bricks.
 layout(binding = kBricksUnit) uniform usampler3D t_bricks;
-
-uvec2 brickAt(vec3 positionM) {
-    ivec3 brick = clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_bricks, 0) - 1);
-    return texelFetch(t_bricks, brick, 0).rg;
-}
 
 /// Bricks around the point that are certainly empty: 0 in an occupied brick.
 int emptiness(vec3 positionM) {
-    return int(brickAt(positionM).r);
+    ivec3 brick = clamp(ivec3(positionM / u_.brickM.xyz), ivec3(0), textureSize(t_bricks, 0) - 1);
+    return int(texelFetch(t_bricks, brick, 0).r);
 }
 
 /// Distance along the unit `dir` to the wall of the empty block of `bricks` around the point.

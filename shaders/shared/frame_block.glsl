@@ -27,8 +27,8 @@ struct FrameBlock {
     vec4 lightU;      ///< unit, across the light; w: coordinate of the light buffer's left edge, m
     vec4 lightV;      ///< likewise
     vec4 lightScale;  ///< xy: 1 / size of the light buffer in m; z: spacingM; w: ring radius in m
-    vec4 march;       ///< x: base step in m, y: wanted optical depth of a step, zw: least and
-                      ///< largest step as multiples of the base
+    vec4 march;       ///< xyz: shortest steps per m along each axis; w: share of the image that a
+                      ///< longer step may dim, where steps adapt
     vec4 boxLowerM;   ///< occupied part of the volume
     vec4 boxUpperM;
     vec4 gridExtentM;     ///< of the whole volume

@@ -9,11 +9,6 @@
 const int kBlockVoxels = 8;
 const int kBrickVoxels = 4;
 
-// Code in the map of bricks for the largest extinction in and around one:
-// 2^((level - kLevelOfOne) / kLevelsPerOctave) per metre, rounded up; 0 is nothing.
-const int kLevelOfOne = 240;
-const int kLevelsPerOctave = 8;
-
 // Texels along the edge of a tile of noise, and levels of the stacked noise: down to 4 texels along
 // the edge, less than one for the largest features.
 const int kNoiseSize = 128;

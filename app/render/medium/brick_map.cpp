@@ -1,48 +1,13 @@
-// brick_map.cpp: distances, levels and bounds, on the CPU: there are few bricks.
+// brick_map.cpp: distances and bounds, on the CPU: there are few bricks.
 #include "app/render/medium/brick_map.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace neph::render {
 namespace {
 
 using Bytes = Array3<std::uint8_t>;
-
-std::uint8_t levelOf(float extinctionPerM) {
-    if (extinctionPerM <= 0.0f) return 0;
-    const float level = std::ceil(kLevelsPerOctave * std::log2(extinctionPerM)) + kLevelOfOne;
-    return static_cast<std::uint8_t>(std::clamp(level, 0.0f, 255.0f));
-}
-
-/// The largest of a brick and its neighbours along one axis.
-Bytes dilated(const Bytes& levels, int axis) {
-    Bytes out = levels;
-    glm::ivec3 step(0);
-    step[axis] = 1;
-    for (int z = 0; z < levels.size.z; ++z)
-        for (int y = 0; y < levels.size.y; ++y)
-            for (int x = 0; x < levels.size.x; ++x) {
-                std::uint8_t& here = out.at(x, y, z);
-                const glm::ivec3 p{x, y, z};
-                if (p[axis] > 0)
-                    here = std::max(here, levels.at(x - step.x, y - step.y, z - step.z));
-                if (p[axis] + 1 < levels.size[axis]) {
-                    here = std::max(here, levels.at(x + step.x, y + step.y, z + step.z));
-                }
-            }
-    return out;
-}
-
-Bytes levelsOf(const Array3f& maximumPerM) {
-    Bytes levels(maximumPerM.size, 0);
-    std::transform(maximumPerM.values.begin(), maximumPerM.values.end(), levels.values.begin(),
-                   levelOf);
-    for (int axis = 0; axis < 3; ++axis) levels = dilated(levels, axis);
-    return levels;
-}
 
 BoxM boundsOf(const Bytes& distance, glm::dvec3 brickM, glm::dvec3 extentM) {
     glm::ivec3 lower = distance.size, upper{0};
@@ -92,18 +57,11 @@ BrickMap mapBricks(const Array3f& maximumPerM, const RegularGrid& grid, double i
     const double diagonalM = glm::length(grid.extentM());
     const Bytes distance =
         emptyDistances(maximumPerM, static_cast<float>(invisibleDepth / diagonalM));
-    const Bytes levels = levelsOf(maximumPerM);
-    std::vector<std::uint8_t> texels;
-    texels.reserve(2 * distance.values.size());
-    for (std::size_t i = 0; i < distance.values.size(); ++i) {
-        texels.push_back(distance.values[i]);
-        texels.push_back(levels.values[i]);
-    }
     BrickMap bricks;
     bricks.brickM = grid.spacingM * static_cast<double>(kBrickVoxels);
     bricks.occupied = boundsOf(distance, bricks.brickM, grid.extentM());
-    bricks.map = gl::Texture::make3D(GL_RG8UI, distance.size);
-    bricks.map.upload(GL_RG_INTEGER, GL_UNSIGNED_BYTE, texels.data());
+    bricks.map = gl::Texture::make3D(GL_R8UI, distance.size);
+    bricks.map.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, distance.values.data());
     return bricks;
 }
 

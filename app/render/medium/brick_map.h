@@ -1,5 +1,4 @@
-// brick_map.h: which bricks of a medium are empty, how far it is to the next that is not, and how
-// dense it is around.
+// brick_map.h: which bricks of a medium are empty, and how far it is to the next that is not.
 #pragma once
 #include "app/gl/objects.h"
 #include "core/grid/boxes.h"
@@ -11,8 +10,7 @@ namespace neph::render {
 #include "shaders/shared/medium_layout.glsl"
 
 struct BrickMap {
-    /// RG8UI a brick. r: Chebyshev distance to the nearest occupied brick, 0 in one; g: level
-    /// (kLevelOfOne) of the largest extinction in the brick and its neighbours.
+    /// R8UI a brick: Chebyshev distance to the nearest occupied brick, 0 in one.
     gl::Texture map;
     BoxM occupied;  ///< in grid space; empty (lower == upper) when nothing is there
     glm::dvec3 brickM{1.0};

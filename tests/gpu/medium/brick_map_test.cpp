@@ -1,4 +1,4 @@
-// brick_map_test.cpp: distances, levels and bounds against plain loops over all bricks.
+// brick_map_test.cpp: distances and bounds against plain loops over all bricks.
 #include "app/render/medium/brick_map.h"
 
 #include <doctest/doctest.h>
@@ -31,16 +31,12 @@ RegularGrid gridOf(glm::ivec3 voxels) {
     return {voxels, glm::dvec3(100.0, 200.0, 300.0), glm::dvec3(500.0, 400.0, 250.0)};
 }
 
-struct Texel {
-    std::uint8_t distance, level;
-};
-
-std::vector<Texel> texelsOf(const BrickMap& bricks) {
+std::vector<std::uint8_t> distancesIn(const BrickMap& bricks) {
     const glm::ivec3 n = bricks.map.size();
-    std::vector<Texel> texels(static_cast<std::size_t>(n.x * n.y * n.z));
+    std::vector<std::uint8_t> texels(static_cast<std::size_t>(n.x * n.y * n.z));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(bricks.map.name(), 0, GL_RG_INTEGER, GL_UNSIGNED_BYTE,
-                      static_cast<GLsizei>(texels.size() * sizeof(Texel)), texels.data());
+    glGetTextureImage(bricks.map.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(texels.size()), texels.data());
     return texels;
 }
 
@@ -65,7 +61,7 @@ TEST_CASE("Every brick knows its distance to the nearest occupied one") {
             const Array3f maxima = someBricks(brickCount(voxels), seed);
             const RegularGrid grid = gridOf(voxels);
             const double threshold = 2e-3 / glm::length(grid.extentM());
-            const auto texels = texelsOf(mapBricks(maxima, grid, 2e-3));
+            const auto distances = distancesIn(mapBricks(maxima, grid, 2e-3));
             bool right = true;
             forEach(maxima.size, [&](glm::ivec3 p) {
                 int nearest = 255;
@@ -74,7 +70,7 @@ TEST_CASE("Every brick knows its distance to the nearest occupied one") {
                         nearest = std::min(nearest, chebyshev(p, q));
                     }
                 });
-                right = right && texels[maxima.index(p.x, p.y, p.z)].distance == nearest;
+                right = right && distances[maxima.index(p.x, p.y, p.z)] == nearest;
             });
             CHECK(right);
         }
@@ -86,30 +82,9 @@ TEST_CASE("A distance that a byte cannot hold is given as the largest that it ca
     const glm::ivec3 voxels{300 * kBrickVoxels, 1, 1};
     Array3f maxima(brickCount(voxels));
     maxima.values[0] = 1.0f;
-    const auto texels = texelsOf(mapBricks(maxima, gridOf(voxels), 2e-3));
-    CHECK(texels[254].distance == 254);
-    CHECK(texels[299].distance == 255);
-}
-
-TEST_CASE("The level of a brick is that of the largest extinction in and around it, rounded up") {
-    test::needContext();
-    const glm::ivec3 voxels{26, 41, 18};
-    const Array3f maxima = someBricks(brickCount(voxels), 7);
-    const auto texels = texelsOf(mapBricks(maxima, gridOf(voxels), 2e-3));
-    bool right = true;
-    forEach(maxima.size, [&](glm::ivec3 p) {
-        float largest = 0.0f;
-        forEach(maxima.size, [&](glm::ivec3 q) {
-            if (chebyshev(p, q) <= 1) largest = std::max(largest, maxima.at(q.x, q.y, q.z));
-        });
-        const int level = texels[maxima.index(p.x, p.y, p.z)].level;
-        const double perM =
-            std::exp2((level - kLevelOfOne) / static_cast<double>(kLevelsPerOctave));
-        const double share = static_cast<double>(largest) / perM;
-        right = right && (largest == 0.0f ? level == 0
-                                          : share < 1.0 + 1e-6 && share > std::exp2(-0.125) - 1e-6);
-    });
-    CHECK(right);
+    const auto distances = distancesIn(mapBricks(maxima, gridOf(voxels), 2e-3));
+    CHECK(distances[254] == 254);
+    CHECK(distances[299] == 255);
 }
 
 TEST_CASE("The occupied box holds every occupied brick and ends at the grid") {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/render/frame/frame_block.h"
@@ -31,14 +32,16 @@ constexpr int kBandRows = 4 * kMarchEyeGroup;
 constexpr double kLightTexelVoxels = 1.0, kDraftLightTexelVoxels = 2.0;
 // Steps shorter than this many voxels can show detail finer than a voxel.
 constexpr double kFineSteps = 1.05;
+// Where their number is not fixed, steps are twice these, in voxels, at quality 1. Those that dim
+// the image by more than this share are halved; detail has more that a step may miss.
+constexpr double kShortestStep = 0.5, kShortestStepDetailed = 0.2;
+constexpr float kMostDimming = 0.15f, kMostDimmingDetailed = 0.01f;
 // Layers of light held at a time; fewer where they would take more than three quarters of a byte a
 // voxel, as in flat domains, and more than what is little on any machine.
 constexpr int kLightBatch = 16;
 constexpr std::size_t kLittleBytes = std::size_t{512} << 10;
 // Of a trilinear fetch of RG16F; of the mixture, one in four samples.
 constexpr double kTrilinearBytes = 8.0 * 4.0, kNoiseBytes = 4.0;
-// Steps adapt to the data: as long as makes this optical depth, within these multiples of the base.
-constexpr float kStepOpticalDepth = 0.5f, kShortestStep = 0.5f, kLongestStep = 2.0f;
 
 double voxelM(const RegularGrid& grid) {
     return std::cbrt(grid.spacingM.x * grid.spacingM.y * grid.spacingM.z);
@@ -55,6 +58,25 @@ int batchOf(const SlicePlan& plan, const RegularGrid& grid) {
     return std::min({kLightBatch, plan.count, layers - 1});
 }
 
+/// The blocks that may hold anything, and those around them: the light between two samples is
+/// taken from both, of which one may lie outside.
+std::vector<glm::ivec3> around(const VolumeTextures& volume) {
+    Array3<std::uint8_t> marks((volume.grid.size + kBlockVoxels - 1) / kBlockVoxels, 0);
+    std::vector<glm::ivec3> found;
+    for (const glm::ivec3 block : volume.blocks) {
+        const glm::ivec3 lower = glm::max(block - 1, glm::ivec3(0));
+        const glm::ivec3 upper = glm::min(block + 2, marks.size);
+        for (int z = lower.z; z < upper.z; ++z)
+            for (int y = lower.y; y < upper.y; ++y)
+                for (int x = lower.x; x < upper.x; ++x) {
+                    if (std::exchange(marks.at(x, y, z), std::uint8_t{1}) == 0) {
+                        found.emplace_back(x, y, z);
+                    }
+                }
+    }
+    return found;
+}
+
 /// The blocks that may hold anything, by the layers of light that pass through them.
 class BlockOrder {
   public:
@@ -62,7 +84,7 @@ class BlockOrder {
         const glm::dvec3 blockM = volume.grid.spacingM * static_cast<double>(kBlockVoxels);
         // Half the extent of a block along the light.
         const double reachM = 0.5 * glm::dot(glm::abs(plan.normal), blockM);
-        for (const glm::ivec3 block : volume.blocks) {
+        for (const glm::ivec3 block : around(volume)) {
             const glm::dvec3 middleM = (glm::dvec3(block) + 0.5) * blockM;
             const double alongM = glm::dot(plan.normal, middleM) - plan.firstM;
             const auto layer = [&](double m) {  // what lies before or behind all has an end's light
@@ -111,6 +133,7 @@ std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMediu
     std::vector<std::string> names = defines(inputs.look, medium);
     names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
     names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
+    names.push_back(fmt::format("ADAPTIVE {}", inputs.planes > 0 ? 0 : 1));
     if (!isNoisy(medium.plan)) return names;
     const DetailKinds kinds = kindsOf(medium.plan);
     names.push_back(fmt::format("KINDS {}", kinds.first.size()));
@@ -126,6 +149,20 @@ double diagonalOf(const BoxM& box) {
 double baseStepM(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium) {
     return inputs.planes > 0 ? diagonalOf(boxOf(medium, grid)) / inputs.planes
                              : voxelM(grid) / static_cast<double>(inputs.sampling.quality);
+}
+
+/// Shortest steps per metre along each axis: a ray has as many as this vector, scaled by its
+/// direction, is long.
+///
+/// Where the number of steps is not fixed, steps are one over the quality and less, in units of
+/// the mean of a voxel's extent in the ray's direction and in all: layers are thinner than columns
+/// are wide, and differ less.
+glm::dvec3 stepsPerM(const FrameInputs& inputs, const RegularGrid& grid,
+                     const PackedMedium& medium) {
+    if (inputs.planes > 0) return glm::dvec3(inputs.planes / diagonalOf(boxOf(medium, grid)));
+    const double voxels = isNoisy(medium.plan) ? kShortestStepDetailed : kShortestStep;
+    return static_cast<double>(inputs.sampling.quality) / voxels /
+           glm::sqrt(grid.spacingM * voxelM(grid));
 }
 
 /// How much of the detail the medium should hold for an image: steps that are too long to show
@@ -202,14 +239,15 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     const FrameInputs& inputs = frame.inputs;
     const RegularGrid& grid = context.volume.grid;
     const bool fixed = inputs.planes > 0;
-    const double stepM = baseStepM(inputs, grid, medium);
-    steps_ = static_cast<int>(std::lround(diagonalOf(boxOf(medium, grid)) / stepM));
+    const glm::dvec3 perM = stepsPerM(inputs, grid, medium);
+    const double shortest = glm::length(boxOf(medium, grid).sizeM() * perM);
+    steps_ = static_cast<int>(std::lround(fixed ? shortest : 0.5 * shortest));
     FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
     block.sampling.x = frame.sample;
-    block.march = {static_cast<float>(stepM), kStepOpticalDepth / inputs.sampling.quality,
-                   fixed ? 1.0f : kShortestStep, fixed ? 1.0f : kLongestStep};
+    const float mostDimming = isNoisy(medium.plan) ? kMostDimmingDetailed : kMostDimming;
+    block.march = glm::vec4(glm::vec3(perM), mostDimming / inputs.sampling.quality);
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     medium.extinction.bind(kMarchExtinctionUnit);
