@@ -56,6 +56,7 @@ void checkViews(render::Renderer& renderer, const SpeciesVolume& volume, const L
         CAPTURE(static_cast<int>(view));
         render::FrameInputs inputs;
         inputs.look = look;
+        inputs.sampling.lightVoxels = 10000;
         inputs.sizePx = kStepsPx;
         inputs.camera =
             placeCamera(framed(view, pose, summarise(volume), aspect), volume.grid, aspect);

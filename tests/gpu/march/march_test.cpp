@@ -238,6 +238,8 @@ TEST_CASE("The mean of sixteen samples is nearer to that of many than one sample
 TEST_CASE("Nothing visible and nothing there leave sky and ground to the march") {
     SpeciesVolume volume = blobs();
     Look look;
+    look.transport = Transport::translucent;
+    const Look seeing = look;
     for (SpeciesLook& field : look.species) field.visible = false;
     const auto hidden = marchFrame(volume, look, views()[0].pose, {40, 30}, 48);
     const ImageF clear = referenceMarch(volume, hidden);
@@ -252,7 +254,7 @@ TEST_CASE("Nothing visible and nothing there leave sky and ground to the march")
         }
         for (const int planes : {0, 48}) {
             checkClear(
-                renderOn(volume, marchFrame(volume, Look(), views()[0].pose, {40, 30}, planes)));
+                renderOn(volume, marchFrame(volume, seeing, views()[0].pose, {40, 30}, planes)));
         }
     }
 }
