@@ -256,7 +256,7 @@ TEST_CASE("Presets are listed, shown as a whole and checked") {
 TEST_CASE("Presets are compared, and those of the user's are kept from the command line") {
     const Outcome diff = runProgram("presets diff default fig06-physical");
     CHECK(diff.status == 0);
-    CHECK(contains(diff.out, "Modes: Light Translucent -> Low albedo\n"));
+    CHECK(contains(diff.out, "Light: Transport Full -> Low albedo\n"));
     CHECK(contains(diff.out, "Camera: Target east"));
     CHECK(contains(runProgram("presets diff default default").out, "no difference"));
     const TemporaryFolder home;

@@ -178,7 +178,7 @@ TEST_CASE("Engines draw one view, the last is the reference, and all of it is ke
     const TemporaryFolder folder;
     const Outcome outcome = runProgram(
         "compare --json --engine march,slicing:light.form=consistent --engine reference "
-        "--size 12x8 --planes 32 --samples 4 --seed 5 --out" +
+        "--size 12x8 --planes 32 --samples 4 --seed 5 --set view.light_voxels=1000 --out" +
         quoted(folder / "kept"));
     REQUIRE(outcome.status == 0);
     const auto json = nlohmann::json::parse(outcome.out);

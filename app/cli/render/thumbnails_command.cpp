@@ -27,6 +27,7 @@ namespace neph {
 namespace {
 
 // More do not show at this size, or take too long.
+constexpr int kLightVoxels = 20000;  // enough for an image as small
 constexpr int kSamples = 4;
 
 struct Wanted {
@@ -91,6 +92,7 @@ Image8 Storm::imageOf(const Preset& preset, glm::ivec2 sizePx) {
     }
     render::FrameInputs inputs;
     inputs.look = preset.look;
+    inputs.sampling.lightVoxels = kLightVoxels;
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,
                                 static_cast<double>(sizePx.x) / sizePx.y);
