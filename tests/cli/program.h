@@ -22,15 +22,16 @@ inline std::string readText(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// `arguments` as typed in a shell; without a display, and with a home of its own, so that neither
-/// the tester's presets nor screen play a part; `home` where several runs share one.
 /// Images of these tests are about other things than light, whose solution takes seconds.
 inline std::string withQuickLight(std::string arguments) {
     const std::string render = "render ";
-    if (!arguments.starts_with(render)) return arguments;
+    const bool says = arguments.find("view.light_voxels") != std::string::npos;
+    if (says || !arguments.starts_with(render)) return arguments;
     return arguments.insert(render.size(), "--set view.light_voxels=1000 ");
 }
 
+/// `arguments` as typed in a shell; without a display, and with a home of its own, so that neither
+/// the tester's presets nor screen play a part; `home` where several runs share one.
 inline Outcome runProgram(const std::string& arguments, std::string home = {}) {
     const TemporaryFolder folder;
     if (home.empty()) home = folder.path().string();
