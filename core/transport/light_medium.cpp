@@ -72,9 +72,7 @@ double forwardShare(const LightClass& light, bool aligned, double thickness) {
         return std::max(0.0, light.moments[static_cast<std::size_t>(l)]);
     };
     const double broad = momentOf(kBroadDegrees);
-    // Light that does not come from near the sun is kept to l = 2 alone, which suits a larger share:
-    // the mean of both errs least on a storm from all sides.
-    const double thin = aligned ? 0.5 * (momentOf(kAlignedDegrees) + broad) : broad;
+    const double thin = aligned ? momentOf(kAlignedDegrees) : broad;
     return glm::mix(glm::mix(thin, broad, std::min(thickness, 1.0)), momentOf(1),
                     std::max(thickness - 1.0, 0.0));
 }
