@@ -7,10 +7,10 @@ namespace neph {
 
 /// How far full transport has come with the light of the last frame.
 struct LightProgress {
-    int cycles = 0;          ///< of the solver, for the sun
-    bool settled = false;    ///< it gets no better
-    double remaining = 1.0;  ///< relative size of the last correction on the coarsest grid
-    double chance = -1.0;    ///< relative noise of the averaged cycles; negative: not known
+    int cycles = 0;              ///< of the solver, for the sun
+    bool settled = false;        ///< it gets no better
+    double remaining = 1.0;      ///< relative size of the last correction on the coarsest grid
+    double chance = -1.0;        ///< relative noise of the averaged cycles; negative: not known
     double underResolved = 0.0;  ///< share of the caught sunlight that voxels are too thick for
     glm::ivec3 voxels{0};
     glm::dvec3 voxelM{0.0};

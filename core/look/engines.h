@@ -42,9 +42,9 @@ struct EngineTraits {
     /// phase display.
     bool singleScattering = false;
     bool scattersOften = false;  ///< knows Transport::full
-    bool printedLight = false;  ///< knows Eq. 14-17 as [Riley03] prints them
-    bool groundTruth = false;   ///< what other engines are compared with; true of one
-    bool layers = false;        ///< knows an image's variance, transmittance and depths
+    bool printedLight = false;   ///< knows Eq. 14-17 as [Riley03] prints them
+    bool groundTruth = false;    ///< what other engines are compared with; true of one
+    bool layers = false;         ///< knows an image's variance, transmittance and depths
 };
 
 inline constexpr std::array kEngines{

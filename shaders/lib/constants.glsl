@@ -6,4 +6,4 @@
 
 const float kPi = 3.14159265358979f;
 const vec3 kLuminance = vec3(0.2126f, 0.7152f, 0.0722f);  ///< of linear sRGB
-const float kInverseFourPi = 0.0795774715459477f;  ///< the isotropic phase function, 1/sr
+const float kInverseFourPi = 0.0795774715459477f;         ///< the isotropic phase function, 1/sr

@@ -272,8 +272,8 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
         vec3 diffuse = source.rgb - light * source.a * u_.sunRadiance.rgb;
         float through = eye.through * exp2(-kLog2E * depth);
-        eye.radiance += (eye.through - through) *
-                        max(light * optics.single + optics.colour * diffuse, 0.0);
+        eye.radiance +=
+            (eye.through - through) * max(light * optics.single + optics.colour * diffuse, 0.0);
         eye.through = through;
         from = to;
     }

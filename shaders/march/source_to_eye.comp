@@ -32,8 +32,8 @@ float heldOfBeam(int first, float cosTheta) {
     for (int l = 0; l < kBalancedDegrees; ++l) {
         vec2 pair = unpackHalf2x16(balanced_[first + l / 2]);
         held += pair[l % 2] * (2.0 * float(l) + 1.0) * kInverseFourPi * legendre;
-        float next = ((2.0 * float(l) + 1.0) * cosTheta * legendre - float(l) * before) /
-                     float(l + 1);
+        float next =
+            ((2.0 * float(l) + 1.0) * cosTheta * legendre - float(l) * before) / float(l + 1);
         before = legendre;
         legendre = next;
     }

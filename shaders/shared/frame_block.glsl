@@ -41,12 +41,12 @@ struct FrameBlock {
     vec4 lightOffset;     ///< times this and this added
     vec4 sourcePerM;      ///< likewise of the light in them, which may be coarser
     vec4 sourceOffset;
-    vec4 farGround;       ///< rgb: diffuse light, as a share of full light, of ground far away
-    vec4 sunRadiance;     ///< rgb: colour × intensity
-    vec4 skyZenith;       ///< rgb × intensity
-    vec4 skyHorizon;      ///< rgb × intensity
-    vec4 ambient;         ///< rgb: radiance that skylight gives a sample under open sky
-    vec4 ground;          ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible
+    vec4 farGround;    ///< rgb: diffuse light, as a share of full light, of ground far away
+    vec4 sunRadiance;  ///< rgb: colour × intensity
+    vec4 skyZenith;    ///< rgb × intensity
+    vec4 skyHorizon;   ///< rgb × intensity
+    vec4 ambient;      ///< rgb: radiance that skylight gives a sample under open sky
+    vec4 ground;       ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
     ivec4 sampling;  ///< x: number of this image among those averaged at rest; y: 1 for sky and

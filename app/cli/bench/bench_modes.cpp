@@ -1,5 +1,5 @@
-// bench_modes.cpp: orbiting frames in [Riley03] table 4's modes, and with full transport, beside the
-// floor.
+// bench_modes.cpp: orbiting frames in [Riley03] table 4's modes, and with full transport, beside
+// the floor.
 //
 // All rows take turns, so that other work on the machine slows down all alike.
 #include <fmt/format.h>

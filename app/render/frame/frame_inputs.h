@@ -75,8 +75,8 @@ struct FrameStats {
     double milliseconds = 0.0;            ///< wall time with the GPU finished
     std::vector<PassTime> passes;         ///< in the order they ran; only when profiled
     std::optional<SampleCounts> samples;  ///< of engines that count them; only when profiled
-    double bytesPerSample = 0.0;  ///< fetched, caches not considered; 0: not known; likewise
-    ReferenceProgress reference;  ///< of engines that converge
+    double bytesPerSample = 0.0;         ///< fetched, caches not considered; 0: not known; likewise
+    ReferenceProgress reference;         ///< of engines that converge
     std::optional<LightProgress> light;  ///< of full transport
 };
 

@@ -83,8 +83,8 @@ TEST_CASE("The table is the rows of looks and then those of the sampling") {
         CHECK(row.part == ParameterPart::sampling);
         sampling.insert(row.id);
     }
-    CHECK(sampling == std::set<std::string>{"view.quality", "view.light_voxels", "view.target_error",
-                                            "view.seed"});
+    CHECK(sampling == std::set<std::string>{"view.quality", "view.light_voxels",
+                                            "view.target_error", "view.seed"});
     for (const Parameter& row : lookTable()) CHECK(row.part != ParameterPart::sampling);
     CHECK(&lookTable().front() == &parameterTable().front());
     CHECK(&samplingTable().back() == &parameterTable().back());
