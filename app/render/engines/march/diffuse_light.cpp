@@ -64,7 +64,8 @@ std::vector<std::uint32_t> wordsOf(const LightState& state) {
     constexpr auto kSky = static_cast<std::size_t>(kSkyMoments);
     constexpr std::size_t kChunk = 4096;
     std::vector<std::uint32_t> words(state.nodes.size() * kWordsOfNode);
-    const auto& [sun, horizon, zenith] = state.source;
+    const std::vector<float>& sun = state.source[0];
+    const std::vector<float>&horizon = state.source[1], &zenith = state.source[2];
     shareOut((state.nodes.size() + kChunk - 1) / kChunk, workerCount(kMostPackers),
              [&](std::size_t chunk, std::size_t, const Progress&) {
                  const std::size_t end = std::min((chunk + 1) * kChunk, state.nodes.size());
