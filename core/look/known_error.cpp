@@ -9,8 +9,8 @@ std::string knownErrorText(const Look& look) {
     const EngineTraits& engine = traitsOf(look.engine);
     if (!engine.singleScattering || scattersOften(look)) return {};
     if (look.phaseDisplay != PhaseDisplay::physical) return "phase for display: not a radiance";
-    if (look.transport == Transport::lowAlbedo) return "light scattered once: 15 to 75 % too dark";
-    return "forward scattering alone: 73 % too dark to 33 % too bright";
+    if (look.transport == Transport::lowAlbedo) return "light scattered once: 17 to 72 % too dark";
+    return "forward scattering alone: 70 % too dark to 54 % too bright";
 }
 
 }  // namespace neph

@@ -6,7 +6,7 @@
 
 namespace neph {
 
-/// "light scattered once: 15 to 75 % too dark"; empty of what follows all light. As
+/// "light scattered once: 17 to 72 % too dark"; empty of what follows all light. As
 /// measured against the reference, in the table of docs/accuracy.md.
 std::string knownErrorText(const Look& look);
 
