@@ -23,8 +23,11 @@ float sunOnGround(vec3 positionM, int lastLayer) {
 #if FULL
 vec3 groundLight(vec3 positionM, float sun) {
     vec2 at = positionM.xy * u_.sourcePerM.xy + u_.sourceOffset.xy;
-    bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
-    vec3 diffuse = known ? textureLod(t_groundLight, at, 0.0).rgb : u_.farGround.rgb;
+    // What clouds send down beyond the voxels of light is not known: it fades away before.
+    const float kFade = 0.15;
+    vec2 inside = min(at, 1.0 - at);
+    float known = smoothstep(0.0, kFade, min(inside.x, inside.y));
+    vec3 diffuse = mix(u_.farGround.rgb, textureLod(t_groundLight, at, 0.0).rgb, known);
     return max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;
 }
 #else
