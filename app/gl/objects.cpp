@@ -28,9 +28,9 @@ std::size_t bytesPerTexel(GLenum format) {
         case GL_R16:
         case GL_R16F:
         case GL_RG8:
-        case GL_RG8UI:
             return 2;
         case GL_R8:
+        case GL_R8UI:
             return 1;
         default:
             break;

@@ -238,7 +238,8 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceTo
 /// Diffuse light that comes down to the ground, in the colours of the look.
 void DiffuseLight::lightGround(const FrameBlock& block) {
     const glm::ivec2 size(shown_->size);
-    const auto& [sun, horizon, zenith] = shown_->groundFlux;
+    const std::vector<float>& sun = shown_->groundFlux[0];
+    const std::vector<float>&horizon = shown_->groundFlux[1], &zenith = shown_->groundFlux[2];
     std::vector<glm::vec4> light(sun.size());
     const auto perIrradiance = static_cast<float>(1.0 / kFullLight);
     const glm::vec3 ofSun(block.sunRadiance);  // whose irradiance is full light
