@@ -57,6 +57,7 @@ void checkViews(render::Renderer& renderer, const SpeciesVolume& volume, const L
         CAPTURE(static_cast<int>(view));
         render::FrameInputs inputs;
         inputs.look = look;
+        if (kSanitized) inputs.look.transport = Transport::translucent;
         inputs.sampling.lightVoxels = 10000;
         inputs.sizePx = kStepsPx;
         inputs.camera =

@@ -17,6 +17,7 @@ constexpr glm::ivec2 kSizePx{64, 96};
 render::FrameInputs marchFrame(const SpeciesVolume& volume) {
     Look look;
     look.engine = Engine::march;
+    look.transport = Transport::translucent;
     return test::frame(volume, look, test::views()[0].pose, kSizePx, 0);
 }
 
