@@ -20,7 +20,6 @@
 #include "core/dataset/dataset.h"
 #include "core/preset/preset.h"
 #include "core/volume/resample.h"
-#include "tests/sanitized.h"
 
 using namespace neph;
 namespace fs = std::filesystem;
@@ -145,7 +144,6 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         // machine to machine makes others of them. tests/gpu/reference/reference_test.cpp is about
         // it.
         if (loaded.preset.look.engine == Engine::reference) continue;
-        if (kSanitized && scattersOften(loaded.preset.look)) continue;
         REQUIRE(loaded.preset.camera.has_value());
         Volumes& volumes = name.ends_with("cumulus") ? cumulus : storm;
         const bool fresh = volumes.load(loaded.preset.look);

@@ -15,7 +15,6 @@
 #include "core/preset/preset.h"
 #include "core/volume/framing.h"
 #include "core/volume/resample.h"
-#include "tests/sanitized.h"
 
 using namespace neph;
 namespace fs = std::filesystem;
@@ -57,7 +56,6 @@ void checkViews(render::Renderer& renderer, const SpeciesVolume& volume, const L
         CAPTURE(static_cast<int>(view));
         render::FrameInputs inputs;
         inputs.look = look;
-        if (kSanitized) inputs.look.transport = Transport::translucent;
         inputs.sampling.lightVoxels = 10000;
         inputs.sizePx = kStepsPx;
         inputs.camera =
@@ -83,13 +81,11 @@ TEST_CASE(
     };
     for (const Sample& bundled : {Sample{"supercell/wrfout_d01_0001-01-01_01:00:00", 0},
                                   Sample{"cumulus/cumulus.json", 1}}) {
-        if (kSanitized && bundled.time != 0) continue;
         CAPTURE(std::string(bundled.file));
         const std::array files{kTree / "samples" / bundled.file};
         const auto dataset = Dataset::open(files, host);
         for (const char* name : {"default", "model-radii"}) {
             CAPTURE(std::string(name));
-            if (kSanitized && name != std::string("default")) continue;
             LoadedPreset loaded = loadPreset(kTree / "presets" / (std::string(name) + ".json"));
             const RadiusPlan radii = planRadii(loaded.preset.look, dataset->info());
             const SpeciesVolume volume = resample(*dataset, bundled.time, {.radii = radii});

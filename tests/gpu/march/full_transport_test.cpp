@@ -8,7 +8,6 @@
 
 #include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
-#include "tests/sanitized.h"
 
 using namespace neph;
 using namespace neph::test;
@@ -48,8 +47,7 @@ double biasOn(const SpeciesVolume& volume, const render::FrameInputs& inputs) {
 
 }  // namespace
 
-TEST_CASE("In a white furnace nothing can be told from the sky, from outside and inside" *
-          doctest::skip(kSanitized)) {
+TEST_CASE("In a white furnace nothing can be told from the sky, from outside and inside") {
     const SpeciesVolume volume = blobs();
     Look look = fullLook();
     look.of(Species::graupel).albedo = 1.0f;
@@ -65,8 +63,7 @@ TEST_CASE("In a white furnace nothing can be told from the sky, from outside and
     }
 }
 
-TEST_CASE("Full transport has the light of the path tracer, whatever the view" *
-          doctest::skip(kSanitized)) {
+TEST_CASE("Full transport has the light of the path tracer, whatever the view") {
     const SpeciesVolume volume = blobs();
     for (const std::size_t view : {0U, 1U, 4U, 7U}) {
         CAPTURE(views()[view].name);
@@ -75,8 +72,7 @@ TEST_CASE("Full transport has the light of the path tracer, whatever the view" *
     }
 }
 
-TEST_CASE("Full transport has the light of the path tracer where particles absorb" *
-          doctest::skip(kSanitized)) {
+TEST_CASE("Full transport has the light of the path tracer where particles absorb") {
     const SpeciesVolume volume = blobs();
     Look look = fullLook();
     for (SpeciesLook& field : look.species) field.albedo = 0.9f;
@@ -95,7 +91,7 @@ TEST_CASE("Ground and sky have the radiance of the path tracer where nothing is"
     }
 }
 
-TEST_CASE("Colours and intensities of sun and sky need no new light" * doctest::skip(kSanitized)) {
+TEST_CASE("Colours and intensities of sun and sky need no new light") {
     const SpeciesVolume volume = blobs();
     render::FrameInputs inputs = marched(volume, fullLook(), views()[0], {24, 18});
     renderOn(volume, inputs);
@@ -108,8 +104,7 @@ TEST_CASE("Colours and intensities of sun and sky need no new light" * doctest::
     CHECK(worstDifference(renderer().readLinear(), renderAfresh(volume, inputs)) == 0.0f);
 }
 
-TEST_CASE("A frame that does not wait for settled light gets better by itself" *
-          doctest::skip(kSanitized)) {
+TEST_CASE("A frame that does not wait for settled light gets better by itself") {
     needContext();
     render::Renderer window{NEPH_TEST_SOURCE_DIR "/shaders"};
     const SpeciesVolume volume = blobs();
