@@ -178,7 +178,6 @@ double depthTowards(const TransportLevel& level, const glm::dvec3& atM,
 
 std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3& towardsSun,
                                   int threads) {
-    if (towardsSun.z <= 0.0) return {};
     const TransportGrid& grid = level.grid;
     std::vector<float> irradiance(grid.nodeCount());
     const auto workers = static_cast<std::size_t>(std::max(threads, 1));

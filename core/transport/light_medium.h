@@ -54,7 +54,7 @@ struct SkyLight {
 struct LightScene {
     LightSource source = LightSource::sun;
     glm::dvec3 towardsSun{0.0, 0.0,
-                          1.0};   ///< unit vector; at or below the horizon there is no beam
+                          1.0};   ///< unit vector; below the horizon it still lights what is high
     SkyLight sky;                 ///< if it is the source
     double groundAlbedo = 0.0;    ///< Lambert, also of the ground beyond open sides
     double groundRadiance = 0.0;  ///< comes up from below besides

@@ -111,7 +111,7 @@ Swept LightSolver::sweepFine(const LightField& field, const LightDirections& dir
     input.level = &levels_.front();
     input.field = &field;
     input.sunTravel = -scene_.towardsSun;
-    const double sine = scene_.towardsSun.z;
+    const double sine = std::max(scene_.towardsSun.z, 0.0);  // of light on the ground
     if (hasBeam()) input.beam = beam_.data();
     if (scene_.source == LightSource::sky) input.sky = scene_.sky;
     const double farFlux = hasBeam() ? sine : input.sky.irradiance();

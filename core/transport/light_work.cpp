@@ -1,10 +1,11 @@
 // light_work.cpp: one cycle of each source in turn, until all have settled.
 #include "core/transport/light_work.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <array>
 #include <chrono>
-#include <cmath>
+#include <new>
 #include <utility>
 
 #include "core/base/error.h"
@@ -140,18 +141,30 @@ void LightWork::ask(const LightRequest& request) {
         if (asked_ == request) return;
         asked_ = request;
         taken_ = false;
+        outOfMemory_ = false;
     }
     changed_.notify_all();
 }
 
 std::shared_ptr<const LightState> LightWork::latest() const {
     const std::lock_guard lock(mutex_);
+    checkMemory();
     return latest_;
+}
+
+/// With the mutex held.
+void LightWork::checkMemory() const {
+    if (!outOfMemory_) return;
+    const glm::ivec3 nodes = asked_->medium->nodes;
+    throw Error({.what = "there is not enough memory to solve the light of this image",
+                 .found = fmt::format("{} x {} x {} voxels of light", nodes.x, nodes.y, nodes.z),
+                 .hint = "lower view.light_voxels, or use light.transport=translucent"});
 }
 
 std::shared_ptr<const LightState> LightWork::wait(bool settled, const Progress& progress) const {
     std::unique_lock lock(mutex_);
     while (true) {
+        checkMemory();
         const bool answers = latest_ && latest_->request == asked_;
         if (answers && (latest_->settled || !settled)) return latest_;
         const double done = answers ? latest_->cycles : 0;
@@ -216,14 +229,26 @@ void LightWork::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const auto asked = take(!solution || solution->settled(), stop);
         if (stop.stop_requested()) return;
-        if (asked && asked->warm && solution && solution->request.medium == asked->medium) {
-            solution->change(*asked);
-        } else if (asked) {
-            solution = solutionFor(*asked, std::move(solution));
+        try {
+            step(solution, asked);
+        } catch (const std::bad_alloc&) {
+            solution.reset();
+            const std::lock_guard lock(mutex_);
+            outOfMemory_ = taken_;
         }
-        if (!solution || !isNewest(solution->request)) continue;
-        if (solution->cycle()) publish(solution->state(true));
     }
+}
+
+/// Takes over what was asked for, if anything, and gets a cycle further.
+void LightWork::step(std::unique_ptr<Solution>& solution,
+                     const std::optional<LightRequest>& asked) {
+    if (asked && asked->warm && solution && solution->request.medium == asked->medium) {
+        solution->change(*asked);
+    } else if (asked) {
+        solution = solutionFor(*asked, std::move(solution));
+    }
+    if (!solution || !isNewest(solution->request)) return;
+    if (solution->cycle()) publish(solution->state(true));
 }
 
 }  // namespace neph

@@ -62,7 +62,8 @@ class LightWork {
     LightWork& operator=(const LightWork&) = delete;
 
     void ask(const LightRequest& request);
-    /// The newest; null before the first.
+    /// The newest; null before the first. Throws Error where the work needs more memory than there
+    /// is, as does wait().
     std::shared_ptr<const LightState> latest() const;
     /// Waits for a state of the newest request, or for the settled one. Throws Cancelled.
     std::shared_ptr<const LightState> wait(bool settled, const Progress& progress) const;
@@ -70,18 +71,21 @@ class LightWork {
   private:
     struct Solution;
     void run(const std::stop_token& stop);
+    void step(std::unique_ptr<Solution>& solution, const std::optional<LightRequest>& asked);
     std::unique_ptr<Solution> coarseStart(const LightRequest& request);
     std::unique_ptr<Solution> solutionFor(const LightRequest& request,
                                           std::unique_ptr<Solution> before);
     bool isNewest(const LightRequest& request) const;
     std::optional<LightRequest> take(bool idle, const std::stop_token& stop);
     void publish(std::shared_ptr<const LightState> state);
+    void checkMemory() const;
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
     std::optional<LightRequest> asked_;
-    bool taken_ = true;  ///< by the worker
+    bool taken_ = true;         ///< by the worker
+    bool outOfMemory_ = false;  ///< at what was asked
     std::shared_ptr<const LightState> latest_;
     std::jthread worker_;  // last, so that it ends before the members it uses
 };

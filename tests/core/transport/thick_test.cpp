@@ -161,14 +161,10 @@ TEST_CASE("transport: the white furnace stays white in thick clouds" *
     }
     CHECK(most < 1e-5);
     const std::vector<PhaseOfCosine> phases(2, [](float) { return 1.0f; });  // no sun, no matter
-    const auto& extinctions = solver.level().extinctionPerM;
-    const auto thickest = std::ranges::max_element(extinctions);
-    const auto index = static_cast<int>(thickest - extinctions.begin());
-    const glm::ivec3 nodes = medium.nodes;
-    const glm::ivec3 node(index % nodes.x, index / nodes.x % nodes.y, index / nodes.x / nodes.y);
-    const double radiance = scatteredRadiancePerM(
-        solver, medium, phases, glm::dvec3(node) * medium.spacingM, {0.6, 0.0, -0.8});
-    CHECK(radiance == doctest::Approx(static_cast<double>(*thickest)).epsilon(1e-3));
+    const ThickestNode thickest = thickestNode(solver);
+    const double radiance =
+        scatteredRadiancePerM(solver, medium, phases, thickest.atM, {0.6, 0.0, -0.8});
+    CHECK(radiance == doctest::Approx(thickest.extinctionPerM).epsilon(1e-3));
 }
 
 TEST_CASE("transport: thin media keep the cheap cycle, and nothing of them is under-resolved") {

@@ -1,5 +1,6 @@
 // transport_slab.h: media that tests solve.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -55,6 +56,21 @@ inline TransportBudget transportBudget(const neph::LightSolver& solver) {
                               columns;
     }
     return budget;
+}
+
+struct ThickestNode {
+    glm::dvec3 atM{0.0};
+    double extinctionPerM = 0.0;  ///< scaled
+};
+
+inline ThickestNode thickestNode(const neph::LightSolver& solver) {
+    const neph::TransportGrid& grid = solver.level().grid;
+    const auto& extinctions = solver.level().extinctionPerM;
+    const auto thickest = std::ranges::max_element(extinctions);
+    const auto index = static_cast<int>(thickest - extinctions.begin());
+    const glm::ivec3 n = grid.nodes;
+    const glm::ivec3 node(index % n.x, index / n.x % n.y, index / n.x / n.y);
+    return {glm::dvec3(node) * grid.spacingM, static_cast<double>(*thickest)};
 }
 
 /// Clouds with holes and thick cores.

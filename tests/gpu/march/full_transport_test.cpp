@@ -72,6 +72,16 @@ TEST_CASE("Full transport has the light of the path tracer, whatever the view") 
     }
 }
 
+TEST_CASE("Full transport has the light of the path tracer with a low and with a set sun") {
+    const SpeciesVolume volume = blobs();
+    for (const float elevationDeg : {8.0f, -2.0f}) {
+        CAPTURE(elevationDeg);
+        Look look = fullLook();
+        look.sunElevationDeg = elevationDeg;
+        CHECK(std::abs(biasOn(volume, marched(volume, look, views()[0], {24, 18}))) < 0.05);
+    }
+}
+
 TEST_CASE("Full transport has the light of the path tracer where particles absorb") {
     const SpeciesVolume volume = blobs();
     Look look = fullLook();
