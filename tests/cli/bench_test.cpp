@@ -39,10 +39,13 @@ std::string writeCloud(const std::filesystem::path& folder) {
     return (folder / "cloud.json").string();
 }
 
+// Its solution takes no time that matters, and is worked out like any other.
+const std::string kQuickLight = "--set view.light_voxels=1000 ";
+
 Json bench(const std::string& arguments) {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        runProgram("bench " + writeCloud(folder.path()) + " --size 20x16 " + arguments);
+    const Outcome outcome = runProgram("bench " + writeCloud(folder.path()) + " --size 20x16 " +
+                                       kQuickLight + arguments);
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     return Json::parse(outcome.out);
@@ -110,7 +113,18 @@ TEST_CASE("Bench tells the first and the full image after each kind of change") 
         CHECK(row["change"] == names[i]);
         checkTimes(row["first"]);
         checkTimes(row["full"]);
+        checkTimes(row["in_new_light"]);
+        checkTimes(row["settled"]);
+        CHECK(row["in_new_light"]["min_ms"] >= row["first"]["min_ms"]);
+        CHECK(row["in_new_light_percent_from_settled"] > 0.0);
+        CHECK(row["in_new_light_percent_from_settled"] < 50.0);
     }
+}
+
+TEST_CASE("Bench measures the look it is told to") {
+    const Json changes = bench(
+        "--frames 1 --section changes --grid 16 --set light.transport=translucent")["changes"];
+    for (const Json& row : changes["rows"]) CHECK_FALSE(row.contains("in_new_light"));
 }
 
 TEST_CASE("Bench doubles cells and steps as far as told, and tells the memory of a voxel") {
@@ -151,17 +165,26 @@ TEST_CASE("Bench with bad usage exits with 2 and says what would be right") {
         const char* says;
     };
     for (const Case& c :
-         {Case{"--section models", "modes"}, Case{"--engine warp", "slicing"},
-          Case{"--grid 0", "XxYxZ"}, Case{"--grid 8x8", "XxYxZ"}, Case{"--grid 8x", "XxYxZ"},
-          Case{"--grid 8x8x8x", "XxYxZ"}, Case{"--grid 9999", "from 1 to 2048"},
-          Case{"--size 20", "WxH"}, Case{"--frames 0", "--frames"}, Case{"--steps 4", "--steps"},
+         {Case{"--section models", "modes"},
+          Case{"--engine warp", "slicing"},
+          Case{"--grid 0", "XxYxZ"},
+          Case{"--grid 8x8", "XxYxZ"},
+          Case{"--grid 8x", "XxYxZ"},
+          Case{"--grid 8x8x8x", "XxYxZ"},
+          Case{"--grid 9999", "from 1 to 2048"},
+          Case{"--size 20", "WxH"},
+          Case{"--frames 0", "--frames"},
+          Case{"--steps 4", "--steps"},
           Case{"--section window --frames 3", "modes or changes or growth or reference"},
           Case{"--section reference --grid 16", "--section modes"},
-          Case{"--section changes --steps 64", "modes or growth"}, Case{"--growth-to 64", "growth"},
+          Case{"--section changes --steps 64", "modes or growth"},
+          Case{"--growth-to 64", "growth"},
           Case{"--section growth --size 3x3 --size 4x4", "the first alone"},
           Case{"--section growth --engine all", "the first alone"},
           Case{"--section changes --grid 8 --grid 16", "the first alone"},
-          Case{"--open --section modes", "--open"}}) {
+          Case{"--open --section modes", "--open"},
+          Case{"--set light.sun=1", "light.sun"},
+          Case{"--set view.steps=9 --set view.steps=8", "view.steps"}}) {
         CAPTURE(c.arguments);
         const Outcome outcome = runProgram(std::string("bench ") + c.arguments);
         CHECK(outcome.status == 2);

@@ -248,7 +248,7 @@ TEST_CASE("Thumbnails are made where the browser looks for them, once") {
     const Environment cache("XDG_CACHE_HOME", folder.path().string());
     const auto preset = folder / "coarse.json";
     std::ofstream(preset) << R"({"type": "nephoscope-look", "version": 1, "title": "coarse",
-                                 "look": {"mode.noise": false}})";
+                                 "look": {"mode.noise": false, "light.transport": "low_albedo"}})";
     const auto file = thumbnailFile({"coarse", preset, false});
     REQUIRE(file);
     const std::string make = "thumbnails --preset " + quoted(preset);

@@ -16,6 +16,7 @@ std::map<std::string, std::string> profileOf(const std::string& options) {
     const TemporaryFolder folder;
     const Outcome outcome = runProgram("render " + kStormFile + " --size 64x48 --profile " +
                                        options + " --out " + (folder / "a.png").string());
+    INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(outcome.out.empty());
     std::map<std::string, std::string> lines;

@@ -110,6 +110,7 @@ void refuseSeveral(const BenchRequest& request, const char* option, std::size_t 
 }
 
 void check(const CLI::App& command, const BenchRequest& request) {
+    checkSetOnce(request.scene.settings);
     if (request.openOnly) {
         refuseTyped(
             command,
@@ -162,12 +163,13 @@ void addSections(CLI::App& command, BenchRequest& request) {
 Command addBench(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("bench", "Measure frame times, beside a floor");
     const auto request = std::make_shared<BenchRequest>();
-    command.add_option("FILE", request->files, "Data; none: the bundled storm");
+    command.add_option("FILE", request->scene.files, "Data; none: the bundled storm");
+    addLookOptions(command, request->scene);
     addSections(command, *request);
     command.add_option("--json", request->json, "File for the result; none: stdout")
         ->type_name("FILE");
     command.add_flag("--open", request->openOnly, "Opening and the first image alone");
-    addReaderOption(command, request->readers);
+    addReaderOption(command, request->scene.readers);
     return {&command, [&command, request] {
                 check(command, *request);
                 return runBench(*request);

@@ -1,5 +1,5 @@
-// bench_changes.cpp: from a change to a first image, drawn as in motion, and to the full one, with
-// settled light.
+// bench_changes.cpp: from a change to a first image, drawn as in motion, to one in the first light
+// that answers the change, and to the full one, with settled light.
 //
 // Before each change the full image is there and nothing is left to be done. A time is one that
 // has been read already. Kinds of change take turns.
@@ -7,9 +7,11 @@
 
 #include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "app/cli/bench/bench_sections.h"
 #include "core/base/resources.h"
+#include "core/image/image_error.h"
 
 namespace neph::bench {
 namespace {
@@ -19,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr glm::ivec2 kSizePx{1280, 720};
 // A draft of the workbench on two cores without a GPU: 320 x 180 of 1280 x 720, 96 steps.
 constexpr int kDraftDivisor = 4, kDraftSteps = 96;
+constexpr std::chrono::milliseconds kLookAgain(1);
 constexpr float kScaleStep = 0.8f, kSunStepDeg = 10.0f;
 
 enum class Change { mixingScale, sun, time };
@@ -26,6 +29,9 @@ struct Kind {
     Change change;
     std::string_view id;
     std::vector<double> firstMs{}, fullMs{};
+    // Of full transport: the image drawn as in motion in new light, and how far it was from settled
+    // light, relRMSE in percent.
+    std::vector<double> lightMs{}, lightErrorPercent{}, settledMs{};
 };
 
 double millisecondsSince(Clock::time_point start) {
@@ -60,17 +66,39 @@ class Screen {
 
     void take(Kind& kind, bool counts) {
         settle();
+        Kind measured{kind.change, kind.id};
         const auto start = Clock::now();
         make(kind.change);
-        renderer_.render(draft());
-        const double firstMs = millisecondsSince(start);
+        const render::FrameStats first = renderer_.render(draft());
+        measured.firstMs.push_back(millisecondsSince(start));
+        if (first.light) followLight(measured, start);
         renderer_.render(full_);
+        measured.fullMs.push_back(millisecondsSince(start));
         if (!counts) return;
-        kind.firstMs.push_back(firstMs);
-        kind.fullMs.push_back(millisecondsSince(start));
+        for (const auto times : {&Kind::firstMs, &Kind::fullMs, &Kind::lightMs,
+                                 &Kind::lightErrorPercent, &Kind::settledMs}) {
+            (kind.*times)
+                .insert((kind.*times).end(), (measured.*times).begin(), (measured.*times).end());
+        }
     }
 
   private:
+    /// Draws as in motion, whenever there is newer light, until it has settled.
+    void followLight(Kind& kind, Clock::time_point start) {
+        ImageF firstLight;
+        for (bool settled = false; !settled;) {
+            while (!renderer_.hasNewerLight()) std::this_thread::sleep_for(kLookAgain);
+            settled = renderer_.render(draft()).light->settled;
+            if (kind.lightMs.empty()) {
+                kind.lightMs.push_back(millisecondsSince(start));
+                firstLight = renderer_.readLinear();
+            }
+        }
+        kind.settledMs.push_back(millisecondsSince(start));
+        const ImageF image = renderer_.readLinear();
+        kind.lightErrorPercent.push_back(100.0 * imageErrors({firstLight}, {image}).relRmse);
+    }
+
     void make(Change change) {
         Look& look = full_.look;
         float& scale = look.of(Species::cloud).mixingScale;
@@ -94,6 +122,24 @@ class Screen {
     std::size_t shown_ = 0;
 };
 
+/// A row of the result, and a line for the user.
+Json rowOf(const Kind& kind) {
+    Json row{{"change", kind.id}, {"first", timesOf(kind.firstMs)}, {"full", timesOf(kind.fullMs)}};
+    Json error;
+    if (!kind.lightMs.empty()) {
+        error = medianOf(kind.lightErrorPercent);
+        row["in_new_light"] = timesOf(kind.lightMs);
+        row["in_new_light_percent_from_settled"] = error;
+        row["settled"] = timesOf(kind.settledMs);
+    }
+    const auto median = [&row](const char* key) {
+        return cell(row.contains(key) ? row[key]["median_ms"] : Json());
+    };
+    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>8} {:>12} {:>10}\n", kind.id, median("first"),
+               median("in_new_light"), cell(error), median("settled"), median("full"));
+    return row;
+}
+
 }  // namespace
 
 Json measureChanges(const Run& run) {
@@ -107,16 +153,10 @@ Json measureChanges(const Run& run) {
     fmt::print(stderr, "\nchanges: first image {} of {} steps, full {}, {} cells, {}\n",
                textOf(draft.sizePx), draft.planes, textOf(screen.full().sizePx),
                textOf(screen.grid().size), traitsOf(screen.full().look.engine).id);
-    fmt::print(stderr, "{:<14} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8}\n", "change", "first ms",
-               "min", "max", "full ms", "min", "max");
+    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>8} {:>12} {:>10}  (medians, ms)\n", "change",
+               "first", "in new light", "+- %", "settled", "full");
     Json rows = Json::array();
-    for (const Kind& kind : kinds) {
-        const Json first = timesOf(kind.firstMs), full = timesOf(kind.fullMs);
-        fmt::print(stderr, "{:<14} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8}\n", kind.id,
-                   cell(first["median_ms"]), cell(first["min_ms"]), cell(first["max_ms"]),
-                   cell(full["median_ms"]), cell(full["min_ms"]), cell(full["max_ms"]));
-        rows.push_back({{"change", kind.id}, {"first", first}, {"full", full}});
-    }
+    for (const Kind& kind : kinds) rows.push_back(rowOf(kind));
     return {{"engine", traitsOf(screen.full().look.engine).id},
             {"grid", toJson(screen.grid().size)},
             {"first_size", toJson(draft.sizePx)},

@@ -18,6 +18,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
+#include "core/look/old_metres.h"
 #include "core/plugin/plugin_host.h"
 #include "core/volume/framing.h"
 #include "core/volume/memory_setting.h"
@@ -59,25 +60,28 @@ struct Opened {
     std::shared_ptr<Dataset> dataset;
     int time = 0;
     ReadPlan plan;
+    RadiusPlan radii;
     SpeciesVolume volume;
     double openMs = 0.0, planMs = 0.0, resampleMs = 0.0;
     std::uint64_t peakBytes = 0;  ///< resident while reading, above what there was before
 };
 
-Opened openData(const bench::BenchRequest& request, std::uint64_t gpuBytes) {
+Opened openData(const bench::BenchRequest& request, const Look& look, std::uint64_t gpuBytes) {
     Opened opened;
     resetPeak();
     const std::uint64_t before = processBytes("VmRSS");
     const auto start = Clock::now();
-    opened.dataset = Dataset::open(listFiles(request.files), PluginHost::standard(request.readers));
+    opened.dataset =
+        Dataset::open(listFiles(request.scene.files), PluginHost::standard(request.scene.readers));
     opened.openMs = millisecondsSince(start);
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     opened.time = std::min(kBenchTime, last);
     const auto planning = Clock::now();
     opened.plan = planRead(*opened.dataset, opened.time, {}, memoryBudget("", gpuBytes));
     opened.planMs = millisecondsSince(planning);
+    opened.radii = planRadii(look, opened.dataset->info());
     const auto begun = Clock::now();
-    opened.volume = resample(*opened.dataset, opened.time, {opened.plan});
+    opened.volume = resample(*opened.dataset, opened.time, {opened.plan, opened.radii});
     opened.resampleMs = millisecondsSince(begun);
     opened.peakBytes = processBytes("VmHWM") - std::min(before, processBytes("VmHWM"));
     return opened;
@@ -88,7 +92,7 @@ std::optional<SpeciesVolume> readOtherTime(const Opened& opened) {
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     if (last == 0) return {};
     const int other = opened.time < last ? opened.time + 1 : opened.time - 1;
-    return resample(*opened.dataset, other, {opened.plan});
+    return resample(*opened.dataset, other, {opened.plan, opened.radii});
 }
 
 Json summaryOf(const Opened& opened, double firstImageMs, std::uint64_t gpuBytes) {
@@ -110,23 +114,25 @@ Json summaryOf(const Opened& opened, double firstImageMs, std::uint64_t gpuBytes
 }
 
 /// The bundled storm is seen as the standard preset has it, so that figures of all versions can be
-/// compared; other data are seen whole.
-CameraPose poseFor(const bench::BenchRequest& request, const CameraPose& preset,
+/// compared; other data are seen whole unless a camera was asked for.
+CameraPose poseFor(const bench::BenchRequest& request, const Scene& scene,
                    const SpeciesVolume& volume) {
-    return request.files.empty() ? preset : framed(View::fit, preset, summarise(volume), 1.0);
+    const CameraPose& pose = scene.document.camera;
+    if (request.scene.files.empty() || scene.cameraAsked) return pose;
+    return framed(View::fit, pose, summarise(volume), 1.0);
 }
 
-/// Opens the data and draws them once, as the look says; `pose` is where from.
-std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, const Look& look,
-                                       CameraPose& pose, Clock::time_point start) {
+/// Opens the data and draws them once; the scene's camera becomes the one they are seen by.
+std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene& scene,
+                                       Clock::time_point start) {
     render::Renderer renderer(resourcePath("shaders"));
-    Opened opened = openData(request, rendererBytes(gl::deviceMemory()));
+    Opened opened = openData(request, scene.document.look, rendererBytes(gl::deviceMemory()));
     renderer.setVolume(opened.volume);
-    pose = poseFor(request, pose, opened.volume);
+    scene.document.camera = poseFor(request, scene, opened.volume);
     render::FrameInputs inputs;
-    inputs.look = look;
+    static_cast<ParameterSet&>(inputs) = scene.document;
     inputs.sizePx = kFirstImagePx;
-    inputs.camera = placeCamera(pose, opened.volume.grid, 1.0);
+    inputs.camera = placeCamera(scene.document.camera, opened.volume.grid, 1.0);
     renderer.render(inputs);
     Json summary = summaryOf(opened, millisecondsSince(start), renderer.gpuBytes());
     fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first image after {:.0f} ms\n",
@@ -169,10 +175,14 @@ void write(const bench::BenchRequest& request, const Json& result) {
 int runBench(const bench::BenchRequest& request) {
     if (!request.json.empty()) checkReplaceable(request.json);
     const auto start = Clock::now();
-    const Scene scene = makeScene({});
-    bench::Run run{request, scene.document.look, scene.document.camera, {}, {}};
+    Scene scene = makeScene(request.scene);
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
     const gl::HeadlessContext context;
-    auto [opened, result] = measureOpening(request, run.look, run.pose, start);
+    auto [opened, result] = measureOpening(request, scene, start);
+    const std::string note = bringToCells(scene.document.look, std::exchange(scene.inMetres, 0),
+                                          meanCellM(opened.dataset->info().spacingM));
+    if (!note.empty()) fmt::print(stderr, "note: {}\n", note);
+    bench::Run run{request, scene.document, scene.document.camera, {}, {}};
     if (!request.openOnly) {
         run.otherTime = readOtherTime(opened);
         run.volume = std::move(opened.volume);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/common/scene.h"
 #include "core/look/look.h"
 
 namespace neph::bench {
@@ -25,8 +26,7 @@ struct GridRequest {
 std::vector<Engine> measuredEngines();
 
 struct BenchRequest {
-    std::vector<std::string> files;    ///< none: the bundled storm
-    std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
+    SceneRequest scene;
     std::vector<Section> sections{Section::modes, Section::changes};
     std::vector<glm::ivec2> sizesPx;  ///< none: each section's own
     std::vector<GridRequest> grids{{128, {}}};

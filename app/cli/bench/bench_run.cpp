@@ -33,7 +33,7 @@ render::FrameInputs Run::inputs(const RegularGrid& grid, glm::ivec2 sizePx, doub
     CameraPose turned = pose;
     orbit(turned, static_cast<float>(turnDeg), 0.0f);
     render::FrameInputs inputs;
-    inputs.look = look;
+    static_cast<ParameterSet&>(inputs) = parameters;
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(turned, grid, static_cast<double>(sizePx.x) / sizePx.y);
     return inputs;

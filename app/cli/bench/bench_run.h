@@ -15,7 +15,7 @@
 #include "app/render/renderer.h"
 #include "core/camera/camera.h"
 #include "core/grid/species.h"
-#include "core/look/look.h"
+#include "core/look/parameter.h"
 
 namespace neph::bench {
 
@@ -47,14 +47,14 @@ void setMode(Look& look, const Mode& mode, Engine engine);
 /// What a run works on. The volumes are as they were read.
 struct Run {
     const BenchRequest& request;
-    Look look;
+    ParameterSet parameters;
     CameraPose pose;
     SpeciesVolume volume;
     std::optional<SpeciesVolume> otherTime;  ///< none: the series has one time
 
     /// Sizes asked for, or the section's own.
     std::vector<glm::ivec2> sizesOr(glm::ivec2 own) const;
-    /// Look and pose as they are; the camera turned by `turnDeg`.
+    /// Parameters and pose as they are; the camera turned by `turnDeg`.
     render::FrameInputs inputs(const RegularGrid& grid, glm::ivec2 sizePx, double turnDeg) const;
 };
 

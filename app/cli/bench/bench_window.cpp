@@ -33,7 +33,7 @@ class Window {
   public:
     Window(const Run& run, glm::ivec2 sizePx, Engine engine)
         : run_(run), sizePx_(sizePx), volume_(onGrid(run.volume, run.request.grids.front())) {
-        look_ = run.look;
+        look_ = run.parameters.look;
         look_.engine = engine;
         renderer_.setVolume(volume_);
     }
