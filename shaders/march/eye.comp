@@ -45,6 +45,11 @@ layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
 #endif
 
 const int kRun = 4;
+#if FULL
+const int kSunlit = CLASSES * kPhaseRows;
+#else
+const int kSunlit = CLASSES;
+#endif
 const float kOpaque = 0.005;                       // transmittance below which a ray ends
 const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
 const float kLog2E = 1.44269504;
@@ -76,6 +81,7 @@ struct Scattered {
 struct Eye {
     vec3 radiance;
     float through;
+    float forward;  // optical depth of scattering that full transport does not count as such
     uint taken, skipped;
 };
 
@@ -202,7 +208,7 @@ void take(Path path, float index, inout float stride, inout Eye eye, out Station
 }
 
 #if FLOOR
-void run(Path path, Station stations[kRun], vec3 sunlit[CLASSES], inout Station last,
+void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station last,
          inout Eye eye) {
     for (int i = 0; i < kRun; ++i) eye.radiance += stations[i].light;
     last = stations[kRun - 1];
@@ -242,21 +248,42 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 #if FULL
 /// What the mixture of a run does with light, per unit of scaled optical depth.
 struct Optics {
-    float kept;   ///< scaled extinction over extinction
-    vec3 single;  ///< sunlight scattered once, where all of it arrives
-    vec3 colour;  ///< of what is scattered more often
+    float kept;     ///< scaled extinction over extinction
+    float forward;  ///< scattering that does not count as such
+    vec3 once;      ///< sunlight scattered once
+    vec3 peak[3];   ///< of it, what is forward; and scattered forward twice, and more often
+    vec3 colour;    ///< of what is scattered more often
 };
 
-Optics opticsOf(Mixture mixture, float thickness, vec3 sunlit[CLASSES]) {
-    Optics optics = Optics(0.0, vec3(0.0), vec3(0.0));
+Optics opticsOf(Mixture mixture, float thickness, vec3 sunlit[kSunlit]) {
+    Optics optics = Optics(0.0, 0.0, vec3(0.0), vec3[](vec3(0.0), vec3(0.0), vec3(0.0)), vec3(0.0));
+    float thick = min(thickness, 1.0);
     for (int i = 0; i < CLASSES; ++i) {
-        optics.kept += mixture.share[i] * scaledShare(i, thickness);
-        optics.single += mixture.share[i] * sunlit[i];
-        optics.colour += mixture.share[i] * u_.classes[i].colourAlbedo.rgb;
+        float share = mixture.share[i];
+        int row = kPhaseRows * i;
+        optics.kept += share * scaledShare(i, thickness);
+        optics.once += share * sunlit[row];
+        for (int k = 0; k < 3; ++k) {
+            optics.peak[k] += share * mix(sunlit[row + 1 + k], sunlit[row + 4 + k], thick);
+        }
+        optics.colour += share * u_.classes[i].colourAlbedo.rgb;
     }
-    optics.single /= max(optics.kept, 1e-6);
+    float perKept = 1.0 / max(optics.kept, 1e-6);
+    optics.forward = perKept - 1.0;
+    optics.once *= perKept;
+    for (int k = 0; k < 3; ++k) optics.peak[k] *= perKept;
     optics.colour /= max(dot(optics.colour, kLuminance), 1e-6);
     return optics;
+}
+
+/// Sunlight scattered once. Light that goes forward m times on its way, `forward` times in the
+/// mean, would be counted at each of them: it is taken at an m-th, and as wide as m times make it.
+vec3 scatteredOnce(Optics optics, float forward) {
+    float never = exp2(-kLog2E * forward);
+    float twice = 0.5 * forward * never;
+    float shares = forward > 1e-3 ? (1.0 - never) / forward : 1.0 - 0.5 * forward;
+    return optics.once + (never - 1.0) * optics.peak[0] + twice * optics.peak[1] +
+           max(shares - never - twice, 0.0) * optics.peak[2];
 }
 
 /// What a run adds to the image, step by step: sunlight scattered once, and diffuse light, of which
@@ -272,16 +299,20 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
         vec3 diffuse = source.rgb - light * source.a * u_.sunRadiance.rgb;
         float through = eye.through * exp2(-kLog2E * depth);
+        float fromSun = -log(max(light, 1e-6));
+        vec3 single =
+            scatteredOnce(optics, eye.forward + (origin * depth + fromSun) * optics.forward);
         eye.radiance +=
-            (eye.through - through) * max(light * optics.single + optics.colour * diffuse, 0.0);
+            (eye.through - through) * max(light * single + optics.colour * diffuse, 0.0);
         eye.through = through;
+        eye.forward += depth * optics.forward;
         from = to;
     }
 }
 #endif
 
 /// What a run adds to the image.
-void run(Path path, Station stations[kRun], vec3 sunlit[CLASSES], inout Station last,
+void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station last,
          inout Eye eye) {
     Scattered met = scatteredIn(last, stations, eye.through);
     vec3 metM = path.ray.originM + met.atM * path.ray.dir;
@@ -310,9 +341,10 @@ void run(Path path, Station stations[kRun], vec3 sunlit[CLASSES], inout Station 
 #endif
 
 Eye march(Path path, uint most) {
-    vec3 sunlit[CLASSES];
-    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, path.ray.dir);
-    Eye eye = Eye(vec3(0.0), 1.0, 0u, 0u);
+    vec3 sunlit[kSunlit];
+    for (int i = 0; i < kSunlit; ++i)
+        sunlit[i] = sunlitBy(i / (kSunlit / CLASSES), i, path.ray.dir);
+    Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);
     Station last = stationAt(path, index);

@@ -37,7 +37,7 @@ vec4 marchBatch(Ray ray) {
     ivec2 met = slicesMet(ray, t0, perUnit);
 
     vec3 sunlit[CLASSES];
-    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, ray.dir);
+    for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, i, ray.dir);
 
     int forward = perUnit > 0.0 ? 1 : -1;
     int slice = forward > 0 ? met.x : met.y;

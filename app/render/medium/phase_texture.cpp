@@ -1,18 +1,48 @@
 // phase_texture.cpp: one table a row.
 #include "app/render/medium/phase_texture.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/transport/forward_peak.h"
+#include "core/transport/harmonics.h"
 
 namespace neph::render {
+namespace {
+
+// Scattered forward once, twice, and more often, which is much like four times.
+constexpr std::array kTimes{1.0, 2.0, 4.0};
+static_assert(kPhaseRows == 1 + 2 * kTimes.size());
+constexpr std::size_t kMostPeaks = 32;  // that are kept, while sliders change them
+
+void append(const PhaseTable& table, std::vector<glm::vec4>& values) {
+    for (const glm::vec3& value : table) values.emplace_back(value, 0.0f);
+}
+
+}  // namespace
+
+/// In the order of the rows after the first: in thin voxels, then in thick ones.
+const std::vector<PhaseTable>& PhaseTexture::peaksOf(const PhaseTable& table) {
+    const auto met = std::ranges::find(peaks_, table, [](const auto& each) { return each.first; });
+    if (met != peaks_.end()) return met->second;
+    if (peaks_.size() >= kMostPeaks) peaks_.clear();
+    std::vector<PhaseTable> rows = neph::peaksOf(table, kAlignedDegrees, kTimes);
+    std::ranges::move(neph::peaksOf(table, kBroadDegrees, kTimes), std::back_inserter(rows));
+    return peaks_.emplace_back(table, std::move(rows)).second;
+}
 
 void PhaseTexture::update(const Look& look, const MediumPlan& plan) {
+    const bool full = scattersOften(look);
     const bool same = filled_ && plan_ == plan && look_.phaseDisplay == look.phaseDisplay &&
+                      scattersOften(look_) == full &&
                       look_.phaseTruncationDeg == look.phaseTruncationDeg;
     if (same) return;
     std::vector<glm::vec4> values;
-    values.reserve(plan.classes.size() * kPhaseTableSize + 1);
     for (const PhaseTable& table : displayPhases(look, plan)) {
-        for (const glm::vec3& value : table) values.emplace_back(value, 0.0f);
+        append(table, values);
+        if (!full) continue;
+        for (const PhaseTable& peak : peaksOf(table)) append(peak, values);
     }
     if (values.empty()) values.resize(kPhaseTableSize);  // a sampler must have something bound
     const glm::ivec2 size{kPhaseTableSize, static_cast<int>(values.size()) / kPhaseTableSize};

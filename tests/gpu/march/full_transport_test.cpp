@@ -90,6 +90,19 @@ TEST_CASE("Full transport has the light of the path tracer where particles absor
     CHECK(std::abs(biasOn(volume, inputs)) < 0.05);
 }
 
+TEST_CASE("Through a thick layer of droplets the sun is as bright as the path tracer has it") {
+    const SpeciesVolume volume = uniformVolume({20, 20, 4}, 200.0, 3e-5f);
+    Look look = fullLook();
+    look.sunElevationDeg = 75.0f;
+    look.of(Species::cloud).phase.kind = PhaseKind::waterDroplets;
+    look.of(Species::cloud).mixingScale = 1.0f;
+    // From the ground towards the sun, with 2 degrees across.
+    const View view{"aureole",
+                    {{0.5f, 0.5f, 1.0f}, 0.2f, look.sunAzimuthDeg + 180.0f, -75.0f, 5.0f}};
+    const render::FrameInputs inputs = marched(volume, look, view, {8, 8});
+    CHECK(std::abs(biasOn(volume, inputs)) < 0.12);
+}
+
 TEST_CASE("Ground and sky have the radiance of the path tracer where nothing is") {
     const SpeciesVolume volume = uniformVolume({8, 8, 8}, 1000.0, 0.0f);
     for (const bool ground : {true, false}) {
