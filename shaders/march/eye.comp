@@ -50,7 +50,8 @@ const int kSunlit = CLASSES * kPhaseRows;
 #else
 const int kSunlit = CLASSES;
 #endif
-const float kOpaque = 0.005;                       // transmittance below which a ray ends
+vec3 sunlit_[kSunlit];        // by each class and, with FULL, row of it, along the ray
+const float kOpaque = 0.005;  // transmittance below which a ray ends
 const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
 const float kLog2E = 1.44269504;
 
@@ -62,6 +63,7 @@ struct Path {
     vec3 mPerBrick;         // distance along the ray for one brick of each axis, signed
     float startM, endM;     // of the part that can meet anything
     float stepM;            // the shortest
+    bool sunwards;          // what is scattered forward is seen
     float place;            // of the samples on the ray, in shortest steps, less than the longest
 };
 
@@ -103,6 +105,7 @@ Path pathOf(ivec2 pixel, Ray ray, vec2 insideM) {
     path.startM = insideM.x;
     path.endM = insideM.y;
     path.stepM = 1.0 / length(ray.dir * u_.march.xyz);
+    path.sunwards = dot(u_.towardsSun.xyz, ray.dir) > kPeakEndCos;
     path.place = kLongest * placeInStep(pixel);
     return path;
 }
@@ -208,8 +211,7 @@ void take(Path path, float index, inout float stride, inout Eye eye, out Station
 }
 
 #if FLOOR
-void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station last,
-         inout Eye eye) {
+void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     for (int i = 0; i < kRun; ++i) eye.radiance += stations[i].light;
     last = stations[kRun - 1];
 }
@@ -249,27 +251,25 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 /// What the mixture of a run does with light, per unit of scaled optical depth.
 struct Optics {
     float kept;     ///< scaled extinction over extinction
-    float forward;  ///< scattering that does not count as such
+    float forward;  ///< scattering into the peak of thin voxels, which does not count
     vec3 once;      ///< sunlight scattered once
     vec3 peak[3];   ///< of it, what is forward; and scattered forward twice, and more often
     vec3 colour;    ///< of what is scattered more often
 };
 
-Optics opticsOf(Mixture mixture, float thickness, vec3 sunlit[kSunlit]) {
+Optics opticsOf(Mixture mixture, float thickness) {
     Optics optics = Optics(0.0, 0.0, vec3(0.0), vec3[](vec3(0.0), vec3(0.0), vec3(0.0)), vec3(0.0));
-    float thick = min(thickness, 1.0);
     for (int i = 0; i < CLASSES; ++i) {
         float share = mixture.share[i];
         int row = kPhaseRows * i;
         optics.kept += share * scaledShare(i, thickness);
-        optics.once += share * sunlit[row];
-        for (int k = 0; k < 3; ++k) {
-            optics.peak[k] += share * mix(sunlit[row + 1 + k], sunlit[row + 4 + k], thick);
-        }
+        optics.forward += share * u_.classes[i].forward.x;
+        optics.once += share * sunlit_[row];
+        for (int k = 0; k < 3; ++k) optics.peak[k] += share * sunlit_[row + 1 + k];
         optics.colour += share * u_.classes[i].colourAlbedo.rgb;
     }
     float perKept = 1.0 / max(optics.kept, 1e-6);
-    optics.forward = perKept - 1.0;
+    optics.forward *= perKept;
     optics.once *= perKept;
     for (int k = 0; k < 3; ++k) optics.peak[k] *= perKept;
     optics.colour /= max(dot(optics.colour, kLuminance), 1e-6);
@@ -299,9 +299,12 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
         vec3 diffuse = source.rgb - light * source.a * u_.sunRadiance.rgb;
         float through = eye.through * exp2(-kLog2E * depth);
-        float fromSun = -log(max(light, 1e-6));
-        vec3 single =
-            scatteredOnce(optics, eye.forward + (origin * depth + fromSun) * optics.forward);
+        vec3 single = optics.once;
+        if (path.sunwards) {
+            float fromSun = -log(max(light, 1e-6));
+            single =
+                scatteredOnce(optics, eye.forward + (origin * depth + fromSun) * optics.forward);
+        }
         eye.radiance +=
             (eye.through - through) * max(light * single + optics.colour * diffuse, 0.0);
         eye.through = through;
@@ -312,8 +315,7 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
 #endif
 
 /// What a run adds to the image.
-void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station last,
-         inout Eye eye) {
+void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     Scattered met = scatteredIn(last, stations, eye.through);
     vec3 metM = path.ray.originM + met.atM * path.ray.dir;
     Mixture mixture = mixtureAt(metM);
@@ -327,11 +329,11 @@ void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station 
     met = scatteredIn(last, stations, eye.through);
 #endif
 #if FULL
-    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM), sunlit), eye);
+    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM)), eye);
 #else
     float seen = (eye.through - met.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
-        eye.radiance += mixture.share[i] * (met.light * sunlit[i] +
+        eye.radiance += mixture.share[i] * (met.light * sunlit_[i] +
                                             seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
     }
     eye.through = met.through;
@@ -341,9 +343,9 @@ void run(Path path, Station stations[kRun], vec3 sunlit[kSunlit], inout Station 
 #endif
 
 Eye march(Path path, uint most) {
-    vec3 sunlit[kSunlit];
-    for (int i = 0; i < kSunlit; ++i)
-        sunlit[i] = sunlitBy(i / (kSunlit / CLASSES), i, path.ray.dir);
+    for (int i = 0; i < kSunlit; ++i) {
+        sunlit_[i] = sunlitBy(i / (kSunlit / CLASSES), i, path.ray.dir);
+    }
     Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);
@@ -360,7 +362,7 @@ Eye march(Path path, uint most) {
         Station stations[kRun];
         take(path, index, stride, eye, stations);
         index += float(kRun) * stride;
-        run(path, stations, sunlit, last, eye);
+        run(path, stations, last, eye);
 #if ADAPTIVE
         if (!isCoarse(stations, kLongest * path.stepM, eye.through)) stride = kLongest;
 #endif

@@ -24,9 +24,10 @@ const int kBricksUnit = 2;
 const int kNoiseUnit = 3;
 const int kPhasesUnit = 8;
 
-// Rows of a class for full transport: its phase function, then its peak after one scattering forward,
-// after two and after more, in thin voxels and again in thick ones. docs/transport.md
-const int kPhaseRows = 7;
+// Rows of a class for full transport: its phase function, then its peak in thin voxels after one
+// scattering forward, after two and after more. docs/transport.md
+const int kPhaseRows = 4;
+const float kPeakEndCos = 0.9396926f;  // of the angle where they end, 20 degrees
 
 // Bakes read a texture for each species, and one more.
 const int kHeldUnit = 0;

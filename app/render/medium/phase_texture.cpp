@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "core/transport/forward_peak.h"
 #include "core/transport/harmonics.h"
@@ -13,7 +12,8 @@ namespace {
 
 // Scattered forward once, twice, and more often, which is much like four times.
 constexpr std::array kTimes{1.0, 2.0, 4.0};
-static_assert(kPhaseRows == 1 + 2 * kTimes.size());
+static_assert(kPhaseRows == 1 + kTimes.size());
+static_assert(kAlignedDegrees == 9);  // whose peaks end at 20 degrees
 constexpr std::size_t kMostPeaks = 32;  // that are kept, while sliders change them
 
 void append(const PhaseTable& table, std::vector<glm::vec4>& values) {
@@ -22,14 +22,12 @@ void append(const PhaseTable& table, std::vector<glm::vec4>& values) {
 
 }  // namespace
 
-/// In the order of the rows after the first: in thin voxels, then in thick ones.
+/// The rows after the first.
 const std::vector<PhaseTable>& PhaseTexture::peaksOf(const PhaseTable& table) {
     const auto met = std::ranges::find(peaks_, table, [](const auto& each) { return each.first; });
     if (met != peaks_.end()) return met->second;
     if (peaks_.size() >= kMostPeaks) peaks_.clear();
-    std::vector<PhaseTable> rows = neph::peaksOf(table, kAlignedDegrees, kTimes);
-    std::ranges::move(neph::peaksOf(table, kBroadDegrees, kTimes), std::back_inserter(rows));
-    return peaks_.emplace_back(table, std::move(rows)).second;
+    return peaks_.emplace_back(table, neph::peaksOf(table, kAlignedDegrees, kTimes)).second;
 }
 
 void PhaseTexture::update(const Look& look, const MediumPlan& plan) {
