@@ -1,0 +1,73 @@
+// beside_test.cpp: a renderer beside another draws the same volume and disturbs nothing.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/render/renderer.h"
+#include "tests/gpu/context.h"
+#include "tests/gpu/images.h"
+#include "tests/gpu/scenes.h"
+
+using namespace neph;
+
+namespace {
+
+constexpr glm::ivec2 kSizePx{24, 18};
+
+const std::string kShaders = std::string(NEPH_TEST_SOURCE_DIR) + "/shaders";
+
+render::FrameInputs inputsOf(const SpeciesVolume& volume, Engine engine, glm::ivec2 sizePx) {
+    Look look;
+    look.engine = engine;
+    look.transport = Transport::translucent;
+    return test::frame(volume, look, test::views()[0].pose, sizePx, 0);
+}
+
+ImageF traced(render::Renderer& renderer, const SpeciesVolume& volume) {
+    const render::FrameInputs inputs = inputsOf(volume, groundTruth(), {8, 6});
+    render::Accumulation image;
+    renderer.render(inputs, image);
+    renderer.render(inputs, image);
+    return renderer.readLinear();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "A renderer beside another draws what one of its own would, and the other shows what it "
+    "did") {
+    test::needContext();
+    const SpeciesVolume volume = test::blobs();
+    render::Renderer first(kShaders), alone(kShaders);
+    first.setVolume(volume);
+    alone.setVolume(volume);
+    const render::FrameInputs inputs = inputsOf(volume, Engine::march, kSizePx);
+    first.render(inputs);
+    const ImageF before = first.readLinear();
+    const std::size_t bytes = first.gpuBytes();
+
+    std::unique_ptr<render::Renderer> beside = first.beside();
+    CHECK(beside->gpuBytes() == 0);
+    CHECK(test::worstDifference(traced(*beside, volume), traced(alone, volume)) == 0.0f);
+    CHECK(beside->gpuBytes() > 0);
+    CHECK(beside->gpuBytes() < alone.gpuBytes());  // without the species
+    CHECK(test::worstDifference(first.readLinear(), before) == 0.0f);
+    CHECK_FALSE(first.render(inputs).marchedEye);
+    CHECK(first.gpuBytes() == bytes);
+}
+
+TEST_CASE("A renderer beside another keeps its volume when the other is given one, or ends") {
+    test::needContext();
+    const SpeciesVolume volume = test::blobs();
+    auto first = std::make_unique<render::Renderer>(kShaders);
+    first->setVolume(volume);
+    const std::unique_ptr<render::Renderer> beside = first->beside();
+    const ImageF before = traced(*beside, volume);
+    SpeciesVolume sky;
+    sky.grid.size = glm::ivec3(1);
+    first->setVolume(sky);
+    CHECK(test::worstDifference(traced(*beside, volume), before) == 0.0f);
+    first.reset();
+    CHECK(test::worstDifference(traced(*beside, volume), before) == 0.0f);
+}
