@@ -1,5 +1,5 @@
-// error_measurement.cpp: the reference of the same view with few pixels, and figures after every
-// second path.
+// error_measurement.cpp: the reference of the same view with few pixels, and figures as paths
+// become more.
 #include "app/workbench/error_measurement.h"
 
 #include <array>
@@ -15,6 +15,7 @@ namespace {
 constexpr int kPixelsInSoftware = 64 * 36, kPixelsOnGpu = 192 * 108;
 // The spread of fewer says too little of the noise.
 constexpr int kFewestPaths = 4;
+constexpr double kMorePaths = 1.1;  // times as many give a new figure
 
 }  // namespace
 
@@ -38,10 +39,12 @@ bool ErrorMeasurement::trace(const Progress& progress) {
     const render::FrameStats stats = reference_->render(inputs_, paths_, progress);
     const int paths = paths_.samples();
     if (paths < kFewestPaths || paths % 2 != 0) return false;  // the halves differ
+    const bool last = stats.reference.seconds >= seconds_;
+    if (result_ && !last && paths < kMorePaths * result_->paths) return false;
     const std::array<ImageF, 2> halves = reference_->readHalves();
     result_ = measureError(image_, halves, paths);
     map_ = errorsBeyondNoise(image_, halves);
-    if (isKnownWell(*result_) || stats.reference.seconds >= seconds_) reference_.reset();
+    if (isKnownWell(*result_) || last) reference_.reset();
     return true;
 }
 

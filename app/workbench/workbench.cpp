@@ -374,7 +374,7 @@ void Workbench::run() {
         }
         const bool drew = drawImages();
         measuring_ = measureError(ui_, slots_, !drew && !moving(),
-                                  [this] { return host_.inputWaits() || yields(); });
+                                  [this] { return (!script_ && host_.inputWaits()) || yields(); });
         handOverImages();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.
         if (script_ || drew || session().loading() || ui_.next.animates ||

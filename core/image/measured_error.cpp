@@ -10,8 +10,119 @@ namespace neph {
 namespace {
 
 constexpr double kShareKnown = 0.1, kLeastKnown = 0.003;
-constexpr int kReach = 2;            // pixels around one whose noise is taken together
+constexpr int kReach = 2;  // pixels around one whose noise is taken together
+constexpr int kBlur =
+    1;  // of the map: less noise, and an eye finds errors of single pixels nowhere
+constexpr double kTellSpread = 5e-4;
 constexpr double kDeviations = 2.0;  // that noise may well explain
+
+constexpr float kBeyond = 2.0f;  // times what is around: rare paths; tuned on the storm
+
+std::size_t pixelAt(glm::ivec2 size, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+           static_cast<std::size_t>(x);
+}
+
+/// Calls `use` with the index of every pixel within `reach` of `at`.
+template <typename Use>
+void around(glm::ivec2 size, glm::ivec2 at, int reach, Use use) {
+    const glm::ivec2 from = glm::max(at - reach, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(at + reach, size - 1);
+    for (int y = from.y; y <= to.y; ++y) {
+        for (int x = from.x; x <= to.x; ++x) use(pixelAt(size, x, y));
+    }
+}
+
+glm::ivec2 placeOf(const ImageF& image, std::size_t pixel) {
+    const auto width = static_cast<std::size_t>(image.size.x);
+    return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+}
+
+float brightest(const glm::vec4& colour) {
+    return std::max({colour.r, colour.g, colour.b});
+}
+
+glm::dvec3 sumOf(const ImageF& image) {
+    glm::dvec3 sum(0.0);
+    for (const glm::vec4& pixel : image.pixels) sum += glm::dvec3(pixel);
+    return sum;
+}
+
+/// The median around a pixel, which no rare path moves.
+float usualAround(const ImageF& image, std::size_t pixel) {
+    std::vector<float> values;
+    around(image.size, placeOf(image, pixel), kReach,
+           [&](std::size_t i) { values.push_back(brightest(image.pixels[i])); });
+    return static_cast<float>(quantile(values, 0.5));
+}
+
+/// `half` with the light of rare paths spread over it; `spread` gets its sum.
+ImageF steadied(const ImageF& half, const ImageF& other, const ImageF& image, glm::dvec3& spread) {
+    const glm::dvec3 whole = sumOf(image);
+    const double pixels = static_cast<double>(image.pixels.size());
+    const glm::dvec3 level = glm::max(whole, sumOf(half) * 0.5 + sumOf(other) * 0.5) / pixels;
+    ImageF steady = half;
+    glm::dvec3 taken(0.0);
+    for (std::size_t i = 0; i < half.pixels.size(); ++i) {
+        float near = 0.0f;
+        around(image.size, placeOf(image, i), 1,
+               [&](std::size_t beside) { near = std::max(near, brightest(image.pixels[beside])); });
+        const float is = brightest(half.pixels[i]);
+        const float least =
+            kBeyond * (near + static_cast<float>(std::max({level.r, level.g, level.b})));
+        if (is <= least) continue;
+        const float most = least + kBeyond * usualAround(other, i);
+        if (is <= most) continue;
+        const glm::vec3 beyond = glm::vec3(half.pixels[i]) * (1.0f - most / is);
+        taken += glm::dvec3(beyond);
+        steady.pixels[i] -= glm::vec4(beyond, 0.0f);
+    }
+    spread += taken;
+    const glm::vec3 share(taken / glm::max(whole, glm::dvec3(1e-30)));
+    for (std::size_t i = 0; i < steady.pixels.size(); ++i) {
+        steady.pixels[i] += glm::vec4(share * glm::vec3(image.pixels[i]), 0.0f);
+    }
+    return steady;
+}
+
+int pixelsAround(glm::ivec2 size, glm::ivec2 at, int reach) {
+    int count = 0;
+    around(size, at, reach, [&count](std::size_t) { ++count; });
+    return count;
+}
+
+/// Each pixel the mean of those within kBlur.
+ImageF blurred(const ImageF& image) {
+    ImageF mean = image;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        glm::vec4 sum(0.0f);
+        around(image.size, placeOf(image, i), kBlur,
+               [&](std::size_t beside) { sum += image.pixels[beside]; });
+        mean.pixels[i] =
+            sum / static_cast<float>(pixelsAround(image.size, placeOf(image, i), kBlur));
+    }
+    return mean;
+}
+
+struct Steady {
+    std::array<ImageF, 2> halves;
+    double spread = 0.0;  // share of all light
+};
+
+/// Sizes must be equal; an image that is black in a colour has nowhere to spread light to.
+Steady steadyOf(const ImageF& image, const std::array<ImageF, 2>& halves) {
+    checkComparable(image, halves[0]);
+    checkComparable(image, halves[1]);
+    const glm::dvec3 whole = sumOf(image), one(1.0);
+    if (!(std::min({whole.r, whole.g, whole.b}) > 0.0)) return {halves};
+    glm::dvec3 spread(0.0);
+    Steady steady;
+    steady.halves = {steadied(halves[0], halves[1], image, spread),
+                     steadied(halves[1], halves[0], image, spread)};
+    const double all = glm::dot(sumOf(halves[0]) + sumOf(halves[1]), one);
+    if (all > 0.0) steady.spread = glm::dot(spread, one) / all;
+    return steady;
+}
 
 ImageF meanOf(const std::array<ImageF, 2>& halves) {
     ImageF mean = halves[0];
@@ -39,27 +150,29 @@ std::vector<double> noiseOf(const std::array<ImageF, 2>& halves) {
 }
 
 /// The mean over the pixels within kReach.
-double aroundOf(const std::vector<double>& values, glm::ivec2 size, glm::ivec2 at) {
-    const glm::ivec2 from = glm::max(at - kReach, glm::ivec2(0));
-    const glm::ivec2 to = glm::min(at + kReach, size - 1);
+double meanAround(const std::vector<double>& values, glm::ivec2 size, glm::ivec2 at) {
     double sum = 0.0;
-    for (int y = from.y; y <= to.y; ++y) {
-        for (int x = from.x; x <= to.x; ++x) {
-            sum += values[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                          static_cast<std::size_t>(x)];
-        }
-    }
-    const glm::ivec2 count = to - from + 1;
-    return sum / (count.x * count.y);
+    around(size, at, kReach, [&](std::size_t i) { sum += values[i]; });
+    return sum / pixelsAround(size, at, kReach);
 }
 
 }  // namespace
 
 MeasuredError measureError(const ImageF& image, const std::array<ImageF, 2>& halves, int paths) {
-    const ImageF reference = meanOf(halves);
-    return {.errors = imageErrors({image}, {reference, halves.data(), &halves[1]}),
-            .sizePx = reference.size,
-            .paths = paths};
+    const auto errorsFrom = [&image](const std::array<ImageF, 2>& of) {
+        const ImageF mean = meanOf(of);
+        return imageErrors({image}, {mean, of.data(), &of[1]});
+    };
+    const Steady steady = steadyOf(image, halves);
+    MeasuredError measured{.errors = errorsFrom(steady.halves),
+                           .sizePx = image.size,
+                           .paths = paths,
+                           .spread = steady.spread};
+    // Light that was spread is uncertain as a whole, which its pixels do not show.
+    const ImageErrors whole = errorsFrom(halves);
+    measured.errors.bias = whole.bias;
+    measured.errors.biasSigma = whole.biasSigma;
+    return measured;
 }
 
 bool isKnownWell(const MeasuredError& measured) {
@@ -76,23 +189,29 @@ std::string errorText(const MeasuredError& measured) {
 }
 
 std::string meaningOf(const MeasuredError& measured) {
+    const std::string spread =
+        measured.spread < kTellSpread
+            ? std::string()
+            : fmt::format("; {:.1f} % of its light, of rare paths, was spread over the image",
+                          100.0 * measured.spread);
     return fmt::format(
         "relRMSE of the linear radiance at {} x {} px against {} paths per pixel of the reference, "
-        "its noise subtracted; the bias has a standard error of {:.{}f} %",
+        "its noise subtracted; the bias has a standard error of {:.{}f} %{}",
         measured.sizePx.x, measured.sizePx.y, measured.paths, 100.0 * measured.errors.biasSigma,
-        decimalsFor(100.0 * measured.errors.biasSigma));
+        decimalsFor(100.0 * measured.errors.biasSigma), spread);
 }
 
 std::vector<float> errorsBeyondNoise(const ImageF& image, const std::array<ImageF, 2>& halves) {
-    const ImageF reference = meanOf(halves);
-    std::vector<float> errors = relativeErrors(image, reference);
-    const std::vector<double> noise = noiseOf(halves);
+    const Steady steady = steadyOf(image, halves);
+    const ImageF is = blurred(image), should = blurred(meanOf(steady.halves));
+    std::vector<float> errors = relativeErrors(is, should);
+    const std::vector<double> noise = noiseOf(steady.halves);
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const glm::ivec2 at(static_cast<int>(i) % image.size.x, static_cast<int>(i) / image.size.x);
-        const auto difference =
-            static_cast<double>(luminance(image.pixels[i]) - luminance(reference.pixels[i]));
-        const double likely = kDeviations * kDeviations * aroundOf(noise, image.size, at);
-        if (difference * difference < likely) errors[i] = 0.0f;
+        const double averaged = pixelsAround(image.size, placeOf(image, i), kBlur);
+        const double variance = meanAround(noise, image.size, placeOf(image, i)) / averaged;
+        const auto difference = static_cast<double>(luminance(is.pixels[i])) -
+                                static_cast<double>(luminance(should.pixels[i]));
+        if (difference * difference < kDeviations * kDeviations * variance) errors[i] = 0.0f;
     }
     return errors;
 }

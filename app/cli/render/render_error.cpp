@@ -30,7 +30,8 @@ std::string errorJson(const MeasuredError& measured) {
                                       {"noise_taken_off", errors.noise},
                                       {"width", measured.sizePx.x},
                                       {"height", measured.sizePx.y},
-                                      {"paths", measured.paths}};
+                                      {"paths", measured.paths},
+                                      {"light_spread", measured.spread}};
     return json.dump();
 }
 

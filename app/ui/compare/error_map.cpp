@@ -24,7 +24,7 @@ void renewMapTexture(const Services& services, ErrorMeter& meter) {
 
 std::string mapTitle(const ErrorMeter& meter, const FrameReport& report) {
     if (meter.found && report.error) {
-        return fmt::format("Error map, not the image: {} x {} px against the reference",
+        return fmt::format("Error map, not the image: {} \u00d7 {} px; grey: no error beyond noise",
                            report.error->sizePx.x, report.error->sizePx.y);
     }
     if (traitsOf(report.engine).groundTruth) return "No error map: this is the reference itself";
@@ -52,7 +52,7 @@ void drawErrorMap(const PanelContext& context, ErrorMeter& meter, const FrameRep
     const Area area = context.layout().image;
     if (meter.texture != 0) {
         drawErrorColours(area, meter.texture, meter.drawn->scale,
-                         "(image \u2212 reference) / reference; grey: none beyond noise");
+                         "(image \u2212 reference) / reference");
     }
     imageLabel(mapTitle(meter, report).c_str(),
                {(area.lower.x + area.upper.x) / 2.0f, area.lower.y + 0.6f * ImGui::GetFontSize()},

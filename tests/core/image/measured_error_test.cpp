@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "core/base/error.h"
@@ -13,12 +15,12 @@ using namespace neph;
 
 namespace {
 
-constexpr int kSide = 40;
+constexpr int kFlatSide = 40;
 
 ImageF flat(float grey) {
     ImageF image;
-    image.size = {kSide, kSide};
-    image.pixels.assign(kSide * kSide, glm::vec4(grey, grey, grey, 1.0f));
+    image.size = {kFlatSide, kFlatSide};
+    image.pixels.assign(kFlatSide * kFlatSide, glm::vec4(grey, grey, grey, 1.0f));
     return image;
 }
 
@@ -49,12 +51,53 @@ MeasuredError measured(double relRmse, double sigma, double bias, double biasSig
 TEST_CASE("An image a tenth too bright has that error and bias below noise of a third") {
     const MeasuredError found = measureError(flat(1.1f), noisy(0.3f), 12);
     CHECK(found.paths == 12);
-    CHECK(found.sizePx == glm::ivec2(kSide, kSide));
+    CHECK(found.sizePx == glm::ivec2(kFlatSide, kFlatSide));
     CHECK(found.errors.bias == doctest::Approx(0.1).epsilon(0.2));
     CHECK(std::abs(found.errors.relRmse - 0.1) < 3.0 * found.errors.relRmseSigma);
     CHECK(found.errors.relRmseSigma > 0.01);
     CHECK_FALSE(isKnownWell(found));
     CHECK(isKnownWell(measureError(flat(1.1f), noisy(0.01f), 10000)));
+}
+
+TEST_CASE("One path in a thousand that is far too bright drowns no error, and no light is lost") {
+    std::array<ImageF, 2> halves = noisy(0.2f);
+    std::mt19937 random(5);
+    std::uniform_int_distribution<std::size_t> anywhere(0, kFlatSide * kFlatSide - 1);
+    constexpr int kRare = 3;
+    constexpr double kBright = 100.0;
+    for (ImageF& half : halves) {
+        for (int i = 0; i < kRare; ++i) {
+            half.pixels[anywhere(random)] +=
+                glm::vec4(glm::vec3(static_cast<float>(kBright)), 0.0f);
+        }
+    }
+    // Rare light is a share of 3 · 100 / 1600 of 1, so the reference is 1.1875.
+    const double level = 1.0 + kRare * kBright / (kFlatSide * kFlatSide);
+    const MeasuredError found = measureError(flat(static_cast<float>(1.2 * level)), halves, 12);
+    CHECK(found.errors.bias == doctest::Approx(0.2).epsilon(0.05));
+    CHECK(imageErrors({flat(1.4f)}, {halves[0], halves.data(), &halves[1]}).relRmseSigma > 1.0);
+    CHECK(found.errors.relRmseSigma < 0.1);
+    CHECK(found.errors.relRmse == doctest::Approx(0.2).epsilon(0.15));
+    CHECK(found.spread == doctest::Approx(1.0 - 1.0 / level).epsilon(0.1));
+    CHECK(meaningOf(found).find("spread over the image") != std::string::npos);
+}
+
+TEST_CASE("An image that is much too dark where the light is has all of its error") {
+    ImageF image = flat(0.2f);
+    std::array<ImageF, 2> halves = noisy(0.1f);
+    for (std::size_t i = 0; i < 400; ++i) {  // ten rows five times as bright
+        for (ImageF& half : halves) half.pixels[i] *= glm::vec4(5.0f, 5.0f, 5.0f, 1.0f);
+    }
+    const MeasuredError found = measureError(image, halves, 12);
+    // sqrt(1/4 (5-0.2)^2 + 3/4 (1-0.2)^2) / 2
+    CHECK(found.errors.relRmse == doctest::Approx(1.2490).epsilon(0.02));
+    CHECK(found.spread < 0.01);
+}
+
+TEST_CASE("A black image is all of its reference off") {
+    const MeasuredError found = measureError(flat(0.0f), noisy(0.05f), 12);
+    CHECK(found.errors.bias == doctest::Approx(-1.0));
+    CHECK(found.errors.relRmse == doctest::Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("A black reference is refused, and halves of another size are") {
@@ -84,18 +127,18 @@ TEST_CASE("Where noise explains a difference there is none, and beyond it stands
     ImageF image = flat(1.0f);
     for (int y = 10; y < 20; ++y) {
         for (int x = 10; x < 20; ++x) {
-            image.pixels[static_cast<std::size_t>(y * kSide + x)] = {0.4f, 0.4f, 0.4f, 1.0f};
+            image.pixels[static_cast<std::size_t>(y * kFlatSide + x)] = {0.4f, 0.4f, 0.4f, 1.0f};
         }
     }
     const std::vector<float> errors = errorsBeyondNoise(image, noisy(0.1f));
     int inside = 0, outside = 0;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const int x = i % kSide, y = i / kSide;
-        const bool dark = x >= 10 && x < 20 && y >= 10 && y < 20;
+    for (int i = 0; i < kFlatSide * kFlatSide; ++i) {
+        const int x = i % kFlatSide, y = i / kFlatSide;
+        const int beyond = std::max(std::abs(2 * x - 29), std::abs(2 * y - 29));  // 9: on the edge
         const float error = errors[static_cast<std::size_t>(i)];
-        inside += dark && error < -0.4f ? 1 : 0;
-        outside += !dark && error != 0.0f ? 1 : 0;
+        inside += beyond <= 7 && error < -0.45f ? 1 : 0;
+        outside += beyond >= 13 && error != 0.0f ? 1 : 0;
     }
-    CHECK(inside >= 97);
-    CHECK(outside < 0.08 * 1500);  // 4.6 % of a normal distribution are beyond two deviations
+    CHECK(inside == 64);
+    CHECK(outside < 0.1 * 1456);  // 4.6 % of a normal distribution are beyond two deviations
 }
