@@ -15,6 +15,7 @@ namespace {
 constexpr int kPixelsInSoftware = 64 * 36, kPixelsOnGpu = 192 * 108;
 // The spread of fewer says too little of the noise.
 constexpr int kFewestPaths = 4;
+constexpr int kFewestToEnd = 16;    // and too little to be sure of it
 constexpr double kMorePaths = 1.1;  // times as many give a new figure
 
 }  // namespace
@@ -44,7 +45,7 @@ bool ErrorMeasurement::trace(const Progress& progress) {
     const std::array<ImageF, 2> halves = reference_->readHalves();
     result_ = measureError(image_, halves, paths);
     map_ = errorsBeyondNoise(image_, halves);
-    if (isKnownWell(*result_) || last) reference_.reset();
+    if ((paths >= kFewestToEnd && isKnownWell(*result_)) || last) reference_.reset();
     return true;
 }
 

@@ -16,7 +16,12 @@ constexpr int kBlur =
 constexpr double kTellSpread = 5e-4;
 constexpr double kDeviations = 2.0;  // that noise may well explain
 
-constexpr float kBeyond = 2.0f;  // times what is around: rare paths; tuned on the storm
+// What is rare: so many times what is around, and more where that is so in more pixels than a rare
+// thing could be; tuned on the storm.
+constexpr float kLeastTimes = 2.0f, kMostTimes = 128.0f;
+constexpr double kMostRare = 0.01;  // of the pixels of both halves
+// Points of relRMSE that a share of the light may be worth, wherever it belongs.
+constexpr double kErrorPerSpread = 2.0;
 
 std::size_t pixelAt(glm::ivec2 size, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
@@ -56,8 +61,15 @@ float usualAround(const ImageF& image, std::size_t pixel) {
     return static_cast<float>(quantile(values, 0.5));
 }
 
-/// `half` with the light of rare paths spread over it; `spread` gets its sum.
-ImageF steadied(const ImageF& half, const ImageF& other, const ImageF& image, glm::dvec3& spread) {
+struct Spread {
+    glm::dvec3 light{0.0};
+    std::size_t pixels = 0;
+};
+
+/// `half` with the light of rare paths, beyond `times` what is around, spread over it; adds to
+/// `spread`.
+ImageF steadied(const ImageF& half, const ImageF& other, const ImageF& image, float times,
+                Spread& spread) {
     const glm::dvec3 whole = sumOf(image);
     const double pixels = static_cast<double>(image.pixels.size());
     const glm::dvec3 level = glm::max(whole, sumOf(half) * 0.5 + sumOf(other) * 0.5) / pixels;
@@ -69,15 +81,16 @@ ImageF steadied(const ImageF& half, const ImageF& other, const ImageF& image, gl
                [&](std::size_t beside) { near = std::max(near, brightest(image.pixels[beside])); });
         const float is = brightest(half.pixels[i]);
         const float least =
-            kBeyond * (near + static_cast<float>(std::max({level.r, level.g, level.b})));
+            times * (near + static_cast<float>(std::max({level.r, level.g, level.b})));
         if (is <= least) continue;
-        const float most = least + kBeyond * usualAround(other, i);
+        const float most = least + times * usualAround(other, i);
         if (is <= most) continue;
         const glm::vec3 beyond = glm::vec3(half.pixels[i]) * (1.0f - most / is);
         taken += glm::dvec3(beyond);
+        ++spread.pixels;
         steady.pixels[i] -= glm::vec4(beyond, 0.0f);
     }
-    spread += taken;
+    spread.light += taken;
     const glm::vec3 share(taken / glm::max(whole, glm::dvec3(1e-30)));
     for (std::size_t i = 0; i < steady.pixels.size(); ++i) {
         steady.pixels[i] += glm::vec4(share * glm::vec3(image.pixels[i]), 0.0f);
@@ -115,13 +128,18 @@ Steady steadyOf(const ImageF& image, const std::array<ImageF, 2>& halves) {
     checkComparable(image, halves[1]);
     const glm::dvec3 whole = sumOf(image), one(1.0);
     if (!(std::min({whole.r, whole.g, whole.b}) > 0.0)) return {halves};
-    glm::dvec3 spread(0.0);
-    Steady steady;
-    steady.halves = {steadied(halves[0], halves[1], image, spread),
-                     steadied(halves[1], halves[0], image, spread)};
     const double all = glm::dot(sumOf(halves[0]) + sumOf(halves[1]), one);
-    if (all > 0.0) steady.spread = glm::dot(spread, one) / all;
-    return steady;
+    if (!(all > 0.0)) return {halves};
+    for (float times = kLeastTimes; times <= kMostTimes; times *= 2.0f) {
+        Spread spread;
+        Steady steady;
+        steady.halves = {steadied(halves[0], halves[1], image, times, spread),
+                         steadied(halves[1], halves[0], image, times, spread)};
+        steady.spread = glm::dot(spread.light, one) / all;
+        const double pixels = 2.0 * static_cast<double>(image.pixels.size());
+        if (static_cast<double>(spread.pixels) <= kMostRare * pixels) return steady;
+    }
+    return {halves};
 }
 
 ImageF meanOf(const std::array<ImageF, 2>& halves) {
@@ -168,10 +186,12 @@ MeasuredError measureError(const ImageF& image, const std::array<ImageF, 2>& hal
                            .sizePx = image.size,
                            .paths = paths,
                            .spread = steady.spread};
-    // Light that was spread is uncertain as a whole, which its pixels do not show.
+    // Where light belongs that was spread is not known, which its pixels do not show.
     const ImageErrors whole = errorsFrom(halves);
     measured.errors.bias = whole.bias;
     measured.errors.biasSigma = whole.biasSigma;
+    measured.errors.relRmseSigma =
+        std::hypot(measured.errors.relRmseSigma, kErrorPerSpread * measured.spread);
     return measured;
 }
 

@@ -4,7 +4,9 @@
 // A reference of few paths has pixels that one path in a thousand made many times too bright, and
 // one of them would drown all else. What a pixel of a half has beyond twice the sum of the image
 // around it, the other half around it and the mean of both is spread over the image, in proportion
-// to its brightness: no light is lost, and with more paths ever less of it is spread.
+// to its brightness: no light is lost, and with more paths ever less of it is spread. Where that
+// would be in more than 1 % of the pixels, it is four times the sum, or eight and so on: then the
+// reference is noisy, and the standard error has to say so.
 #pragma once
 #include <array>
 #include <string>
