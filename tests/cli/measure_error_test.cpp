@@ -27,8 +27,9 @@ std::string metadataText(const Metadata& metadata, const std::string& wanted) {
 TEST_CASE("The error of an image is printed, and kept in its file with what it was measured by") {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.exr").string();
-    const Outcome outcome =
-        runProgram(kRenderStorm + "--size 16x9 --profile --measure-error 0.1 --out " + file);
+    const Outcome outcome = runProgram(
+        kRenderStorm + "--size 16x9 --set mode.noise=false --profile --measure-error 0.1 --out " +
+        file);
     REQUIRE(outcome.status == 0);
     CHECK_MESSAGE(contains(outcome.err, "\n  error           "), outcome.err);
     CHECK_MESSAGE(contains(outcome.err, "16 x 9 px against "), outcome.err);
@@ -55,10 +56,11 @@ TEST_CASE("Without a measurement a profile has the known error of a mode, and a 
 TEST_CASE("Where the reference is black an image is written, with a warning in place of an error") {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.png").string();
-    const Outcome outcome = runProgram(kRenderStorm +
-                                       "--size 8x4 --measure-error 0.1 --set sun.intensity=0 --set "
-                                       "sky.intensity=0 --set ground.visible=false --out " +
-                                       file);
+    const Outcome outcome = runProgram(
+        kRenderStorm +
+        "--size 8x4 --measure-error 0.1 --set mode.noise=false --set sun.intensity=0 --set "
+        "sky.intensity=0 --set ground.visible=false --out " +
+        file);
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     CHECK_MESSAGE(contains(outcome.err, "warning: the error cannot be measured"), outcome.err);
     CHECK_FALSE(contains(outcome.err, "error now"));
