@@ -22,7 +22,12 @@ namespace neph::render {
 #include "shaders/shared/display_layout.glsl"
 
 struct Renderer::Impl {
-    explicit Impl(std::filesystem::path shaderDir) : programs(std::move(shaderDir)) {}
+    explicit Impl(std::filesystem::path shaderDir)
+        : programs(std::make_shared<gl::ProgramCache>(std::move(shaderDir))),
+          noise(std::make_shared<NoiseTextures>()) {}
+    /// Of the same volume.
+    explicit Impl(const Impl* of)
+        : programs(of->programs), volume(of->volume), noise(of->noise), shares(true) {}
 
     /// The image that `linear` and `display` show.
     struct Shown {
@@ -30,11 +35,12 @@ struct Renderer::Impl {
         int sample = 0;  ///< of the last frame that was added to it
     };
 
-    gl::ProgramCache programs;
-    std::optional<VolumeTextures> volume;
+    std::shared_ptr<gl::ProgramCache> programs;
+    std::shared_ptr<const VolumeTextures> volume;
     HeldMedium medium;
-    NoiseTextures noise;
-    gl::Texture rays;  ///< where pixels are the mean of several
+    std::shared_ptr<NoiseTextures> noise;
+    bool shares = false;  ///< what is above, with the renderer that it was made from
+    gl::Texture rays;     ///< where pixels are the mean of several
     gl::Texture linear, display;
     Engine engine{};
     std::unique_ptr<Integrator> integrator;  ///< of `engine`; made when it is first wanted
@@ -45,7 +51,7 @@ struct Renderer::Impl {
     std::function<void()> wake;
 
     RenderContext context(const Progress& progress, FrameStats& stats) {
-        return {*volume, medium, noise, programs, timer, progress, stats, messages, wake};
+        return {*volume, medium, *noise, *programs, timer, progress, stats, messages, wake};
     }
     void use(Engine wanted);
     std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
@@ -143,7 +149,7 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
     const FrameInputs finer = raysOf(inputs);
     fit(rays, GL_RGBA32F, finer.sizePx);
     integrator->render({finer, stage, sample, rays}, context);
-    const gl::Program& program = programs.get("display/average.comp");
+    const gl::Program& program = programs->get("display/average.comp");
     program.setInt(kAverageSideLocation, inputs.supersample);
     rays.bindImage(kAverageRaysImage, GL_READ_ONLY);
     linear.bindImage(kAverageLinearImage, GL_WRITE_ONLY);
@@ -152,7 +158,7 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
 }
 
 void Renderer::Impl::resolve(const FrameInputs& inputs) {
-    const gl::Program& program = programs.get("display/resolve.comp");
+    const gl::Program& program = programs->get("display/resolve.comp");
     const glm::ivec2 lowerPx = inputs.part ? inputs.part->lowerPx : glm::ivec2(0);
     program.setInt(kResolveLeftLocation, lowerPx.x);
     program.setInt(kResolveLowerLocation, lowerPx.y);
@@ -204,6 +210,12 @@ Renderer::Renderer(const std::filesystem::path& shaderDir)
     setVolume(clearSky);
 }
 
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+std::unique_ptr<Renderer> Renderer::beside() const {
+    return std::unique_ptr<Renderer>(new Renderer(std::make_unique<Impl>(impl_.get())));
+}
+
 Renderer::~Renderer() = default;
 
 void Renderer::setWake(std::function<void()> wake) {
@@ -222,7 +234,7 @@ void Renderer::setVolume(const SpeciesVolume& volume) {
                      .found = fmt::format("{} x {} x {} cells", size.x, size.y, size.z),
                      .expected = fmt::format("at most {} cells a side", most)});
     }
-    impl_->volume = uploadVolume(volume);
+    impl_->volume = std::make_shared<const VolumeTextures>(uploadVolume(volume));
     impl_->medium.invalidate();
 }
 
@@ -329,10 +341,11 @@ std::optional<double> Renderer::floorMilliseconds() {
 
 std::vector<MemoryUse> Renderer::memory() const {
     const Integrator* engine = impl_->integrator.get();
-    return {{"species", impl_->volume->bytes(), true},
+    const bool shares = impl_->shares;
+    return {{"species", shares ? 0 : impl_->volume->bytes(), true},
             {"medium", impl_->medium.bytes(), true},
             {"light", engine ? engine->lightBytes() : 0, true},
-            {"noise", impl_->noise.bytes()},
+            {"noise", shares ? 0 : impl_->noise->bytes()},
             {"images", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
                            (engine ? engine->otherBytes() : 0)}};
 }
@@ -348,13 +361,13 @@ std::vector<std::string> Renderer::takeMessages() {
 }
 
 void Renderer::reloadChangedShaders() {
-    const int before = impl_->programs.generation();
-    for (std::string& problem : impl_->programs.reload()) {
+    const int before = impl_->programs->generation();
+    for (std::string& problem : impl_->programs->reload()) {
         impl_->messages.push_back(std::move(problem));
     }
-    if (impl_->programs.generation() == before) return;
+    if (impl_->programs->generation() == before) return;
     impl_->medium.invalidate();
-    impl_->noise = {};
+    *impl_->noise = {};
 }
 
 }  // namespace neph::render

@@ -25,6 +25,10 @@ class Renderer {
   public:
     /// `shaderDir` holds lib/, shared/ and pass/. Throws Error when a shader fails the first time.
     explicit Renderer(const std::filesystem::path& shaderDir);
+    /// One that draws the volume of this one, and leaves alone what this one shows: they share
+    /// volume, programs and noise, and each has a medium and images of its own. What the other one
+    /// draws is of the volume there is now, whatever comes later.
+    std::unique_ptr<Renderer> beside() const;
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -81,7 +85,7 @@ class Renderer {
 
     /// GL renderer string, for provenance and bench.
     std::string deviceName() const;
-    /// Bytes held on the GPU, by part and in all.
+    /// Bytes held on the GPU, by part and in all; what beside() shares is left to the first.
     std::vector<MemoryUse> memory() const;
     std::size_t gpuBytes() const;
     /// Problems since the last call, newest last: shader file, line, reason.
@@ -91,6 +95,7 @@ class Renderer {
 
   private:
     struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

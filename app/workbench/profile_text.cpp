@@ -7,6 +7,8 @@
 #include <array>
 #include <string_view>
 
+#include "core/look/known_error.h"
+
 namespace neph {
 namespace {
 
@@ -105,6 +107,7 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
     if (stats.light) {
         for (ProfileRow& row : lightRows(*stats.light)) profile.image.push_back(std::move(row));
     }
+    profile.error = knownErrorText(inputs.look);
     profile.passes = passRows(stats);
     if (stats.samples) profile.samples = sampleRows(*stats.samples);
     if (converges) profile.samples = pathRows(stats.reference, inputs.sizePx * inputs.supersample);
@@ -116,6 +119,7 @@ ui::Profile profileOf(const render::FrameStats& stats, const render::FrameInputs
 std::string profileText(const ui::Profile& profile) {
     std::string text = fmt::format("  {:<16}{}\n", "engine", profile.engine);
     text += fmt::format("  {:<16}{}\n", "device", profile.device);
+    if (!profile.error.empty()) text += fmt::format("  {:<16}{}\n", "error", profile.error);
     for (const auto* rows : {&profile.image, &profile.passes, &profile.samples, &profile.memory}) {
         for (const ProfileRow& row : *rows) {
             const std::string line =

@@ -3,7 +3,9 @@
 //
 // One command a line; '#' opens a comment. PLACE is a name of app/ui/widgets/places.h or "x,y" in
 // shares of the window; "image" is where the image is.
-//   wait                     until data are read, the image is whole and exports are done
+//   wait                     until data are read, the image is whole, exports are done and an error
+//   that is
+//                            being measured has its first figure
 //   frames N                 so many frames
 //   size WxH                 of the window
 //   action ID                carries out an action

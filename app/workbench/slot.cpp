@@ -31,6 +31,8 @@ void Slot::takeData() {
     session.poll();
     try {
         if (const auto volume = session.takeVolume()) {
+            forgetError();  // before there are two volumes
+            wantsError_ = false;
             renderer_.setVolume(*volume);
             drawn_.reset();
             changed_ = Clock::now();
@@ -47,6 +49,8 @@ void Slot::noteChanges() {
         retone_ = true;
     } else {
         drawn_.reset();
+        forgetError();
+        wantsError_ = false;
     }
     seen_ = session.document;
 }
@@ -156,7 +160,8 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
               .time = time,
               .reference = traced,
               .light = stats.light,
-              .knownError = knownErrorText(look)};
+              .knownError = knownErrorText(look),
+              .error = {}};
     report.reference.targetError = static_cast<double>(of.sampling.targetError);
 }
 
@@ -183,7 +188,10 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
     if (inputs.profile && !retones)
         ui::update(profile, profileOf(*stats, inputs, renderer_), !drawn_);
     drawn_ = wanted;
-    if (!retones) ++images_;
+    if (!retones) {
+        ++images_;
+        forgetError();
+    }
     for (std::string& message : renderer_.takeMessages()) {
         session.say(Message::Kind::warning, std::move(message));
     }
@@ -191,6 +199,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
 }
 
 void Slot::reloadShaders() {
+    forgetError();
     renderer_.reloadChangedShaders();
     drawn_.reset();
 }

@@ -9,12 +9,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/render/renderer.h"
 #include "app/ui/compare/compare_errors.h"
+#include "app/ui/compare/error_map.h"
 #include "app/ui/panel/frame_report.h"
 #include "app/ui/widgets/profile.h"
+#include "app/workbench/error_measurement.h"
 #include "app/workbench/quality.h"
 #include "core/base/resources.h"
 #include "core/session/session.h"
@@ -50,6 +53,19 @@ class Slot {
     /// `profile` is brought up to date where it was asked for.
     bool draw(const DrawRequest& request, ui::Profile& profile);
 
+    /// Asks for the error of the image that is there or in the making, or stops measuring it.
+    void toggleError();
+    bool wantsError() const { return wantsError_; }
+    /// Whether it is being measured, or will be once the image is complete.
+    bool measures() const { return wantsError_ || measurement_; }
+    /// Whether there is an image that gets no better by itself, whose error is not known well.
+    bool isMeasurable() const;
+    /// A piece of work, which `progress` ends; `report` gets what comes of it.
+    void measureError(const Progress& progress);
+    /// Gives up what is not measured yet, and its memory.
+    void stopMeasuring();
+    std::shared_ptr<const ui::ErrorMap> errorMap() const { return errorMap_; }
+
     void reloadShaders();
     void redraw() { drawn_.reset(); }
     void measuredPanels(double milliseconds) {
@@ -82,6 +98,8 @@ class Slot {
         return qualities_.at(static_cast<std::size_t>(engine));
     }
     std::optional<ui::Draft> next(const DrawRequest& request);
+    void beginToMeasure();
+    void forgetError();
     void tell(const ui::Draft& drawn, const ParameterSet& of, int time,
               const render::FrameStats& stats);
     std::optional<render::FrameStats> render(const ui::Draft& draft,
@@ -96,6 +114,10 @@ class Slot {
     std::optional<ui::Draft> drawn_;  // none: to be drawn again
     bool retone_ = false;             // what is drawn is good but for its tones
     std::uint64_t images_ = 0;
+    std::optional<ErrorMeasurement> measurement_;   // of the image on screen
+    std::shared_ptr<const ui::ErrorMap> errorMap_;  // likewise
+    bool wantsError_ = false;
+    std::uint64_t unmeasurable_ = 0;  // the image that cannot be compared with the reference
     std::chrono::steady_clock::time_point changed_ = std::chrono::steady_clock::now();
 };
 

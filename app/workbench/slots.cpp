@@ -48,6 +48,10 @@ std::vector<ShownImage> Slots::shown(const PixelBox& place) {
             {slots_[1].get(), {{column, place.lower.y}, place.upper}, {at, 1.0f}}};
 }
 
+Slot& Slots::seen() {
+    return compare_.mode == CompareMode::single ? *shown({}).front().slot : active();
+}
+
 ui::PairState Slots::pair() const {
     if (!slots_[1]) return {};
     const Slot &a = *slots_[0], &b = *slots_[1];

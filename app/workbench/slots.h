@@ -29,6 +29,8 @@ class Slots {
     Slot& active() { return *slots_[static_cast<std::size_t>(compare_.active)]; }
     /// Nullptr while there is but one.
     Slot* other() { return slots_[compare_.active == 0 ? 1 : 0].get(); }
+    /// The one on screen that the status line is about.
+    Slot& seen();
     std::vector<Slot*> all();
     /// What is on the screen when the images' place is `place`.
     std::vector<ShownImage> shown(const PixelBox& place);

@@ -19,6 +19,7 @@
 #include "app/ui/shell/wishes.h"
 #include "app/ui/widgets/places.h"
 #include "app/workbench/image_textures.h"
+#include "app/workbench/measure_error.h"
 #include "app/workbench/script_player.h"
 #include "app/workbench/slots.h"
 #include "app/workbench/workbench_host.h"
@@ -102,6 +103,7 @@ class Workbench {
     PixelBox place_;  // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
+    bool measuring_ = false;  // the error of what is seen, at once
 };
 
 Workbench::Workbench(const WorkbenchRequest& request)
@@ -121,6 +123,7 @@ Workbench::Workbench(const WorkbenchRequest& request)
     for (const std::string& warning : warnings) session().say(Message::Kind::warning, warning);
     host_.restyle(ui_.settings);
     offerServices();
+    ui_.errorMeter.atRestByDefault = !gl::deviceMemory().software;
     if (!request.script.empty()) {
         script_.emplace(loadScript(request.script),
                         std::filesystem::path(request.script).filename().string());
@@ -235,8 +238,8 @@ bool Workbench::drawImages() {
         if (!image.slot->converges() || others || putOff(*image.slot)) continue;
         drew |= drawImage(image, shown.size());
     }
-    const bool alone = ui_.compare.mode == CompareMode::single;
-    ui_.report = (alone ? *shown.front().slot : slots_.active()).report;
+    ui_.report = slots_.seen().report;
+    ui_.report.measuring = slots_.seen().measures();
     const bool whole = std::ranges::all_of(shown, [this](const ShownImage& image) {
         return image.slot->waiting(moving()) == Slot::Waiting::no;
     });
@@ -327,6 +330,8 @@ void Workbench::playScript() {
                             host_.sizePx(),
                             [this] {
                                 if (ui::exports(ui_.output) || ui_.errors.busy()) return false;
+                                const Slot& seen = slots_.seen();
+                                if (seen.measures() && !seen.report.error) return false;
                                 return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
                                     return !slot->session.loading() &&
                                            slot->waiting(false) == Slot::Waiting::no;
@@ -343,7 +348,7 @@ void Workbench::playScript() {
 }
 
 double Workbench::waitS() {
-    if (ui_.next.animates || script_) return 0.0;
+    if (ui_.next.animates || script_ || measuring_) return 0.0;
     const double again = std::max(0.0, ui_.next.againS - secondsSince(panelsDrawn_));
     double seconds = std::min(again, kIdleWaitS);
     for (Slot* slot : slots_.all()) {
@@ -368,6 +373,8 @@ void Workbench::run() {
             ui::frameOpened(slot->session, ui::aspectOf(ui_.layout()));
         }
         const bool drew = drawImages();
+        measuring_ = measureError(ui_, slots_, !drew && !moving(),
+                                  [this] { return (!script_ && host_.inputWaits()) || yields(); });
         handOverImages();
         // Where nothing happens nothing is drawn; a script's keys are seen frame by frame.
         if (script_ || drew || session().loading() || ui_.next.animates ||

@@ -171,6 +171,18 @@ double roundEnd(std::span<const float> errors) {
     return 10.0 * decade;
 }
 
+Image8 errorColours(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale) {
+    Image8 image;
+    image.size = size;
+    image.rgba.reserve(4 * errors.size());
+    for (const float error : errors) {
+        const glm::ivec3 colour = toBytes(errorColour(static_cast<double>(error), scale));
+        for (int c = 0; c < 3; ++c) image.rgba.push_back(static_cast<std::uint8_t>(colour[c]));
+        image.rgba.push_back(255);
+    }
+    return image;
+}
+
 Image8 errorImage(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale) {
     const int unit = std::max(1, size.x / kWidthPerUnit);
     Image8 image;
@@ -178,12 +190,11 @@ Image8 errorImage(glm::ivec2 size, std::span<const float> errors, const ErrorSca
     image.rgba.resize(4 * static_cast<std::size_t>(image.size.x) *
                       static_cast<std::size_t>(image.size.y));
     fill(image, {0, 0}, image.size, kPaper);
+    const Image8 colours = errorColours(size, errors, scale);
+    const auto from = 4 * static_cast<std::ptrdiff_t>(size.x);
+    const auto to = 4 * static_cast<std::ptrdiff_t>(image.size.x);
     for (int y = 0; y < size.y; ++y) {
-        for (int x = 0; x < size.x; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                  static_cast<std::size_t>(x);
-            put(image, x, y, toBytes(errorColour(static_cast<double>(errors[i]), scale)));
-        }
+        std::copy_n(colours.rgba.begin() + y * from, from, image.rgba.begin() + y * to);
     }
     drawLegend(image, size.y, unit, scale);
     return image;

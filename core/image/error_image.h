@@ -24,7 +24,10 @@ glm::vec3 errorColour(double error, const ErrorScale& scale);
 /// 0.1 %.
 double roundEnd(std::span<const float> errors);
 
-/// The errors of an image of `size`, row 0 on top, with a labelled colour bar below it.
+/// The errors of an image of `size`, row 0 on top, as colours.
+Image8 errorColours(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale);
+
+/// The same with a labelled colour bar below it.
 Image8 errorImage(glm::ivec2 size, std::span<const float> errors, const ErrorScale& scale);
 
 }  // namespace neph

@@ -52,6 +52,12 @@ bool take(const Json& json, bool& value) {
     if (json.is_boolean()) value = json.get<bool>();
     return json.is_boolean();
 }
+/// null: not decided.
+bool take(const Json& json, std::optional<bool>& value) {
+    if (json.is_null()) value.reset();
+    if (json.is_boolean()) value = json.get<bool>();
+    return json.is_null() || json.is_boolean();
+}
 template <typename Number>
 bool take(const Json& json, Number& value, double lo, double hi) {
     const bool fits = json.is_number() && json.get<double>() >= lo && json.get<double>() <= hi;
@@ -105,6 +111,9 @@ constexpr std::array kRows{
     switchRow<&Settings::scaleBar>("scale_bar"),
     switchRow<&Settings::compass>("compass"),
     switchRow<&Settings::heightRuler>("height_ruler"),
+    Row{"measure_at_rest", "true, false or null",
+        [](const Json& j, Settings& s) { return take(j, s.measureAtRest); },
+        [](const Settings& s) { return s.measureAtRest ? Json(*s.measureAtRest) : Json(); }},
     Row{"recent", "a list of at most 12 names",
         [](const Json& j, Settings& s) { return take(j, s.recent); },
         [](const Settings& s) { return Json(s.recent); }},

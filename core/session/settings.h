@@ -1,5 +1,6 @@
 // settings.h: settings that are kept between runs, in $XDG_CONFIG_HOME/nephoscope/settings.json.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Settings {
     double framesPerSecond = 30.0;  ///< target while something moves
     bool leftColumn = true, rightColumn = true;
     bool scaleBar = true, compass = true, heightRuler = false;  ///< overlays on the image
+    /// The error of the image is measured whenever it rests; none: as suits the device.
+    std::optional<bool> measureAtRest;
     std::vector<std::string> recent;  ///< data and sessions opened, newest first, absolute paths
     bool operator==(const Settings&) const = default;
 };

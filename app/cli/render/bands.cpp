@@ -114,6 +114,9 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
         if (traced.relativeError <= side.targetError) break;
         needed = std::min(1.0 * side.samples, traced.samples * workTo(side.targetError, traced));
     }
+    if (average_) {
+        average_->add(side.renderer->readLinear(), {lowerPx.x, sizePx_.y - lowerPx.y - tilePx.y});
+    }
     donePx_ += count(tilePx);
     ++tiles_;
 }

@@ -5,12 +5,14 @@
 // seams cannot be seen. Two sides may share an image; a thin line is between them.
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/image_io/exr.h"
 #include "app/render/renderer.h"
 #include "core/base/progress.h"
+#include "core/image/box_average.h"
 #include "core/image/image.h"
 
 namespace neph {
@@ -41,6 +43,11 @@ class Bands {
     /// Names of the layers that there are then.
     std::vector<std::string> layerNames() const;
 
+    /// From now on, keeps the mean of what is drawn at a lower resolution, in linear light.
+    void average(glm::ivec2 toPx) { average_.emplace(sizePx_, toPx); }
+    /// That mean, once all rows are there.
+    ImageF averaged() const { return average_.value().mean(); }
+
     glm::ivec2 sizePx() const { return sizePx_; }
     /// Of what was drawn so far, all sides and tiles together.
     const render::FrameStats& stats() const { return stats_; }
@@ -60,6 +67,7 @@ class Bands {
     int tiles_ = 0;
     std::size_t donePx_ = 0;
     render::FrameStats stats_;
+    std::optional<BoxAverage> average_;
 };
 
 }  // namespace neph

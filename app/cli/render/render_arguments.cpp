@@ -13,6 +13,7 @@ namespace neph {
 namespace {
 
 constexpr int kMaxSupersample = 4, kMaxSamples = 65536;
+constexpr double kMinMeasureS = 0.1, kMaxMeasureS = 86400.0;
 constexpr double kMinFps = 0.1, kMaxFps = 240.0;
 
 ExrPixels parseFormat(const std::string& text) {
@@ -36,6 +37,9 @@ void addOutputOptions(CLI::App& command, RenderRequest& request) {
               "Rays per pixel, a side: 1 to 4", "1");
     command.add_flag("--transparent", request.transparent, "Without sky and ground");
     command.add_flag("--profile", request.profile, "Print time of each pass, samples, memory");
+    addNumber(command, "--measure-error", request.measureErrorS, kMinMeasureS, kMaxMeasureS,
+              "State the image's error against the reference, traced for so many seconds at most")
+        ->type_name("SECONDS");
     command.add_flag("--progress", request.progress, "A JSON object per image on stdout");
 }
 
@@ -109,7 +113,13 @@ void checkOutput(const CLI::App& command, const RenderRequest& request) {
     if (kind != OutputKind::exr) {
         refuseTyped(command, {"--format"}, "is of EXR files", "--out FILE.exr");
     }
+    if (request.beside.wanted()) {
+        refuseTyped(command, {"--measure-error"}, "two images share this one",
+                    "render them one by one");
+    }
     if (kind == OutputKind::mp4) {
+        refuseTyped(command, {"--measure-error"}, "a video has no place for it",
+                    "write images: --out frames.png");
         refuseTyped(command, {"--transparent"}, "a video is opaque",
                     "write images: --out frames.png");
         const glm::ivec2 size = videoSize(request.sizePx);

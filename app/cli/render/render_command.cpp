@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "app/cli/common/interrupt.h"
 #include "app/cli/common/progress_lines.h"
 #include "app/cli/render/bands.h"
+#include "app/cli/render/render_error.h"
 #include "app/cli/render/render_sides.h"
 #include "app/cli/render/render_view.h"
 #include "app/cli/render/shots.h"
@@ -21,6 +23,7 @@
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
+#include "app/workbench/error_measurement.h"
 #include "app/workbench/profile_text.h"
 #include "core/base/atomic_file.h"
 #include "core/base/resources.h"
@@ -48,6 +51,9 @@ class Run {
     CameraPose poseOf(std::size_t index, const Shot& shot) const;
     double aspect() const { return static_cast<double>(sizePx_.x) / sizePx_.y; }
     void write(const Shot& shot, Bands& bands);
+    template <typename Next>
+    auto drawAhead(const Bands& bands, Next next);
+    void say(const Bands& bands, const std::filesystem::path& file);
     void image(const Shot& shot, const std::function<void(Bands&)>& take,
                const std::filesystem::path& file);
     const RenderRequest& request_;
@@ -60,11 +66,19 @@ class Run {
     std::vector<Shot> shots_;
     glm::ivec2 sizePx_{0};
     std::optional<ProgressLines> progress_;
+    std::optional<MeasuredError> error_;  // of the image that was drawn last
 };
 
 void checkEngines(const RenderRequest& request, const std::vector<SideScene>& scenes) {
     unsigned engines = 0;
     for (const SideScene& side : scenes) engines |= bitOf(side.scene.document.look.engine);
+    if (request.measureErrorS && (engines & bitOf(groundTruth())) != 0) {
+        throw UsageError({.where = "--measure-error",
+                          .what = "the image is of the engine that errors are measured against",
+                          .found = std::string(traitsOf(groundTruth()).id),
+                          .hint = "its own standard error is printed in any case; another --engine "
+                                  "has an error to measure"});
+    }
     checkActing(request, engines,
                 kAllEngines & ~enginesWith(&EngineTraits::refinement, Refinement::once));
 }
@@ -182,22 +196,50 @@ Metadata Run::describe(const Shot& shot, const Bands& bands) const {
             all.emplace_back(of + key, text);
         }
     }
+    if (error_) all.emplace_back("nephoscope.error", errorJson(*error_));
     return all;
 }
 
+int rowsOf(const Image8& band) {
+    return band.size.y;
+}
+int rowsOf(const LayeredImage& band) {
+    return band.colours.size.y;
+}
+
+/// The bands that are drawn before the file is begun, since its metadata say what they took: the
+/// first, or all where they say how far the image is off. Then the error is measured.
+template <typename Next>
+auto Run::drawAhead(const Bands& bands, Next next) {
+    std::deque<decltype(next())> drawn;
+    drawn.push_back(next());
+    error_.reset();
+    if (!request_.measureErrorS) return drawn;
+    for (int rows = rowsOf(drawn.front()); rows < sizePx_.y; rows += rowsOf(drawn.back())) {
+        drawn.push_back(next());
+    }
+    error_ = errorOf(bands, *request_.measureErrorS, goesOn_);
+    return drawn;
+}
+
 void Run::write(const Shot& shot, Bands& bands) {
+    if (request_.measureErrorS) bands.average(ErrorMeasurement::sizeFor(sizePx_));
+    // Those that were drawn ahead, then others.
+    const auto inTurn = [](auto& ahead, const auto& next) {
+        if (ahead.empty()) return next();
+        auto band = std::move(ahead.front());
+        ahead.pop_front();
+        return band;
+    };
     if (kindOf(shot.file) == OutputKind::png) {
-        Image8 first = bands.nextDisplay();  // the metadata say what it took
-        const Metadata metadata = describe(shot, bands);
-        writePng(shot.file, sizePx_, metadata,
-                 [&] { return first.size.y > 0 ? std::exchange(first, {}) : bands.nextDisplay(); });
+        const auto next = [&] { return bands.nextDisplay(); };
+        auto ahead = drawAhead(bands, next);
+        writePng(shot.file, sizePx_, describe(shot, bands), [&] { return inTurn(ahead, next); });
     } else {
-        LayeredImage first = bands.nextLayered();
-        const Metadata metadata = describe(shot, bands);
-        const auto next = [&] {
-            return first.colours.size.y > 0 ? std::exchange(first, {}) : bands.nextLayered();
-        };
-        writeExr(shot.file, sizePx_, metadata, request_.format, bands.layerNames(), next);
+        const auto next = [&] { return bands.nextLayered(); };
+        auto ahead = drawAhead(bands, next);
+        writeExr(shot.file, sizePx_, describe(shot, bands), request_.format, bands.layerNames(),
+                 [&] { return inTurn(ahead, next); });
     }
 }
 
@@ -208,18 +250,28 @@ void Run::image(const Shot& shot, const std::function<void(Bands&)>& take,
     take(bands);
     for (const auto& side : sides_) printAll("warning", side->renderer().takeMessages());
     progress_->done(file);
+    say(bands, file);
+}
+
+void Run::say(const Bands& bands, const std::filesystem::path& file) {
     const Side& first = *sides_.front();
     const bool video = kindOf(file) == OutputKind::mp4;
     fmt::print(stderr, "{} {} ({}x{}, {}, {}, {:.0f} ms)\n", video ? "an image of" : "wrote",
                file.string(), sizePx_.x, sizePx_.y, first.shown().timeLabel,
                workText(bands.sides()[0], bands.stats()), bands.stats().milliseconds);
-    if (!request_.profile) return;
+    const std::string error =
+        error_ ? fmt::format("{}: {}", errorText(*error_), meaningOf(*error_)) : std::string();
+    if (!request_.profile) {
+        if (error_) fmt::print(stderr, "error now: {}\n", error);
+        return;
+    }
     render::FrameInputs inputs;
     inputs.look = first.parameters().look;
     inputs.sampling = first.parameters().sampling;
     inputs.sizePx = sizePx_;
-    fmt::print(stderr, "{}",
-               profileText(profileOf(bands.stats(), inputs, sides_.front()->renderer())));
+    ui::Profile profile = profileOf(bands.stats(), inputs, sides_.front()->renderer());
+    if (error_) profile.error = error;
+    fmt::print(stderr, "{}", profileText(profile));
 }
 
 void Run::all() {

@@ -49,7 +49,9 @@ struct RenderRequest {
     int frames = 0;              ///< along a path; 0: as `fps` says
     SampleRequest sampling;
     ExrPixels format = ExrPixels::half;
-    bool profile = false;   ///< print what each image cost
+    bool profile = false;  ///< print what each image cost
+    /// Seconds that the reference may be traced for the error of each image; none: no error.
+    std::optional<double> measureErrorS;
     bool progress = false;  ///< as progress_lines.h
 };
 

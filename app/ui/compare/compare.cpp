@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/ui/compare/compare_figures.h"
+#include "app/ui/widgets/image_label.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -16,18 +17,6 @@ namespace {
 constexpr double kTurnS = 0.5;   // of each image where they are alternately
 constexpr float kGripPx = 9.0f;  // width that the mouse takes for the line, at a scale of 1
 constexpr ImU32 kLine = IM_COL32(255, 255, 255, 200);
-constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
-constexpr ImU32 kText = IM_COL32(235, 238, 242, 255);
-constexpr ImU32 kMarked = IM_COL32(120, 180, 240, 255);
-
-void label(const char* text, ImVec2 at, float alignX, bool marked) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    const float pad = 0.4f * ImGui::GetFontSize();
-    const ImVec2 lower{at.x - alignX * (size.x + 2.0f * pad), at.y};
-    list.AddRectFilled(lower, {lower.x + size.x + 2.0f * pad, lower.y + size.y + pad}, kPlate, pad);
-    list.AddText({lower.x + pad, lower.y + pad / 2.0f}, marked ? kMarked : kText, text);
-}
 
 /// An invisible window over the line takes the mouse for it.
 void dragLine(CompareState& compare, const Area& area) {
@@ -90,13 +79,13 @@ void drawCompare(const PanelContext& context, CompareState& compare, CompareErro
     if (compare.mode == CompareMode::split) {
         dragLine(compare, area);
         const float at = area.lower.x + compare.splitAt * area.size().x;
-        label("A", {at - margin, top}, 1.0f, compare.active == 0);
-        label("B", {at + margin, top}, 0.0f, compare.active == 1);
+        imageLabel("A", {at - margin, top}, 1.0f, compare.active == 0);
+        imageLabel("B", {at + margin, top}, 0.0f, compare.active == 1);
         return;
     }
     constexpr std::array kNames{"A", "B"};
-    label(kNames.at(static_cast<std::size_t>(seenSlot(compare))),
-          {area.lower.x + area.size().x / 2.0f, top}, 0.5f, !compare.peeking);
+    imageLabel(kNames.at(static_cast<std::size_t>(seenSlot(compare))),
+               {area.lower.x + area.size().x / 2.0f, top}, 0.5f, !compare.peeking);
 }
 
 }  // namespace neph::ui

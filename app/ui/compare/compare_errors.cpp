@@ -2,7 +2,6 @@
 #include "app/ui/compare/compare_errors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -21,20 +20,6 @@ SampledImage sampled(const ImageF& image, const LinearHalves& halves) {
     return {image, halves.data(), &halves[1]};
 }
 
-Image8 coloursOf(glm::ivec2 size, const std::vector<float>& errors, const ErrorScale& scale) {
-    Image8 image;
-    image.size = size;
-    image.rgba.reserve(4 * errors.size());
-    for (const float error : errors) {
-        const glm::vec3 colour = 255.0f * errorColour(static_cast<double>(error), scale);
-        for (int c = 0; c < 3; ++c) {
-            image.rgba.push_back(static_cast<std::uint8_t>(std::lround(colour[c])));
-        }
-        image.rgba.push_back(255);
-    }
-    return image;
-}
-
 }  // namespace
 
 PairFigures figuresOf(const LinearPair& pair, const Progress& progress) {
@@ -42,7 +27,7 @@ PairFigures figuresOf(const LinearPair& pair, const Progress& progress) {
     made.errors = imageErrors(sampled(pair.a, pair.halvesA), sampled(pair.b, pair.halvesB));
     const std::vector<float> errors = relativeErrors(pair.a, pair.b);
     made.scale = {.most = roundEnd(errors), .bothSigns = true, .title = "(A-B)/B"};
-    made.colours = coloursOf(pair.a.size, errors, made.scale);
+    made.colours = errorColours(pair.a.size, errors, made.scale);
     const FlipMap flip =
         hdrFlip(pair.a, pair.b, flipExposures(pair.b), kFlipPixelsPerDegree, progress);
     made.flip = flip.mean();

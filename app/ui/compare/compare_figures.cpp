@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <array>
 #include <chrono>
 
-#include "app/ui/widgets/places.h"
+#include "app/ui/compare/error_colours.h"
 #include "app/ui/widgets/reference_text.h"
 #include "core/base/number_text.h"
 
@@ -17,11 +16,7 @@ namespace {
 
 // In letters.
 constexpr float kWidthEms = 19.0f, kMarginEms = 0.7f, kValuesEms = 5.5f, kTopEms = 3.0f;
-constexpr float kBarEms = 22.0f, kBarHeightEms = 0.7f;
 constexpr float kOpacity = 0.80f;
-constexpr int kBarSteps = 64;
-constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 210);
-constexpr ImU32 kText = IM_COL32(235, 238, 242, 255);
 
 void row(const char* label, const std::string& value, bool current) {
     ImGui::TextDisabled("%s", label);
@@ -83,41 +78,9 @@ void drawFigures(const CompareErrors& errors, const Area& area) {
     ImGui::End();
 }
 
-ImU32 colourAt(double error, const ErrorScale& scale) {
-    const glm::vec3 colour = errorColour(error, scale);
-    return ImGui::GetColorU32({colour.x, colour.y, colour.z, 1.0f});
-}
-
-/// Below the image of errors: what its colours mean.
-void drawLegend(const Area& area, const ErrorScale& scale) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const float em = ImGui::GetFontSize();
-    const float width = std::min(kBarEms * em, 0.6f * area.size().x);
-    const ImVec2 at{(area.lower.x + area.upper.x - width) / 2.0f, area.upper.y - 3.2f * em};
-    list.AddRectFilled({at.x - 3.0f * em, at.y - 0.6f * em},
-                       {at.x + width + 3.0f * em, at.y + 2.4f * em}, kPlate, 0.4f * em);
-    const float step = width / kBarSteps;
-    for (int i = 0; i < kBarSteps; ++i) {
-        const double error = scale.most * (2.0 * (i + 0.5) / kBarSteps - 1.0);
-        const float x = at.x + step * static_cast<float>(i);
-        list.AddRectFilled({x, at.y}, {x + step + 0.5f, at.y + kBarHeightEms * em},
-                           colourAt(error, scale));
-    }
-    const std::string most = numberText(100.0 * scale.most, 3);
-    const std::array<std::string, 3> labels{"-" + most + " %", "(A \u2212 B) / B", most + " %"};
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const ImVec2 size = ImGui::CalcTextSize(labels[i].c_str());
-        const float middle = at.x + width * static_cast<float>(i) / 2.0f;
-        list.AddText({middle - size.x / 2.0f, at.y + 0.9f * em}, kText, labels[i].c_str());
-    }
-}
-
 void drawColours(const CompareErrors& errors, const Area& area) {
     if (errors.texture == 0 || !errors.figures()) return;
-    ImGui::GetBackgroundDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(errors.texture)),
-        {area.lower.x, area.lower.y}, {area.upper.x, area.upper.y});
-    drawLegend(area, errors.figures()->scale);
+    drawErrorColours(area, errors.texture, errors.figures()->scale, "(A \u2212 B) / B");
 }
 
 void renewTexture(const Services& services, CompareErrors& errors) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/image/light_progress.h"
+#include "core/image/measured_error.h"
 #include "core/image/reference_progress.h"
 #include "core/look/look.h"
 
@@ -25,6 +26,8 @@ struct FrameReport {
     ReferenceProgress reference;         ///< of that engine alone
     std::optional<LightProgress> light;  ///< of full transport
     std::string knownError;              ///< of other transport: core/look/known_error.h
+    std::optional<MeasuredError> error;  ///< against the reference; none before it was measured
+    bool measuring = false;              ///< the error, or a better one, is being measured
 };
 
 }  // namespace neph::ui

@@ -16,6 +16,10 @@ void toggle(Ui& ui, CompareMode mode) {
     if (!ui.compare.second) ui.compare.wanted = 1;
 }
 
+bool isMeasurable(const Ui& ui) {
+    return !traitsOf(ui.session().document.look.engine).groundTruth;
+}
+
 const std::array kActions{
     Action{.id = "compare.a",
            .label = "Slot A",
@@ -73,6 +77,35 @@ const std::array kActions{
                    return ui.compare.second || !traced;
                },
            .separated = true},
+    Action{.id = "compare.measure",
+           .label = "Measure the error",
+           .menu = Menu::compare,
+           .chord = {},
+           .help = "How far this image is from the reference, at low resolution and in the "
+                   "background: in the status line",
+           .run = [](Ui& ui) { ui.errorMeter.toggled = true; },
+           .enabled = isMeasurable,
+           .checked = [](const Ui& ui) { return ui.errorMeter.measures; }},
+    Action{.id = "compare.measure_at_rest",
+           .label = "Measure the error at rest",
+           .menu = Menu::compare,
+           .chord = {},
+           .help = "Of every image, once it is complete and until something changes",
+           .run = [](Ui& ui) { ui.settings.measureAtRest = !ui.errorMeter.atRest(ui.settings); },
+           .checked = [](const Ui& ui) { return ui.errorMeter.atRest(ui.settings); }},
+    Action{.id = "compare.error_map",
+           .label = "Error map",
+           .menu = Menu::compare,
+           .chord = {Key::x, false, true},
+           .help = "Where this image is darker than the reference, blue, or brighter, red; not in "
+                   "files",
+           .run = [](Ui& ui) { ui.errorMeter.map = !ui.errorMeter.map; },
+           .enabled =
+               [](const Ui& ui) {
+                   return ui.compare.mode == CompareMode::single &&
+                          (ui.errorMeter.map || isMeasurable(ui));
+               },
+           .checked = [](const Ui& ui) { return ui.errorMeter.map; }},
     Action{.id = "compare.link_cameras",
            .label = "Link the cameras",
            .menu = Menu::compare,

@@ -4,6 +4,7 @@
 #include "app/ui/camera/camera_overlays.h"
 #include "app/ui/camera/camera_panel.h"
 #include "app/ui/compare/compare.h"
+#include "app/ui/compare/error_map.h"
 #include "app/ui/data/data_panel.h"
 #include "app/ui/data/path_popup.h"
 #include "app/ui/data/session_dialogs.h"
@@ -55,6 +56,12 @@ const std::array kPanels{
     Panel{.id = "status_line",
           .place = PanelPlace::bottom,
           .draw = [](Ui& ui) { drawStatus(contextOf(ui), ui.report, ui.showMessages); }},
+    Panel{.id = "error_map",
+          .draw =
+              [](Ui& ui) {
+                  if (ui.compare.mode != CompareMode::single) return;
+                  drawErrorMap(contextOf(ui), ui.errorMeter, ui.report);
+              }},
     Panel{.id = "compare",
           .draw = [](Ui& ui) { drawCompare(contextOf(ui), ui.compare, ui.errors); }},
     Panel{.id = "profile",

@@ -53,6 +53,10 @@ void drawContent(const Profile& profile) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", profile.device.c_str());
     drawRows(profile.image);
+    if (!profile.error.empty()) {
+        ImGui::TextDisabled("error");
+        ImGui::TextWrapped("%s", profile.error.c_str());
+    }
     ImGui::Dummy(gap);
     for (const ProfileRow& row : profile.passes) {
         drawRow(row);

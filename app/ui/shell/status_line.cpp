@@ -34,7 +34,7 @@ std::string workText(const FrameReport& report) {
 /// "light at 6 cycles, 1.3 % to go", "light ± 0.6 %" of full transport; of other light how far it
 /// is off.
 std::string lightText(const FrameReport& report) {
-    if (!report.light) return report.knownError;
+    if (!report.light) return report.error ? std::string() : report.knownError;
     const LightProgress& light = *report.light;
     if (!light.settled) {
         return fmt::format("light at {}, {:.1f} % to go", countText(light.cycles, "cycle"),
@@ -77,6 +77,12 @@ std::vector<std::string> frameTexts(const FrameReport& report, bool animates) {
     texts.push_back(memoryText(report));
     texts.push_back(report.device);
     return texts;
+}
+
+/// "Error now: 3.1 % ± 0.4 (bias -0.2 %)", with dots while it gets better.
+std::string errorNow(const FrameReport& report) {
+    if (!report.error) return report.measuring ? "Measuring the error ..." : "";
+    return "Error now: " + errorText(*report.error) + (report.measuring ? " ..." : "");
 }
 
 std::string firstLine(const std::string& text) {
@@ -125,6 +131,27 @@ std::string fitting(const std::vector<std::string>& texts, float room) {
     return line;
 }
 
+/// Words that are said for as long as they are so, before the figures of the frame.
+struct Standing {
+    std::string text, place, tooltip;
+    ImVec4 colour;
+};
+
+std::vector<Standing> standing(const Session& session, const FrameReport& report) {
+    std::vector<Standing> all;
+    const auto add = [&all](Standing one) {
+        if (!one.text.empty()) all.push_back(std::move(one));
+    };
+    const VolumeSummary* shown = session.shown();
+    add({coarsenedText(shown), "status.coarsened",
+         shown == nullptr ? "" : describe(shown->plan, *session.info()), warningColour()});
+    add({errorNow(report), "status.error",
+         report.error ? meaningOf(*report.error)
+                      : "The reference of this view is being traced, at low resolution",
+         ImGui::GetStyleColorVec4(ImGuiCol_Text)});
+    return all;
+}
+
 void drawMessage(const Session& session, const Area& area, float end, bool& showMessages) {
     // The message yields to the frame, not the other way round.
     ImGui::PushClipRect({area.lower.x, area.lower.y}, {end, area.upper.y}, true);
@@ -147,20 +174,22 @@ void drawStatus(const PanelContext& context, const FrameReport& report, bool& sh
     const float em = ImGui::GetFontSize();
     if (beginFixed("##status", area.lower, area.size())) {
         const std::vector<std::string> texts = frameTexts(report, context.next.animates);
-        const std::string coarsened = coarsenedText(session.shown());
+        const std::vector<Standing> words = standing(session, report);
         const float margin = ImGui::GetStyle().WindowPadding.x;
-        const float gap = coarsened.empty() ? 0.0f : em;
+        float taken = 0.0f;
+        for (const Standing& one : words) taken += widthOf(one.text) + em;
         const float room = area.size().x - kLeastMessageEms * em - 2.0f * margin;
-        const std::string frame = fitting(texts, room - widthOf(coarsened) - gap);
-        const float at = area.size().x - margin - widthOf(frame) - gap - widthOf(coarsened);
+        const std::string frame = fitting(texts, room - taken);
+        const float at = area.size().x - margin - widthOf(frame) - taken;
         ImGui::SetCursorPosY((area.size().y - ImGui::GetTextLineHeight()) / 2.0f);
         drawMessage(session, area, at - em, showMessages);
         ImGui::SameLine(at);
-        ImGui::TextColored(warningColour(), "%s", coarsened.c_str());
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", describe(session.shown()->plan, *session.info()).c_str());
+        for (const Standing& one : words) {
+            ImGui::TextColored(one.colour, "%s", one.text.c_str());
+            place(one.place);
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.tooltip.c_str());
+            ImGui::SameLine(0.0f, em);
         }
-        ImGui::SameLine(0.0f, gap);
         ImGui::TextDisabled("%s", frame.c_str());
         place("status.frame");
         if (ImGui::IsItemHovered()) {

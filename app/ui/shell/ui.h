@@ -10,6 +10,7 @@
 #include "app/ui/camera/camera_tools.h"
 #include "app/ui/compare/compare_errors.h"
 #include "app/ui/compare/compare_state.h"
+#include "app/ui/compare/error_map.h"
 #include "app/ui/data/data_panel.h"
 #include "app/ui/data/session_files.h"
 #include "app/ui/fields/fields_state.h"
@@ -43,6 +44,7 @@ struct Ui {
     CameraTools cameraTools;
     CompareState compare;
     CompareErrors errors;
+    ErrorMeter errorMeter;
     DataEdits data;
     FieldsState fields;
     OutputState output;

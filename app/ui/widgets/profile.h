@@ -14,6 +14,7 @@ struct ProfileRow {
 struct Profile {
     std::string engine, device;
     std::vector<ProfileRow> image;    ///< size, time
+    std::string error;                ///< as it was measured, or as far as it is known
     std::vector<ProfileRow> passes;   ///< in the order they run
     std::vector<ProfileRow> samples;  ///< of the eye pass, where the engine counts them
     std::vector<ProfileRow> memory;   ///< on the GPU: all, then the parts

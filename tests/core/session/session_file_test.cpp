@@ -49,7 +49,7 @@ SessionState parsed(const std::string& text) {
 }
 
 /// The message of the Error that the text is refused with; empty when it is taken.
-std::string refusal(const std::string& text) {
+std::string sessionRefusal(const std::string& text) {
     try {
         parsed(text);
     } catch (const Error& error) {
@@ -179,7 +179,7 @@ TEST_CASE("A wrong value in a session is refused with file, key and what is expe
           Case{slot(R"("path": {"keys": [{"at_s": -1, "camera": {}}]})"), "at_s", "0"},
           Case{slot(R"("path": [])"), "path", "braces"}}) {
         CAPTURE(c.text);
-        const std::string text = refusal(c.text);
+        const std::string text = sessionRefusal(c.text);
         CHECK(contains(text, "my.json"));
         CHECK(contains(text, c.key));
         CHECK(contains(text, c.expected));
@@ -187,14 +187,15 @@ TEST_CASE("A wrong value in a session is refused with file, key and what is expe
 }
 
 TEST_CASE("What is no session is refused by what it is") {
-    CHECK(contains(refusal(R"({"type": "nephoscope-look", "version": 1})"), "nephoscope-look"));
-    CHECK(contains(refusal(R"({"type": "nephoscope-session", "version": 2})"), "version"));
-    CHECK(contains(refusal("[1]"), "session"));
-    CHECK(contains(refusal(slot(R"("time": 1, "time": 2)")), "\"time\" stands twice"));
-    CHECK(contains(refusal(std::string(100000, '[')), "deep"));
+    CHECK(contains(sessionRefusal(R"({"type": "nephoscope-look", "version": 1})"),
+                   "nephoscope-look"));
+    CHECK(contains(sessionRefusal(R"({"type": "nephoscope-session", "version": 2})"), "version"));
+    CHECK(contains(sessionRefusal("[1]"), "session"));
+    CHECK(contains(sessionRefusal(slot(R"("time": 1, "time": 2)")), "\"time\" stands twice"));
+    CHECK(contains(sessionRefusal(std::string(100000, '[')), "deep"));
     const std::string whole = formatSession(full("/data"), "/data");
     for (std::size_t size = 0; size + 2 < whole.size(); size += 101) {
-        if (refusal(whole.substr(0, size)).empty()) FAIL("taken at " << size);
+        if (sessionRefusal(whole.substr(0, size)).empty()) FAIL("taken at " << size);
     }
     const TemporaryFolder folder;
     CHECK_THROWS_AS(loadSession(folder / "missing.json"), Error);
