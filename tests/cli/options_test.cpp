@@ -75,25 +75,32 @@ TEST_CASE("What is given twice is refused, flags and lists apart") {
 }
 
 TEST_CASE("Options of render without meaning for the output, the engine or the path are refused") {
-    checkRefused({{"render --fps 10", "--out FILE.mp4"},
-                  {"render --path p.json --frames 3 --fps 10", "--frames says how many"},
-                  {"render --frames 3", "there is no camera path"},
-                  {"render --path p.json --along-path --session s.json", "give one of the two"},
-                  {"render --format float", "--out FILE.exr"},
-                  {"render --out a.mp4 --transparent", "a video is opaque"},
-                  {"render --split 0.5", "--preset-b"},
-                  {"render --slot 1", "--session FILE"},
-                  {"render --compare", "--session FILE"},
-                  {"render --along-path", "--session FILE"},
-                  {"render --session s.json --compare --slot 2", "--compare shows both slots"},
-                  {"render --parts light", "--preset NAME"},
-                  {"render --time-b 0:1", "--time-b 0:1"},
-                  {"render --planes 64", "expected: slicing"},
-                  {"render --error 5", "expected: reference"},
-                  {"render --engine reference --error 51", "from 0.05 to 50 %"},
-                  {"render --seed 1", "expected: reference"},
-                  {"render --engine slicing --quality 2", "expected: march"},
-                  {"render --engine slicing --samples 2", "expected: march, reference"}});
+    checkRefused(
+        {{"render --fps 10", "--out FILE.mp4"},
+         {"render --path p.json --frames 3 --fps 10", "--frames says how many"},
+         {"render --frames 3", "there is no camera path"},
+         {"render --path p.json --along-path --session s.json", "give one of the two"},
+         {"render --format float", "--out FILE.exr"},
+         {"render --out a.mp4 --transparent", "a video is opaque"},
+         {"render --split 0.5", "--preset-b"},
+         {"render --slot 1", "--session FILE"},
+         {"render --compare", "--session FILE"},
+         {"render --along-path", "--session FILE"},
+         {"render --session s.json --compare --slot 2", "--compare shows both slots"},
+         {"render --parts light", "--preset NAME"},
+         {"render --time-b 0:1", "--time-b 0:1"},
+         {"render --denoise", "expected: reference"},
+         {"render --engine reference --denoise --samples 1", "needs two samples"},
+         {"render --engine reference --denoise --supersample 2", "one ray per pixel"},
+         {"render --engine reference --denoise --time-b 0", "two side by side"},
+         {"render cumulus --engine reference --denoise --size 20000x2", "seams would show"},
+         {"compare --engine march,reference --denoise", "taken by nephoscope render"},
+         {"render --planes 64", "expected: slicing"},
+         {"render --error 5", "expected: reference"},
+         {"render --engine reference --error 51", "from 0.05 to 50 %"},
+         {"render --seed 1", "expected: reference"},
+         {"render --engine slicing --quality 2", "expected: march"},
+         {"render --engine slicing --samples 2", "expected: march, reference"}});
 }
 
 TEST_CASE("An option that acts on one of two sides is no fault") {
