@@ -247,7 +247,7 @@ void aim(inout Path p) {
 /// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
 /// that says so, else 0.
 float cross(inout Path p) {
-    const int kWalls = 2;
+    const int kWalls = 4;
     for (int i = 0; i < kWalls && p.stage == kFlying; ++i) {
         Stretch s = stretchAhead(p.positionM, p.dir, p.cell);
         float depth = s.boundPerM * s.lengthM;
@@ -321,11 +321,13 @@ void receive(inout Path p) {
 }
 
 /// What a processor's vector of lanes does together is done in the same place: it goes through all
-/// branches, so that each must be there once.
+/// branches, so that each must be there once. Of the work at a vertex, the lanes of a vector share
+/// more the longer all have flown.
 void main() {
     uint lane = gl_GlobalInvocationID.x;
     if (lane >= uint(laneCount)) return;
     Path p = loadPath(lane);
+    const int kSteps = 6;
     for (int i = 0; i < rounds; ++i) {
         if (p.stage == kDone && p.waiting > 0) takeUp(p, lane);
         if (p.stage == kDone && p.waiting == 0) finish(p);
@@ -334,7 +336,7 @@ void main() {
         if (p.stage == kMet) sampleSun(p);
         if (p.stage == kScattering) scatter(p, lane);
         if (p.stage == kAiming) aim(p);
-        for (int k = 0; k < 2 && p.stage == kFlying; ++k) {
+        for (int k = 0; k < kSteps && p.stage == kFlying; ++k) {
             float boundPerM = cross(p);
             if (boundPerM > 0.0) meet(p, boundPerM);
         }

@@ -238,7 +238,8 @@ TEST_CASE("The reference's EXR has halves that make the image, and depths that m
 TEST_CASE("A denoised preview keeps the halves, says what it is, and has no figures") {
     const TemporaryFolder folder;
     const auto plain = folder / "plain.exr", preview = folder / "preview.exr";
-    const std::string traced = "render --engine reference --size 24x16 --samples 4 --format float ";
+    const std::string traced =
+        "render cumulus --engine reference --size 12x8 --samples 2 --format float ";
     REQUIRE(runProgram(traced + "--out " + quoted(plain)).status == 0);
     const Outcome denoised = runProgram(traced + "--denoise --out " + quoted(preview));
     REQUIRE_MESSAGE(denoised.status == 0, denoised.err);

@@ -69,10 +69,10 @@ std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
             ? std::string()
             : fmt::format(", {0} x {0} rays per pixel", side.inputs.supersample);
     if (engine.refinement == Refinement::converges) {
-        return fmt::format(
-            "{}, {} per ray, error {:.2f} %{}{}", engine.id,
-            countText(stats.reference.samples, engine.unit), 100.0 * stats.reference.relativeError,
-            side.denoise ? " before noise was taken off: denoised preview" : "", rays);
+        return fmt::format("{}, {} per ray, error {:.2f} %{}{}", engine.id,
+                           countText(stats.reference.samples, engine.unit),
+                           100.0 * stats.reference.relativeError,
+                           side.denoise ? " before noise was removed: denoised preview" : "", rays);
     }
     std::string work = fmt::format("{}, {}", engine.id, countText(stats.planes, engine.unit));
     if (engine.refinement == Refinement::averages) work += ", " + countText(side.samples, "sample");
