@@ -16,10 +16,16 @@
 #include "app/render/frame/rows.h"
 #include "app/render/integrators.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/denoise.h"
 
 namespace neph::render {
 
 #include "shaders/shared/display_layout.glsl"
+
+namespace {
+constexpr std::size_t kMostDenoisers = 16;  // threads
+}
 
 struct Renderer::Impl {
     explicit Impl(std::filesystem::path shaderDir)
@@ -300,6 +306,19 @@ Image8 Renderer::readDisplay() const {
                       static_cast<GLsizei>(rows.size()), rows.data());
     image.rgba = fromTop(rows, stride);
     return image;
+}
+
+bool Renderer::denoise() {
+    const std::array<ImageF, 2> halves = readHalves();
+    if (halves[0].pixels.empty()) return false;
+    const FrameInputs& inputs = impl_->shown->inputs;
+    assert(inputs.supersample == 1 && "the halves are of pixels");
+    const ImageF preview = denoised(halves[0], halves[1], workerCount(kMostDenoisers));
+    const auto width = static_cast<std::size_t>(inputs.sizePx.x);
+    impl_->linear.upload(GL_RGBA, GL_FLOAT, fromTop(preview.pixels, width).data());
+    impl_->resolve(inputs);
+    glFinish();
+    return true;
 }
 
 std::optional<FrameLayers> Renderer::readLayers() const {

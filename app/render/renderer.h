@@ -75,6 +75,11 @@ class Renderer {
     /// light, which is 1 where there is a backdrop.
     Image8 readDisplay() const;
 
+    /// Has the last image, of one ray per pixel, show a preview without most of its noise
+    /// (`denoised`) until the next frame; the engine's halves and layers stay as they are. False
+    /// and nothing done where there are no halves yet.
+    bool denoise();
+
     /// What the engine knows of the last frame besides, one value per ray; none of most engines.
     std::optional<FrameLayers> readLayers() const;
     /// Its halves alone, which are read at once; empty where there are none.

@@ -31,9 +31,12 @@ layout(std430, binding = kResultsBuffer) writeonly buffer Results {
     vec4 results_[];  // rgb: radiance, w: distance to the first particle or -1; pass after pass
 };
 
-// Where the sun is near, the share of scatters that send off a branch; least share of vertices that
-// ask for sunlight, and the optical depth up to which all do.
-const float kBranching = 0.25, kLeastBranching = 0.02, kLeastAsking = 0.25, kDepthOfAsking = 3.0;
+// Light is worth what it brings relative to isotropic scattering in full sunlight. Chances of
+// asking for sunlight, by what would arrive: times what is expected, at least, and how an optical
+// depth counts; and the worth below which it is a matter of chance whether to ask on. Chances of a
+// branch: at least. All by measurement: docs/measurements.md
+const float kAsking = 4.0, kLeastAsking = 0.05, kAskingPerDepth = 0.3, kFaint = 0.1;
+const float kLeastBranching = 0.05;
 
 layout(binding = kSunDepthUnit) uniform sampler3D t_sunDepth;  // to the sun, about
 
@@ -132,6 +135,16 @@ float sunReach(vec3 positionM) {
     return min(1.0, 4.0 * exp(-0.3 * sunDepthAt(positionM)));
 }
 
+/// What all the sunlight at the vertex would bring.
+float worthOfSunlight(Path p) {
+    return largestOf(p.sunlit) / max(largestOf(u_.sunRadiance.rgb), 1e-30);
+}
+
+/// Light scattered for the first time, or from ground that is seen, has little noise but this.
+bool savesOnSunlight(Path p) {
+    return p.scatterings > 1;
+}
+
 /// The path is at a vertex: a particle, a surface or a detector inside the medium. Asks for the
 /// light of a point of the sun's disc.
 void sampleSun(inout Path p) {
@@ -146,7 +159,8 @@ void sampleSun(inout Path p) {
     p.sunlit = worthOf(p) * sentTo(p, medium, mixture, sun).share * sunIrradiance() *
                shareOfSun(p.density);
     p.vertexM = p.positionM;
-    float asking = clamp(exp(kDepthOfAsking - sunDepthAt(p.positionM)), kLeastAsking, 1.0);
+    float expected = worthOfSunlight(p) * exp(-kAskingPerDepth * sunDepthAt(p.positionM));
+    float asking = savesOnSunlight(p) ? clamp(kAsking * expected, kLeastAsking, 1.0) : 1.0;
     p.toSun = p.direct && u.z < asking && largestOf(p.sunlit) > 0.0;
     p.sunlight = 1.0 / asking;
     p.dir = sun;
@@ -158,7 +172,9 @@ void sampleSun(inout Path p) {
 /// Around the sun the sky of a thin cloud is as bright as its particles' forward peak is high.
 /// Paths seldom go there by themselves, and bring very much when they do. So where the sun is
 /// near, some scatters send off a branch into the lobe of the peak around the sun, and both are
-/// weighed by the balance heuristic; the path itself waits until the branch has ended.
+/// weighed by the balance heuristic; the path itself waits until the branch has ended. The more a
+/// branch can bring the more are sent: else a path that comes near the lobe by chance brings a
+/// hundred times the mean.
 void scatter(inout Path p, uint lane) {
     vec3 towards = u_.towardsSun.xyz;
     MediumSample medium = sampleMedium(p.positionM);
@@ -174,7 +190,7 @@ void scatter(inout Path p, uint lane) {
     float reach = sunReach(p.positionM);
     bool shines = largestOf(u_.sunRadiance.rgb) > 0.0;
     bool branches = shines && p.direct && p.waiting < kMostWaiting;
-    float branching = branches ? max(kBranching * reach, kLeastBranching) : 0.0;
+    float branching = branches ? clamp(worthOfSunlight(p) * reach, kLeastBranching, 1.0) : 0.0;
     Sent toNext = sentTo(p, medium, mixture, next);
     Sent toNear = sentTo(p, medium, mixture, near);
     float lobeOfNext = dot(p.wavelengths, phaseOf(LOBE_CLASS, versineBetween(next, towards)));
@@ -231,7 +247,7 @@ void aim(inout Path p) {
 /// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
 /// that says so, else 0.
 float cross(inout Path p) {
-    const int kWalls = 2;
+    const int kWalls = 4;
     for (int i = 0; i < kWalls && p.stage == kFlying; ++i) {
         Stretch s = stretchAhead(p.positionM, p.dir, p.cell);
         float depth = s.boundPerM * s.lengthM;
@@ -261,10 +277,11 @@ void meet(inout Path p, float boundPerM) {
         return;
     }
     p.sunlight *= 1.0 - share;
-    const float kFaint = 0.1;  // below which it is a matter of chance whether to ask on
-    if (p.sunlight < kFaint) {
-        bool goesOn = u.z * kFaint < p.sunlight;
-        p.sunlight = goesOn ? kFaint : 0.0;
+    float faint = kFaint;
+    if (savesOnSunlight(p)) faint /= worthOfSunlight(p);
+    if (p.sunlight < faint) {
+        bool goesOn = u.z * faint < p.sunlight;
+        p.sunlight = goesOn ? faint : 0.0;
         if (!goesOn) p.stage = kLeft;
     }
 }
@@ -304,11 +321,13 @@ void receive(inout Path p) {
 }
 
 /// What a processor's vector of lanes does together is done in the same place: it goes through all
-/// branches, so that each must be there once.
+/// branches, so that each must be there once. Of the work at a vertex, the lanes of a vector share
+/// more the longer all have flown.
 void main() {
     uint lane = gl_GlobalInvocationID.x;
     if (lane >= uint(laneCount)) return;
     Path p = loadPath(lane);
+    const int kSteps = 6;
     for (int i = 0; i < rounds; ++i) {
         if (p.stage == kDone && p.waiting > 0) takeUp(p, lane);
         if (p.stage == kDone && p.waiting == 0) finish(p);
@@ -317,7 +336,7 @@ void main() {
         if (p.stage == kMet) sampleSun(p);
         if (p.stage == kScattering) scatter(p, lane);
         if (p.stage == kAiming) aim(p);
-        for (int k = 0; k < 2 && p.stage == kFlying; ++k) {
+        for (int k = 0; k < kSteps && p.stage == kFlying; ++k) {
             float boundPerM = cross(p);
             if (boundPerM > 0.0) meet(p, boundPerM);
         }

@@ -1,6 +1,7 @@
 // compare_test.cpp: `nephoscope compare` on images whose errors are known.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -232,4 +233,41 @@ TEST_CASE("The reference's EXR has halves that make the image, and depths that m
         if (depth > 1.0f) ++cloudy;
     }
     CHECK(cloudy > 5);
+}
+
+TEST_CASE("A denoised preview keeps the halves and says what it is") {
+    const TemporaryFolder folder;
+    const auto plain = folder / "plain.exr", preview = folder / "preview.exr";
+    const std::string traced =
+        "render cumulus --engine reference --size 12x8 --samples 2 --format float ";
+    REQUIRE(runProgram(traced + "--out " + quoted(plain)).status == 0);
+    const Outcome denoised = runProgram(traced + "--denoise --out " + quoted(preview));
+    REQUIRE_MESSAGE(denoised.status == 0, denoised.err);
+    CHECK(contains(denoised.err, "denoised preview"));
+    const std::vector<std::string> halves{"A.R", "A.G", "A.B", "B.R", "B.G", "B.B"};
+    CHECK(readExrLayers(plain, halves) == readExrLayers(preview, halves));
+    Metadata metadata;
+    CHECK(readExr(preview, &metadata).pixels != readExr(plain).pixels);
+    CHECK(std::ranges::any_of(metadata, [](const auto& entry) {
+        return entry.first == "nephoscope.denoised" && contains(entry.second, "denoised preview");
+    }));
+}
+
+TEST_CASE("A denoised preview is not compared, on either side") {
+    const TemporaryFolder folder;
+    const Metadata marked{{"nephoscope.denoised", "denoised preview"}};
+    writeExr(folder / "plain.exr", truth(), {});
+    writeExr(folder / "preview.exr", truth(), marked);
+    writePng(folder / "plain.png", grey(90), {});
+    writePng(folder / "preview.png", grey(90), marked);
+    for (const std::string ending : {".exr", ".png"}) {
+        const std::string plain = quoted(folder / ("plain" + ending)) + " ";
+        const std::string preview = quoted(folder / ("preview" + ending)) + " ";
+        CHECK(runProgram("compare " + plain + plain).status == 0);
+        for (const std::string& files : {preview + plain, plain + preview}) {
+            const Outcome refused = runProgram("compare " + files);
+            CHECK(refused.status == 1);
+            CHECK(contains(refused.err, "without --denoise"));
+        }
+    }
 }

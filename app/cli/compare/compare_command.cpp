@@ -54,6 +54,11 @@ ComparedImage readImage(const std::string& file, Metadata& metadata) {
     }
     ComparedImage read =
         extension == ".exr" ? readExrImage(file, metadata) : readPngImage(file, metadata);
+    if (const std::string preview = textOf(metadata, kDenoisedKey); !preview.empty()) {
+        throw Error({file, "has no figures: its noise has been removed", preview,
+                     "an image of the engine itself",
+                     "render it again without --denoise, and with more --samples"});
+    }
     read.name = file;
     read.made = textOf(metadata, "nephoscope.renderer");
     return read;

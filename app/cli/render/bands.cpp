@@ -69,9 +69,10 @@ std::string workText(const DrawnSide& side, const render::FrameStats& stats) {
             ? std::string()
             : fmt::format(", {0} x {0} rays per pixel", side.inputs.supersample);
     if (engine.refinement == Refinement::converges) {
-        return fmt::format("{}, {} per ray, error {:.2f} %{}", engine.id,
+        return fmt::format("{}, {} per ray, error {:.2f} %{}{}", engine.id,
                            countText(stats.reference.samples, engine.unit),
-                           100.0 * stats.reference.relativeError, rays);
+                           100.0 * stats.reference.relativeError,
+                           side.denoise ? " before noise was removed: denoised preview" : "", rays);
     }
     std::string work = fmt::format("{}, {}", engine.id, countText(stats.planes, engine.unit));
     if (engine.refinement == Refinement::averages) work += ", " + countText(side.samples, "sample");
@@ -117,6 +118,7 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     if (average_) {
         average_->add(side.renderer->readLinear(), {lowerPx.x, sizePx_.y - lowerPx.y - tilePx.y});
     }
+    if (side.denoise) side.renderer->denoise();
     donePx_ += count(tilePx);
     ++tiles_;
 }

@@ -23,6 +23,7 @@ struct DrawnSide {
     render::FrameInputs inputs;            ///< of the whole image
     int samples = 1;                       ///< of each tile
     double targetError = 0.0;  ///< relative standard error at which a tile is done; 0: none
+    bool denoise = false;      ///< colours are a preview; of one tile, one ray per pixel
     int fromPx = 0, toPx = 0;  ///< its columns; the second is outside
 };
 

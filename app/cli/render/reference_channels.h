@@ -13,6 +13,10 @@
 
 namespace neph {
 
+/// What the metadata of an image say whose colours are a denoised preview: key and text.
+inline constexpr const char* kDenoisedKey = "nephoscope.denoised";
+inline constexpr const char* kDenoisedText = "denoised preview: for looking at, not for figures";
+
 /// The names of all channels, in the order in which they are written.
 const std::vector<std::string>& referenceChannels();
 

@@ -36,6 +36,8 @@ void addOutputOptions(CLI::App& command, RenderRequest& request) {
     addNumber(command, "--supersample", request.supersample, 1, kMaxSupersample,
               "Rays per pixel, a side: 1 to 4", "1");
     command.add_flag("--transparent", request.transparent, "Without sky and ground");
+    command.add_flag("--denoise", request.denoise,
+                     "Reference: a preview without most of its noise, marked so");
     command.add_flag("--profile", request.profile, "Print time of each pass, samples, memory");
     addNumber(command, "--measure-error", request.measureErrorS, kMinMeasureS, kMaxMeasureS,
               "State the image's error against the reference, traced for so many seconds at most")
@@ -127,6 +129,18 @@ void checkOutput(const CLI::App& command, const RenderRequest& request) {
             throw UsageError({"--size", "is too small for a video", "", "2x2 or more", ""});
         }
         findFfmpeg();
+    }
+    if (request.supersample > 1) {
+        refuseTyped(command, {"--denoise"}, "takes noise off images of one ray per pixel",
+                    "leave out --supersample");
+    }
+    if (request.beside.wanted()) {
+        refuseTyped(command, {"--denoise"}, "is for one image, and this is two side by side",
+                    "render them one after the other");
+    }
+    if (request.sampling.samples == 1) {
+        refuseTyped(command, {"--denoise"}, "needs two samples to know what is noise",
+                    "--samples 2 or more");
     }
     checkReplaceable(request.out);  // now rather than after the work
 }

@@ -15,6 +15,7 @@
 #include "app/cli/common/interrupt.h"
 #include "app/cli/common/progress_lines.h"
 #include "app/cli/render/bands.h"
+#include "app/cli/render/reference_channels.h"
 #include "app/cli/render/render_error.h"
 #include "app/cli/render/render_sides.h"
 #include "app/cli/render/render_view.h"
@@ -23,6 +24,7 @@
 #include "app/gl/context.h"
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
+#include "app/render/frame/tiles.h"
 #include "app/workbench/error_measurement.h"
 #include "app/workbench/profile_text.h"
 #include "core/base/atomic_file.h"
@@ -81,6 +83,20 @@ void checkEngines(const RenderRequest& request, const std::vector<SideScene>& sc
     }
     checkActing(request, engines,
                 kAllEngines & ~enginesWith(&EngineTraits::refinement, Refinement::once));
+    if (request.denoise) {
+        checkActing("--denoise", enginesWith(&EngineTraits::layers, true), engines);
+    }
+}
+
+/// The seams of tiles would show in a denoised image.
+void checkOneTile(glm::ivec2 sizePx, int largestSidePx) {
+    if (render::tileSize(sizePx, 1, largestSidePx, render::kMostTileRays) == sizePx) return;
+    throw UsageError({.where = "--denoise",
+                      .what = "an image of this size is drawn in tiles, whose seams would show",
+                      .found = fmt::format("{} x {} px", sizePx.x, sizePx.y),
+                      .expected = fmt::format("at most {} px a side and {} px in all",
+                                              largestSidePx, render::kMostTileRays),
+                      .hint = "a smaller --size"});
 }
 
 /// The camera path that is asked for.
@@ -129,6 +145,7 @@ Run::Run(const RenderRequest& request, Progress goesOn)
         sizePx_ = videoSize(sizePx_);
         printAll("note", {fmt::format("a video has even sides: {}x{}", sizePx_.x, sizePx_.y)});
     }
+    if (request.denoise) checkOneTile(sizePx_, sides_.front()->renderer().largestSidePx());
     progress_.emplace(request.progress, shots_.size());
 }
 
@@ -168,6 +185,7 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     drawn.inputs.supersample = request_.supersample;
     drawn.inputs.backdrop = !request_.transparent;
     drawn.inputs.profile = request_.profile;
+    drawn.denoise = request_.denoise;
     drawn.inputs.camera = placeCamera(poseOf(index, shot), side.shown().grid, aspect());
     const int split =
         sides_.size() == 1
@@ -197,6 +215,7 @@ Metadata Run::describe(const Shot& shot, const Bands& bands) const {
         }
     }
     if (error_) all.emplace_back("nephoscope.error", errorJson(*error_));
+    if (request_.denoise) all.emplace_back(kDenoisedKey, kDenoisedText);
     return all;
 }
 

@@ -49,6 +49,7 @@ struct RenderRequest {
     int frames = 0;              ///< along a path; 0: as `fps` says
     SampleRequest sampling;
     ExrPixels format = ExrPixels::half;
+    bool denoise = false;  ///< a preview of the reference, without most of its noise
     bool profile = false;  ///< print what each image cost
     /// Seconds that the reference may be traced for the error of each image; none: no error.
     std::optional<double> measureErrorS;
