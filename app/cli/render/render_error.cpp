@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/workbench/error_measurement.h"
+#include "core/base/error.h"
 
 namespace neph {
 
