@@ -13,7 +13,7 @@ namespace {
 // Scattered forward once, twice, and more often, which is much like four times.
 constexpr std::array kTimes{1.0, 2.0, 4.0};
 static_assert(kPhaseRows == 1 + kTimes.size());
-static_assert(kAlignedDegrees == 9);  // whose peaks end at 20 degrees
+static_assert(kAlignedDegrees == 9);    // whose peaks end at 20 degrees
 constexpr std::size_t kMostPeaks = 32;  // that are kept, while sliders change them
 
 void append(const PhaseTable& table, std::vector<glm::vec4>& values) {
