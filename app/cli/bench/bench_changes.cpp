@@ -46,6 +46,7 @@ class Screen {
           full_(run.inputs(volumes_.front().grid, run.sizesOr(kSizePx).front(), 0.0)) {
         if (run.otherTime) volumes_.push_back(onGrid(*run.otherTime, run.request.grids.front()));
         full_.look.engine = run.request.engines.front();
+        full_.settledLight = false;  // as in the window, where it comes by itself
         renderer_.setVolume(volumes_.front());
     }
 
@@ -58,11 +59,13 @@ class Screen {
         draft.sizePx = glm::max(full_.sizePx / kDraftDivisor, glm::ivec2(1));
         draft.planes = kDraftSteps;
         draft.draftLight = true;
-        draft.settledLight = false;
         return draft;
     }
 
-    void settle() { renderer_.render(full_); }
+    void settle() {
+        render::FrameStats stats = renderer_.render(full_);
+        while (stats.light && !stats.light->settled) stats = drawNewLight();
+    }
 
     void take(Kind& kind, bool counts) {
         settle();
@@ -83,12 +86,16 @@ class Screen {
     }
 
   private:
+    render::FrameStats drawNewLight() {
+        while (!renderer_.hasNewerLight()) std::this_thread::sleep_for(kLookAgain);
+        return renderer_.render(draft());
+    }
+
     /// Draws as in motion, whenever there is newer light, until it has settled.
     void followLight(Kind& kind, Clock::time_point start) {
         ImageF firstLight;
         for (bool settled = false; !settled;) {
-            while (!renderer_.hasNewerLight()) std::this_thread::sleep_for(kLookAgain);
-            settled = renderer_.render(draft()).light->settled;
+            settled = drawNewLight().light->settled;
             if (kind.lightMs.empty()) {
                 kind.lightMs.push_back(millisecondsSince(start));
                 firstLight = renderer_.readLinear();
