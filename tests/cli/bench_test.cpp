@@ -116,7 +116,7 @@ TEST_CASE("Bench tells the first and the full image after each kind of change") 
         checkTimes(row["in_new_light"]);
         checkTimes(row["settled"]);
         CHECK(row["in_new_light"]["min_ms"] >= row["first"]["min_ms"]);
-        CHECK(row["in_new_light_percent_from_settled"] > 0.0);
+        CHECK(row["in_new_light_percent_from_settled"] >= 0.0);  // may have settled at once
         CHECK(row["in_new_light_percent_from_settled"] < 50.0);
     }
 }

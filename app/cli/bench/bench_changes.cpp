@@ -74,7 +74,7 @@ class Screen {
         make(kind.change);
         const render::FrameStats first = renderer_.render(draft());
         measured.firstMs.push_back(millisecondsSince(start));
-        if (first.light) followLight(measured, start);
+        if (first.light) followLight(measured, start, first.light->settled);
         renderer_.render(full_);
         measured.fullMs.push_back(millisecondsSince(start));
         if (!counts) return;
@@ -92,9 +92,14 @@ class Screen {
     }
 
     /// Draws as in motion, whenever there is newer light, until it has settled.
-    void followLight(Kind& kind, Clock::time_point start) {
+    /// `settled`: it has by now, which little light does before the first image is drawn.
+    void followLight(Kind& kind, Clock::time_point start, bool settled) {
         ImageF firstLight;
-        for (bool settled = false; !settled;) {
+        if (settled) {
+            kind.lightMs.push_back(millisecondsSince(start));
+            firstLight = renderer_.readLinear();
+        }
+        while (!settled) {
             settled = drawNewLight().light->settled;
             if (kind.lightMs.empty()) {
                 kind.lightMs.push_back(millisecondsSince(start));
