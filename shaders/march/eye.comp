@@ -14,6 +14,7 @@ layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
 #include "../medium/ray_in_box.glsl"
 #include "../shared/march_blocks.glsl"
 #include "packed_sample.glsl"
+#include "sunlight.glsl"
 
 // Of the band of rows that is drawn.
 layout(location = kMarchFirstRowLocation) uniform int firstRow;
@@ -45,15 +46,8 @@ layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
 #endif
 
 const int kRun = 4;
-#if FULL
-const int kSunlit = CLASSES * kPhaseRows;
-#else
-const int kSunlit = CLASSES;
-#endif
-vec3 sunlit_[kSunlit];        // by each class and, with FULL, row of it, along the ray
-const float kOpaque = 0.005;  // transmittance below which a ray ends
+const float kOpaque = 0.005;                       // transmittance below which a ray ends
 const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
-const float kLog2E = 1.44269504;
 
 /// A ray in the units in which it is used.
 struct Path {
@@ -248,44 +242,6 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 }
 
 #if FULL
-/// What the mixture of a run does with light, per unit of scaled optical depth.
-struct Optics {
-    float kept;     ///< scaled extinction over extinction
-    float forward;  ///< scattering into the peak of thin voxels, which does not count
-    vec3 once;      ///< sunlight scattered once
-    vec3 peak[3];   ///< of it, what is forward; and scattered forward twice, and more often
-    vec3 colour;    ///< of what is scattered more often
-};
-
-Optics opticsOf(Mixture mixture, float thickness) {
-    Optics optics = Optics(0.0, 0.0, vec3(0.0), vec3[](vec3(0.0), vec3(0.0), vec3(0.0)), vec3(0.0));
-    for (int i = 0; i < CLASSES; ++i) {
-        float share = mixture.share[i];
-        int row = kPhaseRows * i;
-        optics.kept += share * scaledShare(i, thickness);
-        optics.forward += share * u_.classes[i].forward.x;
-        optics.once += share * sunlit_[row];
-        for (int k = 0; k < 3; ++k) optics.peak[k] += share * sunlit_[row + 1 + k];
-        optics.colour += share * u_.classes[i].colourAlbedo.rgb;
-    }
-    float perKept = 1.0 / max(optics.kept, 1e-6);
-    optics.forward *= perKept;
-    optics.once *= perKept;
-    for (int k = 0; k < 3; ++k) optics.peak[k] *= perKept;
-    optics.colour /= max(dot(optics.colour, kLuminance), 1e-6);
-    return optics;
-}
-
-/// Sunlight scattered once. Light that goes forward m times on its way, `forward` times in the
-/// mean, would be counted at each of them: it is taken at an m-th, and as wide as m times make it.
-vec3 scatteredOnce(Optics optics, float forward) {
-    float never = exp2(-kLog2E * forward);
-    float twice = 0.5 * forward * never;
-    float shares = forward > 1e-3 ? (1.0 - never) / forward : 1.0 - 0.5 * forward;
-    return optics.once + (never - 1.0) * optics.peak[0] + twice * optics.peak[1] +
-           max(shares - never - twice, 0.0) * optics.peak[2];
-}
-
 /// What a run adds to the image, step by step: sunlight scattered once, and diffuse light, of which
 /// voxels of light know the sum.
 void addScattered(Path path, Station from, Station stations[kRun], Optics optics, inout Eye eye) {
@@ -343,9 +299,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
 #endif
 
 Eye march(Path path, uint most) {
-    for (int i = 0; i < kSunlit; ++i) {
-        sunlit_[i] = sunlitBy(i / (kSunlit / CLASSES), i, path.ray.dir);
-    }
+    lookUpSunlight(path.ray.dir);
     Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);
