@@ -10,22 +10,18 @@
 #include <optional>
 #include <utility>
 
+#include "app/gl/kept_images.h"
 #include "app/gl/objects.h"
 #include "app/gl/pass_timer.h"
 #include "app/gl/program.h"
 #include "app/render/frame/rows.h"
 #include "app/render/integrators.h"
+#include "app/render/resolve.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
-#include "core/image/denoise.h"
 
 namespace neph::render {
 
 #include "shaders/shared/display_layout.glsl"
-
-namespace {
-constexpr std::size_t kMostDenoisers = 16;  // threads
-}
 
 struct Renderer::Impl {
     explicit Impl(std::filesystem::path shaderDir)
@@ -40,6 +36,11 @@ struct Renderer::Impl {
         FrameInputs inputs;
         int sample = 0;  ///< of the last frame that was added to it
     };
+    /// What is on the screen in place of `display`.
+    struct Preview {
+        FrameInputs of;
+        gl::Texture linear, display;
+    };
 
     std::shared_ptr<gl::ProgramCache> programs;
     std::shared_ptr<const VolumeTextures> volume;
@@ -52,7 +53,8 @@ struct Renderer::Impl {
     std::unique_ptr<Integrator> integrator;  ///< of `engine`; made when it is first wanted
     gl::PassTimer timer;
     std::optional<Shown> shown;  ///< none when it must be redone
-    std::uint64_t images = 0;    ///< that were begun
+    std::optional<Preview> preview;
+    std::uint64_t images = 0;  ///< that were begun
     std::vector<std::string> messages;
     std::function<void()> wake;
 
@@ -63,7 +65,12 @@ struct Renderer::Impl {
     std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
     FrameStats frame(const FrameInputs& inputs, int sample, Stage stage, const Progress& progress);
     void draw(const FrameInputs& inputs, int sample, Stage stage, RenderContext& context);
-    void resolve(const FrameInputs& inputs);
+    void resolveAll(const FrameInputs& inputs, bool sameVolume);
+    const gl::Texture& onScreen() const { return preview ? preview->display : display; }
+    std::size_t imageBytes() const {
+        const std::size_t own = linear.bytes() + rays.bytes() + display.bytes();
+        return own + (preview ? preview->linear.bytes() + preview->display.bytes() : 0);
+    }
 };
 
 namespace {
@@ -78,10 +85,15 @@ bool samePixels(const FrameInputs& a, const FrameInputs& b) {
            a.backdrop == b.backdrop;
 }
 
+/// Whether they differ in fineness and tones alone.
+bool sameScene(const FrameInputs& a, const FrameInputs& b) {
+    return firstDifference(a, b).value_or(Stage::resolve) == Stage::resolve &&
+           sameView(a.camera, b.camera) && a.backdrop == b.backdrop;
+}
+
 /// Whether frames of the one can be added to an image of the other.
 [[maybe_unused]] bool sameImage(const FrameInputs& a, const FrameInputs& b) {
-    return firstDifference(a, b).value_or(Stage::resolve) == Stage::resolve &&
-           sameView(a.camera, b.camera) && samePixels(a, b) && a.planes == b.planes;
+    return sameScene(a, b) && samePixels(a, b) && a.planes == b.planes;
 }
 
 /// Has `texture` hold an image of this size.
@@ -163,18 +175,14 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void Renderer::Impl::resolve(const FrameInputs& inputs) {
-    const gl::Program& program = programs->get("display/resolve.comp");
-    const glm::ivec2 lowerPx = inputs.part ? inputs.part->lowerPx : glm::ivec2(0);
-    program.setInt(kResolveLeftLocation, lowerPx.x);
-    program.setInt(kResolveLowerLocation, lowerPx.y);
-    program.setInt(kResolveTransparentLocation, inputs.backdrop ? 0 : 1);
-    program.setFloat(kResolveGainLocation, std::exp2(inputs.look.exposureEv));
-    program.setInt(kResolveCurveLocation, static_cast<int>(inputs.look.toneMap));
-    linear.bindImage(kResolveLinearImage, GL_READ_ONLY);
-    display.bindImage(kResolveDisplayImage, GL_WRITE_ONLY);
-    program.dispatch({inputs.sizePx, 1});
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+/// A preview stays until there is an image of something else.
+void Renderer::Impl::resolveAll(const FrameInputs& inputs, bool sameVolume) {
+    resolve(linear, inputs, *programs, display);
+    if (preview && !(sameVolume && sameScene(preview->of, inputs))) preview.reset();
+    if (preview && !(preview->of.look == inputs.look)) {
+        preview->of.look = inputs.look;
+        resolve(preview->linear, preview->of, *programs, preview->display);
+    }
 }
 
 /// Redoes `stage` and those after it.
@@ -183,6 +191,7 @@ FrameStats Renderer::Impl::frame(const FrameInputs& inputs, int sample, Stage st
     const auto start = std::chrono::steady_clock::now();
     FrameStats stats;
     stats.redone = stage;
+    const bool sameVolume = !medium.stale();
     RenderContext working = context(progress, stats);
     timer.start(inputs.profile);
     if (stage <= Stage::medium) integrator->prepare(inputs.look, working);
@@ -190,12 +199,8 @@ FrameStats Renderer::Impl::frame(const FrameInputs& inputs, int sample, Stage st
         draw(inputs, sample, stage, working);
         stats.marchedEye = true;
     }
-    if (display.size() != glm::ivec3(inputs.sizePx, 1)) {
-        display = gl::Texture::make2D(GL_RGBA8, inputs.sizePx);
-        display.setLinear();
-    }
     timer.pass("resolve");
-    resolve(inputs);
+    resolveAll(inputs, sameVolume);
     shown = {inputs, sample};
     glFinish();
     integrator->describe(inputs, working);
@@ -280,7 +285,11 @@ FrameStats Renderer::retone(const Look& look) {
 }
 
 unsigned Renderer::displayTexture() const {
-    return impl_->display.name();
+    return impl_->onScreen().name();
+}
+
+glm::ivec2 Renderer::displaySizePx() const {
+    return glm::ivec2(impl_->onScreen().size());
 }
 
 ImageF Renderer::readLinear() const {
@@ -296,29 +305,25 @@ ImageF Renderer::readLinear() const {
 }
 
 Image8 Renderer::readDisplay() const {
-    Image8 image;
-    image.size = impl_->shown ? impl_->shown->inputs.sizePx : glm::ivec2(0);
-    const std::size_t stride = 4 * static_cast<std::size_t>(image.size.x);
-    std::vector<std::uint8_t> rows(stride * static_cast<std::size_t>(image.size.y));
-    if (rows.empty()) return image;
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(impl_->display.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                      static_cast<GLsizei>(rows.size()), rows.data());
-    image.rgba = fromTop(rows, stride);
-    return image;
+    return impl_->shown || impl_->preview ? readRgba8(impl_->onScreen()) : Image8{};
 }
 
-bool Renderer::denoise() {
-    const std::array<ImageF, 2> halves = readHalves();
-    if (halves[0].pixels.empty()) return false;
-    const FrameInputs& inputs = impl_->shown->inputs;
-    assert(inputs.supersample == 1 && "the halves are of pixels");
-    const ImageF preview = denoised(halves[0], halves[1], workerCount(kMostDenoisers));
-    const auto width = static_cast<std::size_t>(inputs.sizePx.x);
-    impl_->linear.upload(GL_RGBA, GL_FLOAT, fromTop(preview.pixels, width).data());
-    impl_->resolve(inputs);
-    glFinish();
-    return true;
+void Renderer::showPreview(const ImageF& image, const FrameInputs& of) {
+    impl_->preview.emplace(Impl::Preview{of, {}, {}});
+    Impl::Preview& preview = *impl_->preview;
+    fit(preview.linear, GL_RGBA32F, image.size);
+    const auto width = static_cast<std::size_t>(image.size.x);
+    preview.linear.upload(GL_RGBA, GL_FLOAT, fromTop(image.pixels, width).data());
+    const gl::KeptImages kept(kResolveImages);  // a frame may be under way, of another renderer too
+    resolve(preview.linear, of, *impl_->programs, preview.display);
+}
+
+void Renderer::hidePreview() {
+    impl_->preview.reset();
+}
+
+bool Renderer::showsPreview() const {
+    return impl_->preview.has_value();
 }
 
 std::optional<FrameLayers> Renderer::readLayers() const {
@@ -365,8 +370,7 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"medium", impl_->medium.bytes(), true},
             {"light", engine ? engine->lightBytes() : 0, true},
             {"noise", shares ? 0 : impl_->noise->bytes()},
-            {"images", impl_->linear.bytes() + impl_->rays.bytes() + impl_->display.bytes() +
-                           (engine ? engine->otherBytes() : 0)}};
+            {"images", impl_->imageBytes() + (engine ? engine->otherBytes() : 0)}};
 }
 
 std::size_t Renderer::gpuBytes() const {

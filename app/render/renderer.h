@@ -65,8 +65,10 @@ class Renderer {
     std::optional<double> floorMilliseconds();
 
     /// Tone-mapped RGBA8 texture of the last frame, for ImGui (row 0 is the bottom of the image);
-    /// 0 before the first.
+    /// 0 before the first. Or of the preview that takes its place.
     unsigned displayTexture() const;
+    /// Of that texture.
+    glm::ivec2 displaySizePx() const;
 
     /// The last frame as linear scene-referred RGBA (premultiplied; A = 1 - transmittance), row 0
     /// on top.
@@ -75,10 +77,14 @@ class Renderer {
     /// light, which is 1 where there is a backdrop.
     Image8 readDisplay() const;
 
-    /// Has the last image, of one ray per pixel, show a preview without most of its noise
-    /// (`denoised`) until the next frame; the engine's halves and layers stay as they are. False
-    /// and nothing done where there are no halves yet.
-    bool denoise();
+    /// Puts `image`, linear and of any size, on the screen in place of that of `of`, in its tones:
+    /// a preview, until hidePreview() or a frame of something else. The image itself and all that
+    /// is read of it but what is displayed stay as they are. May be called while a frame asks its
+    /// `progress`.
+    void showPreview(const ImageF& image, const FrameInputs& of);
+    void hidePreview();
+    /// Whether that is what is displayed.
+    bool showsPreview() const;
 
     /// What the engine knows of the last frame besides, one value per ray; none of most engines.
     std::optional<FrameLayers> readLayers() const;

@@ -108,7 +108,8 @@ std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& w
 }
 
 std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& moving,
-                                glm::ivec2 windowPx, double restS, double fullMs, bool more) {
+                                glm::ivec2 windowPx, double restS, double fullMs, bool more,
+                                int draftSamples) {
     if (!shown) return moving;
     Draft next = *shown;
     if (shown->step == kFullStep) {
@@ -117,6 +118,10 @@ std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& 
         return next;
     }
     if (restS < kRefinements.front().restS) return {};
+    if (shown->sample + 1 < draftSamples) {
+        ++next.sample;
+        return next;
+    }
     next = {kLarger * shown->sizePx, 1.0, 1};
     // An image that is nearly full is not worth its time.
     const bool large = kLarger * next.sizePx.x > windowPx.x || kLarger * next.sizePx.y > windowPx.y;

@@ -83,9 +83,10 @@ std::optional<Draft> nextDraft(const std::optional<Draft>& shown, const Draft& w
 /// The same for an engine that converges, `restS` after the last change, where a full image takes
 /// `fullMs`: as in motion, then four times the pixels each, so that there is soon something to see
 /// however slow paths are; in full one path per pixel after the other, as long as there is to be
-/// `more`.
+/// `more`. Of the smaller images as many paths as `draftSamples`.
 std::optional<Draft> nextTraced(const std::optional<Draft>& shown, const Draft& moving,
-                                glm::ivec2 windowPx, double restS, double fullMs, bool more);
+                                glm::ivec2 windowPx, double restS, double fullMs, bool more,
+                                int draftSamples = 1);
 
 /// One per engine: what they cost differs a thousandfold.
 std::array<QualityControl, kEngineCount> qualityOfEachEngine();

@@ -15,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 // takes longer.
 constexpr std::chrono::seconds kLongestInMotion{1};
 
+constexpr int kPreviewSamples = 2;  // the fewest that make two halves
+
 bool converges(const Look& look) {
     return traitsOf(look.engine).refinement == Refinement::converges;
 }
@@ -33,6 +35,7 @@ void Slot::takeData() {
         if (const auto volume = session.takeVolume()) {
             forgetError();  // before there are two volumes
             wantsError_ = false;
+            preview_.forget();
             renderer_.setVolume(*volume);
             drawn_.reset();
             changed_ = Clock::now();
@@ -51,6 +54,7 @@ void Slot::noteChanges() {
         drawn_.reset();
         forgetError();
         wantsError_ = false;
+        preview_.forget();
     }
     seen_ = session.document;
 }
@@ -127,7 +131,8 @@ std::optional<ui::Draft> Slot::next(const DrawRequest& request) {
     const double leastDetail = traitsOf(engine).leastDetail;
     if (converges()) {
         return ui::nextTraced(drawn_, quality.draft(0.0, placePx_, leastDetail), placePx_, rest,
-                              quality.fullMs(), addsPaths(request.moving));
+                              quality.fullMs(), addsPaths(request.moving),
+                              request.preview ? kPreviewSamples : 1);
     }
     return ui::nextDraft(drawn_, quality.draft(rest, placePx_, leastDetail),
                          averages(request.moving));
@@ -159,6 +164,7 @@ void Slot::tell(const ui::Draft& drawn, const ParameterSet& of, int time,
               .gpuBytes = renderer_.gpuBytes(),
               .time = time,
               .reference = traced,
+              .previewSamples = renderer_.showsPreview() ? report.previewSamples : 0,
               .light = stats.light,
               .knownError = knownErrorText(look),
               .error = {}};
@@ -173,6 +179,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
         placePx_ = request.placePx;
         changed_ = Clock::now();
         drawn_.reset();
+        preview_.forget();
     }
     retone_ &= drawn_.has_value();
     const bool retones = retone_;
@@ -200,6 +207,7 @@ bool Slot::draw(const DrawRequest& request, ui::Profile& profile) {
 
 void Slot::reloadShaders() {
     forgetError();
+    preview_.forget();
     renderer_.reloadChangedShaders();
     drawn_.reset();
 }

@@ -11,12 +11,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/render/renderer.h"
 #include "app/ui/compare/compare_errors.h"
 #include "app/ui/compare/error_map.h"
 #include "app/ui/panel/frame_report.h"
 #include "app/ui/widgets/profile.h"
+#include "app/workbench/denoised_preview.h"
 #include "app/workbench/error_measurement.h"
 #include "app/workbench/quality.h"
 #include "core/base/resources.h"
@@ -29,6 +31,7 @@ struct DrawRequest {
     glm::ivec2 placePx{1};    ///< of the image on the screen
     bool moving = false;      ///< the user holds it, or something moves by itself
     bool profile = false;     ///< with the time of each pass
+    bool preview = false;     ///< drafts are to have what a preview is made of
     double frameMs = 1000.0;  ///< for a frame in motion, panels included
     /// Lets the panels have their turn where it is time, and returns the milliseconds that took.
     std::function<double()> panels;
@@ -38,7 +41,10 @@ struct DrawRequest {
 
 class Slot {
   public:
-    Slot(PluginHost host, const std::function<void()>& wake) : session(std::move(host), wake) {
+    /// `data`: PluginHost or OpenSeries, as for Session.
+    template <typename Data>
+    Slot(Data data, const std::function<void()>& wake)
+        : session(std::move(data), wake), preview_(wake) {
         renderer_.setWake(wake);
     }
 
@@ -66,13 +72,22 @@ class Slot {
     void stopMeasuring();
     std::shared_ptr<const ui::ErrorMap> errorMap() const { return errorMap_; }
 
+    /// Whether its engine has the halves that a preview is made of.
+    bool canPreview() const { return traitsOf(session.document.look.engine).layers; }
+    /// Begins to denoise the image, shows what was denoised, or hides it where it is not `wanted`.
+    /// Whether something else is on the screen. May be called while an image is drawn.
+    bool updatePreview(bool wanted);
+    bool denoises() const { return preview_.busy(); }
+
     void reloadShaders();
     void redraw() { drawn_.reset(); }
     void measuredPanels(double milliseconds) {
         for (ui::QualityControl& quality : qualities_) quality.measuredPanels(milliseconds);
     }
 
+    /// What the screen shows, and its size; all else is of the image as it was drawn.
     unsigned texture() const { return renderer_.displayTexture(); }
+    glm::ivec2 textureSizePx() const { return renderer_.displaySizePx(); }
     /// Counts the images; one that has but other tones is none.
     std::uint64_t images() const { return images_; }
     /// Whether frames are added until the error is small enough.
@@ -98,6 +113,7 @@ class Slot {
         return qualities_.at(static_cast<std::size_t>(engine));
     }
     std::optional<ui::Draft> next(const DrawRequest& request);
+    void beginToPreview();
     void beginToMeasure();
     void forgetError();
     void tell(const ui::Draft& drawn, const ParameterSet& of, int time,
@@ -117,6 +133,8 @@ class Slot {
     std::optional<ErrorMeasurement> measurement_;   // of the image on screen
     std::shared_ptr<const ui::ErrorMap> errorMap_;  // likewise
     bool wantsError_ = false;
+    DenoisedPreview preview_;
+    render::FrameInputs previewOf_;   // that is being made
     std::uint64_t unmeasurable_ = 0;  // the image that cannot be compared with the reference
     std::chrono::steady_clock::time_point changed_ = std::chrono::steady_clock::now();
 };

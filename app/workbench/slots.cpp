@@ -65,6 +65,26 @@ ui::PairState Slots::pair() const {
     return state;
 }
 
+bool Slots::updatePreviews(bool wanted, ui::PreviewMarks& marks) {
+    bool changed = false;
+    marks = {};
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        if (!slots_[i]) continue;
+        changed |= slots_[i]->updatePreview(wanted);
+        marks.possible[i] = slots_[i]->canPreview();
+        marks.samples[i] = slots_[i]->report.previewSamples;
+    }
+    return changed;
+}
+
+bool Slots::rest() {
+    if (seen().measures() && !seen().report.error) return false;
+    return std::ranges::all_of(all(), [](const Slot* slot) {
+        return !slot->session.loading() && !slot->denoises() &&
+               slot->waiting(false) == Slot::Waiting::no;
+    });
+}
+
 void Slots::needSecond() {
     if (slots_[1]) return;
     slots_[1] = make_();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/ui/compare/compare_state.h"
+#include "app/ui/compare/preview_label.h"
 #include "app/ui/panel/layout.h"
 #include "app/workbench/slot.h"
 #include "core/grid/boxes.h"
@@ -37,6 +38,12 @@ class Slots {
 
     /// Of A and B, where there are both.
     ui::PairState pair() const;
+
+    /// Shows, hides and makes previews as they are `wanted`. Whether something else is on the
+    /// screen.
+    bool updatePreviews(bool wanted, ui::PreviewMarks& marks);
+    /// Whether there is nothing to read, draw or denoise, and an error has its first figure.
+    bool rest();
 
     /// Carries out what panels ask of `compare`. True when another slot is the active one.
     bool carryOut();

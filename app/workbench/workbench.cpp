@@ -69,6 +69,7 @@ class Workbench {
     void open(const std::vector<std::filesystem::path>& files);
     bool drawImages();
     bool drawImage(const ShownImage& shown, std::size_t count);
+    bool updatePreviews();
     void drawPanels();
     double panelsTurn();
     bool yields() const;
@@ -198,7 +199,7 @@ double Workbench::panelsTurn() {
     keepSession();  // an image may take longer than an interval
     if (secondsSince(panelsDrawn_) < kPanelsS) return 0.0;
     const auto start = Clock::now();
-    if (host_.inputWaits() || ui_.next.animates) {
+    if (updatePreviews() || host_.inputWaits() || ui_.next.animates) {
         eventful_ = start;
     } else {
         const double everyS = secondsSince(eventful_) < kLingerS ? ui::kLookS : kIdleWaitS;
@@ -212,6 +213,7 @@ bool Workbench::drawImage(const ShownImage& shown, std::size_t count) {
     DrawRequest request;
     request.placePx = place_.size();
     request.moving = moving();
+    request.preview = ui_.settings.denoisedPreview;
     request.profile = ui_.showProfile && shown.slot == &slots_.active();
     request.frameMs = 1e3 / ui_.settings.framesPerSecond / static_cast<double>(count);
     request.panels = [this] { return panelsTurn(); };
@@ -221,6 +223,14 @@ bool Workbench::drawImage(const ShownImage& shown, std::size_t count) {
         return yields() || (edited != nullptr && edited->changedSinceLastLook());
     };
     return shown.slot->draw(request, ui_.profile);
+}
+
+/// Of what is drawn, and then of what is said of it.
+bool Workbench::updatePreviews() {
+    const bool changed = slots_.updatePreviews(ui_.settings.denoisedPreview, ui_.previews);
+    ui_.report = slots_.seen().report;
+    ui_.report.measuring = slots_.seen().measures();
+    return changed;
 }
 
 /// One image of each slot that is shown; then, when those are whole, of the one that is not, so
@@ -238,8 +248,7 @@ bool Workbench::drawImages() {
         if (!image.slot->converges() || others || putOff(*image.slot)) continue;
         drew |= drawImage(image, shown.size());
     }
-    ui_.report = slots_.seen().report;
-    ui_.report.measuring = slots_.seen().measures();
+    drew |= updatePreviews();
     const bool whole = std::ranges::all_of(shown, [this](const ShownImage& image) {
         return image.slot->waiting(moving()) == Slot::Waiting::no;
     });
@@ -269,7 +278,7 @@ void Workbench::drawPanels() {
     std::vector<HostImage> images;
     for (const ShownImage& shown : slots_.shown(ui::imageBox(ui_.layout()))) {
         images.push_back(
-            {shown.place, shown.slot->texture(), shown.slot->report.sizePx, shown.widthShare});
+            {shown.place, shown.slot->texture(), shown.slot->textureSizePx(), shown.widthShare});
     }
     const std::filesystem::path shot = std::exchange(shot_, {});
     host_.endFrame(images, shot.empty() ? nullptr : &image);
@@ -326,20 +335,13 @@ void Workbench::rememberSettings() {
 
 /// The next frame's input from the script, which ends the program when it is over.
 void Workbench::playScript() {
-    const ScriptWorld world{ui_,
-                            host_.sizePx(),
-                            [this] {
-                                if (ui::exports(ui_.output) || ui_.errors.busy()) return false;
-                                const Slot& seen = slots_.seen();
-                                if (seen.measures() && !seen.report.error) return false;
-                                return std::ranges::all_of(slots_.all(), [](const Slot* slot) {
-                                    return !slot->session.loading() &&
-                                           slot->waiting(false) == Slot::Waiting::no;
-                                });
-                            },
-                            [this](const std::filesystem::path& png) { shot_ = png; },
-                            [this](glm::ivec2 size) { host_.resize(size); },
-                            [this](const auto& files) { open(files); }};
+    const ScriptWorld world{
+        ui_,
+        host_.sizePx(),
+        [this] { return !ui::exports(ui_.output) && !ui_.errors.busy() && slots_.rest(); },
+        [this](const std::filesystem::path& png) { shot_ = png; },
+        [this](glm::ivec2 size) { host_.resize(size); },
+        [this](const auto& files) { open(files); }};
     if (const std::optional<PlayedInput> input = script_->next(world)) {
         host_.play(*input);
     } else {

@@ -114,6 +114,7 @@ constexpr std::array kRows{
     Row{"measure_at_rest", "true, false or null",
         [](const Json& j, Settings& s) { return take(j, s.measureAtRest); },
         [](const Settings& s) { return s.measureAtRest ? Json(*s.measureAtRest) : Json(); }},
+    switchRow<&Settings::denoisedPreview>("denoised_preview"),
     Row{"recent", "a list of at most 12 names",
         [](const Json& j, Settings& s) { return take(j, s.recent); },
         [](const Settings& s) { return Json(s.recent); }},

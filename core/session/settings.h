@@ -19,6 +19,7 @@ struct Settings {
     bool scaleBar = true, compass = true, heightRuler = false;  ///< overlays on the image
     /// The error of the image is measured whenever it rests; none: as suits the device.
     std::optional<bool> measureAtRest;
+    bool denoisedPreview = false;     ///< of images of paths, on the screen in their place
     std::vector<std::string> recent;  ///< data and sessions opened, newest first, absolute paths
     bool operator==(const Settings&) const = default;
 };

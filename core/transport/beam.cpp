@@ -176,6 +176,15 @@ double depthTowards(const TransportLevel& level, const glm::dvec3& atM,
     return depth;
 }
 
+namespace {
+
+/// Balanced nodes take what is deposited in them.
+bool needsBeam(const TransportLevel& level, std::size_t node) {
+    return level.place[node] >= 0 && !(level.thick() && level.balanced[node] >= 1.0f);
+}
+
+}  // namespace
+
 std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3& towardsSun,
                                   int threads) {
     const TransportGrid& grid = level.grid;
@@ -186,8 +195,7 @@ std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3&
                  std::size_t node = k * grid.columnCount();
                  for (int j = 0; j < grid.nodes.y; ++j) {
                      for (int i = 0; i < grid.nodes.x; ++i, ++node) {
-                         // Balanced nodes take what is deposited in them.
-                         if (k > 0 && level.thick() && level.balanced[node] >= 1.0f) continue;
+                         if (k > 0 && !needsBeam(level, node)) continue;
                          const glm::dvec3 atM =
                              glm::dvec3(i, j, static_cast<double>(k)) * grid.spacingM;
                          irradiance[node] =

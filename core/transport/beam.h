@@ -14,8 +14,8 @@ double trilinear(const TransportGrid& grid, const std::vector<float>& values,
 double depthTowards(const TransportLevel& level, const glm::dvec3& atM,
                     const glm::dvec3& towardsSun);
 
-/// Irradiance across the beam at every node, 1 where nothing is in the way. Wholly balanced nodes
-/// above the ground are left at 0.
+/// Irradiance across the beam at active nodes and on the ground, 1 where nothing is in the way; 0
+/// elsewhere. Wholly balanced nodes above the ground are left at 0.
 std::vector<float> beamIrradiance(const TransportLevel& level, const glm::dvec3& towardsSun,
                                   int threads);
 

@@ -6,8 +6,8 @@
 namespace neph {
 
 /// The nodes of a row that are fed from nodes of the slice before.
-template <int kMoments, bool kThick>
-RowSpan DirectionSweep<kMoments, kThick>::fedSpan(int slice, int c) const {
+template <bool kThick>
+RowSpan DirectionSweep<kThick>::fedSpan(int slice, int c) const {
     const auto outside = [](float at, int nodes) {
         return at < 0.0f || at > static_cast<float>(nodes - 1);
     };
@@ -21,9 +21,8 @@ RowSpan DirectionSweep<kMoments, kThick>::fedSpan(int slice, int c) const {
 }
 
 /// Where segments that end in row `c` may meet what `spans` are spans of.
-template <int kMoments, bool kThick>
-RowSpan DirectionSweep<kMoments, kThick>::spanAround(std::vector<RowSpan> LightSlice::*spans,
-                                                     int c) const {
+template <bool kThick>
+RowSpan DirectionSweep<kThick>::spanAround(std::vector<RowSpan> LightSlice::*spans, int c) const {
     RowSpan span;
     for (int other = c - 1; other <= c + 1; ++other) {
         int row = std::clamp(other, 0, shape_.nc - 1);
@@ -38,8 +37,8 @@ RowSpan DirectionSweep<kMoments, kThick>::spanAround(std::vector<RowSpan> LightS
 }
 
 /// The radiance upwind of the nodes of a row.
-template <int kMoments, bool kThick>
-void DirectionSweep<kMoments, kThick>::carry(int c, const RowSpan& fed) {
+template <bool kThick>
+void DirectionSweep<kThick>::carry(int c, const RowSpan& fed) {
     const int stride = shape_.stride();
     const float* up = &before_.radiance[static_cast<std::size_t>(shape_.at(taps_.b, c + taps_.c))];
     float* radiance = &now_.radiance[static_cast<std::size_t>(shape_.at(0, c))];
@@ -55,8 +54,8 @@ void DirectionSweep<kMoments, kThick>::carry(int c, const RowSpan& fed) {
 }
 
 /// What else the nodes of row `c` see upwind of them.
-template <int kMoments, bool kThick>
-void DirectionSweep<kMoments, kThick>::interpolate(int c, const RowSpan& span) {
+template <bool kThick>
+void DirectionSweep<kThick>::interpolate(int c, const RowSpan& span) {
     const int n = span.to - span.from, stride = shape_.stride();
     const auto at = static_cast<std::size_t>(shape_.at(taps_.b + span.from, c + taps_.c));
     const auto mid = static_cast<std::size_t>(shape_.at(midTaps_.b + span.from, c + midTaps_.c));
@@ -75,8 +74,8 @@ void DirectionSweep<kMoments, kThick>::interpolate(int c, const RowSpan& span) {
 }
 
 /// The balance of the segments that end in `span` of row `c`.
-template <int kMoments, bool kThick>
-void DirectionSweep<kMoments, kThick>::balance(int c, const RowSpan& span, bool keep) {
+template <bool kThick>
+void DirectionSweep<kThick>::balance(int c, const RowSpan& span, bool keep) {
     const int n = span.to - span.from, stride = shape_.stride();
     const auto up = static_cast<std::size_t>(shape_.at(taps_.b + span.from, c + taps_.c));
     const auto at = static_cast<std::size_t>(shape_.at(span.from, c));
@@ -108,20 +107,23 @@ void DirectionSweep<kMoments, kThick>::balance(int c, const RowSpan& span, bool 
 
 /// Light that enters upwards at the ground, and through open sides beside a slice: where nodes are
 /// not fed.
-template <int kMoments, bool kThick>
-void DirectionSweep<kMoments, kThick>::setBoundaries(int slice, int c, const RowSpan& fed) {
+template <bool kThick>
+void DirectionSweep<kThick>::setBoundaries(int slice, int c, const RowSpan& fed) {
     float* radiance = &now_.radiance[static_cast<std::size_t>(shape_.at(0, c))];
     const bool ground = travel_.z > 0.0f && onGround(slice, c);
     const int row = axis_ == 2 ? c : axis_ == 1 ? slice : 0;
-    for (int b = 0; b < shape_.nb; ++b) {
-        if (!fed.empty() && b >= fed.from && b < fed.to) continue;
-        const int x = axis_ == 0 ? slice : b, y = axis_ == 0 ? b : row;
-        radiance[b] = ground ? input_.groundRadiance[grid_.index(x, y, 0)] : inflow_;
-    }
+    const auto set = [&](int from, int to) {
+        for (int b = from; b < to; ++b) {
+            const int x = axis_ == 0 ? slice : b, y = axis_ == 0 ? b : row;
+            radiance[b] = ground ? input_.groundRadiance[grid_.index(x, y, 0)] : inflow_;
+        }
+    };
+    set(0, fed.empty() ? shape_.nb : fed.from);
+    if (!fed.empty()) set(fed.to, shape_.nb);
 }
 
-template <int kMoments, bool kThick>
-void DirectionSweep<kMoments, kThick>::feed(int slice, bool keep) {
+template <bool kThick>
+void DirectionSweep<kThick>::feed(int slice, bool keep) {
     for (int c = 0; c < shape_.nc; ++c) {
         const RowSpan fed = fedSpan(slice, c);
         setBoundaries(slice, c, fed);
@@ -141,9 +143,7 @@ void DirectionSweep<kMoments, kThick>::feed(int slice, bool keep) {
     }
 }
 
-template class DirectionSweep<kBroadMoments, false>;
-template class DirectionSweep<kBroadMoments, true>;
-template class DirectionSweep<kAlignedMoments, false>;
-template class DirectionSweep<kAlignedMoments, true>;
+template class DirectionSweep<false>;
+template class DirectionSweep<true>;
 
 }  // namespace neph

@@ -10,6 +10,12 @@
 
 namespace neph {
 
+/// One value of each active node.
+struct DirectionValues {
+    float* along = nullptr;       ///< the source function; the sweep leaves the radiance
+    const float* even = nullptr;  ///< of thick levels: the even degrees of the source function
+};
+
 struct LightSlice {
     std::vector<float> radiance, emission, extinction;
     std::vector<RowSpan> filled;  ///< of each row, borders included: nodes with extinction
@@ -25,18 +31,16 @@ struct UpwindRows {
     SegmentShares shares;
 };
 
-/// The sweep along one direction. `kMoments` is kBroadMoments or kAlignedMoments, `kThick` as the
-/// level is. direction_sweep.cpp has the order of the slices, direction_feed.cpp the way from one
-/// to the next.
-template <int kMoments, bool kThick>
+/// The sweep along one direction. `kThick` is as the level is. direction_sweep.cpp has the order of
+/// the slices, direction_feed.cpp the way from one to the next.
+template <bool kThick>
 class DirectionSweep {
   public:
-    DirectionSweep(const SweepInput& input, const LightDirection& direction, Swept& sum);
+    DirectionSweep(const SweepInput& input, const LightDirection& direction,
+                   const DirectionValues& values, SweptEnds& ends);
     void run();
 
   private:
-    static constexpr int kDegrees = degreeOf(kMoments - 1) + 1;
-
     int sliceAt(int step) const {
         return travel_[axis_] > 0.0f ? step : grid_.nodes[axis_] - 1 - step;
     }
@@ -47,7 +51,6 @@ class DirectionSweep {
     /// The horizontal plane of the ground is row 0 of a slice, or a slice of its own.
     bool onGround(int slice, int c) const { return axis_ == 2 ? slice == 0 : c == 0; }
     void prepare();
-    std::array<float, 2> sourceOf(std::size_t node, std::size_t place) const;
     void load(int slice, LightSlice& into) const;
     void enter(int slice);
     RowSpan fedSpan(int slice, int c) const;
@@ -65,12 +68,10 @@ class DirectionSweep {
     const SweepInput& input_;
     const TransportLevel& level_;
     const TransportGrid& grid_;
-    Swept& sum_;
+    DirectionValues values_;
+    SweptEnds& ends_;
     glm::vec3 travel_;
     float weight_;
-    Harmonics value_{}, weighted_{};
-    std::array<float, kDegrees>
-        ofBeam_{};  ///< scattering of the beam into the direction, by degree
     int axis_ = 0, axisB_ = 1, axisC_ = 2;
     std::array<std::size_t, 3> step_{};
     float lengthM_ = 0.0f, offsetB_ = 0.0f, offsetC_ = 0.0f, inflow_ = 0.0f;

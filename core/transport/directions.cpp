@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace neph {
 namespace {
@@ -42,13 +43,21 @@ glm::dmat3 turnOf(double u, double v, double w) {
 
 }  // namespace
 
-double DirectionSource::uniform() {
-    return static_cast<double>(random_() >> 11U) * 0x1p-53;
+DirectionSource::DirectionSource(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    for (double& start : starts_) start = static_cast<double>(random() >> 11U) * 0x1p-53;
+}
+
+double DirectionSource::spread(std::size_t i, double step) const {
+    return std::fmod(starts_[i] + turn_ * step, 1.0);
 }
 
 LightDirections DirectionSource::turnedIcosahedron() {
-    const double u = uniform(), v = uniform(), w = uniform();
-    const glm::dmat3 turn = turnOf(u, v, w);
+    // Powers of the inverse of the root of x^4 = x + 1. [Roberts18]
+    constexpr double kStep = 0.8191725133961645;
+    ++turn_;
+    const glm::dmat3 turn =
+        turnOf(spread(0, kStep), spread(1, kStep * kStep), spread(2, kStep * kStep * kStep));
     LightDirections set;
     for (int axis = 0; axis < 3; ++axis) {
         for (int corner = 0; corner < 4; ++corner) {
@@ -68,10 +77,12 @@ LightDirections DirectionSource::rings(const glm::dvec3& axis) {
         std::abs(axis.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 u = glm::normalize(glm::cross(other, axis)), v = glm::cross(axis, u);
     const int count = kFewestRings + turn_++ % kRingChoices;
+    static_assert((kFewestRings + kRingChoices) / 2 <= kMostStarts);
     LightDirections set;
     for (int i = 0; i < (count + 1) / 2; ++i) {
         const GaussPoint ring = gaussPoint(count, i);
-        const double radius = std::sqrt(1.0 - ring.x * ring.x), first = uniform();
+        const double radius = std::sqrt(1.0 - ring.x * ring.x);
+        const double first = spread(static_cast<std::size_t>(i), std::numbers::phi);
         const bool equator = 2 * i + 1 == count;
         int azimuths =
             std::max(kFewestAzimuths, static_cast<int>(std::lround(kAzimuthsAtEquator * radius)));

@@ -1,8 +1,9 @@
 // directions.h: the sets of directions along which light is swept, drawn for each cycle.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <random>
 #include <vector>
 
 namespace neph {
@@ -14,11 +15,12 @@ struct LightDirection {
 
 using LightDirections = std::vector<LightDirection>;
 
-/// Draws the sets; the same seed gives the same ones in turn on every platform. The opposite of
-/// each direction is in its set too.
+/// Draws the sets; the same seed gives the same ones in turn on every platform. Where they start is
+/// random, and each keeps as far from those before as it can, so that their average soon settles.
+/// The opposite of each direction is in its set too.
 class DirectionSource {
   public:
-    explicit DirectionSource(std::uint64_t seed) : random_(seed) {}
+    explicit DirectionSource(std::uint64_t seed);
 
     /// The 12 corners of an icosahedron, turned at random: integrates l <= 5.
     LightDirections turnedIcosahedron();
@@ -27,9 +29,12 @@ class DirectionSource {
     LightDirections rings(const glm::dvec3& axis);
 
   private:
-    double uniform();
+    static constexpr std::size_t kMostStarts = 6;
 
-    std::mt19937_64 random_;
+    /// The value of this turn in sequence `i`, 0 ... 1, which goes on by `step`.
+    double spread(std::size_t i, double step) const;
+
+    std::array<double, kMostStarts> starts_{};  ///< of the sequences
     int turn_ = 0;
 };
 

@@ -115,6 +115,27 @@ bool needsBalance(const TransportLevel& level) {
     return above(thickPerM) > kFew * above(0.0f);
 }
 
+/// No greater scaled depth is between two nodes: nothing gets through it anyway, and from twice as
+/// much on cycles amplify what is between their directions.
+constexpr double kDeepest = 25.0;
+
+/// The extinctions of the classes, less where a node of `level` would be deeper than that; empty
+/// where none would.
+std::vector<std::vector<float>> limitedExtinctions(const Extinctions& extinctions,
+                                                   const TransportLevel& level) {
+    const auto most = static_cast<float>(kDeepest / thicknessLengthM(level.grid.spacingM));
+    const std::vector<float>& scaled = level.extinctionPerM;
+    if (std::ranges::none_of(scaled, [&](float perM) { return perM > most; })) return {};
+    std::vector<std::vector<float>> limited;
+    for (const auto* values : extinctions) {
+        limited.push_back(*values);
+        for (std::size_t i = 0; i < scaled.size(); ++i) {
+            if (scaled[i] > most) limited.back()[i] *= most / scaled[i];
+        }
+    }
+    return limited;
+}
+
 /// What all parts of a level start from.
 struct Thickness {
     explicit Thickness(const LightMedium& medium, bool aligned, TransportLevel& level) {
@@ -125,15 +146,20 @@ struct Thickness {
         level.thickness.resize(level.grid.nodeCount());
         setExtinction(medium, atNodes, aligned, level);
         thick = needsBalance(level);
-        if (!thick) return;
+        limited = limitedExtinctions(atNodes, level);
+        for (std::size_t c = 0; c < limited.size(); ++c) atNodes[c] = &limited[c];
+        if (!thick) {
+            if (!limited.empty()) setExtinction(medium, atNodes, aligned, level);
+            return;
+        }
         for (const auto* values : atNodes) means.push_back(meansAround(level.grid, *values));
         for (const auto& values : means) around.push_back(&values);
         level.thickness = mostAround(level.grid, thicknessOf(medium, around));
         setExtinction(medium, atNodes, aligned, level);
     }
 
+    std::vector<std::vector<float>> limited, means;
     Extinctions atNodes, around;  ///< of each class, at nodes and around them
-    std::vector<std::vector<float>> means;
     bool thick = false;
 };
 

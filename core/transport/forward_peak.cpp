@@ -19,6 +19,7 @@ constexpr int kDegrees = 600;
 constexpr int kPointsPerEntry = 4;  // of the integrals, midpoints
 constexpr double kLeastShare = 1e-3;
 constexpr double kPi = std::numbers::pi;
+constexpr auto kWidestRad = static_cast<float>(kPi / 3.0);
 constexpr int kWavelengths = 3, kMiddle = 1;
 
 using Moments = std::array<std::vector<double>, kWavelengths>;
@@ -82,11 +83,10 @@ double faded(int l) {
     return std::exp(-4.0 * share * share);
 }
 
-/// 1 forward, 0 from the first ring on.
+/// 1 forward, 0 from the first ring on, or from kWidestRad on.
 float insideRings(int entry, int entries, int degree) {
-    const float ofRing = glsl::phaseTableTheta(entry, entries) * static_cast<float>(degree) /
-                         static_cast<float>(kPi);
-    return 1.0f - glm::smoothstep(0.5f, 1.0f, ofRing);
+    const float endRad = std::min(static_cast<float>(kPi / degree), kWidestRad);
+    return 1.0f - glm::smoothstep(0.5f * endRad, endRad, glsl::phaseTableTheta(entry, entries));
 }
 
 }  // namespace

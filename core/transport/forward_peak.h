@@ -14,8 +14,9 @@ namespace neph {
 
 /// One for each of `times`: f times the phase function of light that was scattered so often by the
 /// peak of `phase` beyond degree L, `degree`. The peak of delta-M has rings, which stand for
-/// nothing: it fades out where the first would begin, 180 degrees / L from forward. Unit and angles
-/// are those of `phase`. All zero where there is no peak.
+/// nothing: it fades out where the first would begin, 180 degrees / L from forward, and at 60
+/// degrees at most, beyond which there is little of it. Unit and angles are those of `phase`. All
+/// zero where there is no peak.
 std::vector<PhaseTable> peaksOf(const PhaseTable& phase, int degree, std::span<const double> times);
 
 }  // namespace neph

@@ -2,8 +2,8 @@
 // radiance.
 //
 // Real orthonormal spherical harmonics to l = 2 without the sign of Condon and Shortley, then zonal
-// ones of l = 3 ... 8 about the direction in which sunlight travels:
-//   0: 1 | 1: y, 2: z, 3: x | 4: xy, 5: yz, 6: 3z²-1, 7: xz, 8: x²-y² | 9 ... 14: P_3 ... P_8
+// ones of l = 3 and 4 about the direction in which sunlight travels:
+//   0: 1 | 1: y, 2: z, 3: x | 4: xy, 5: yz, 6: 3z²-1, 7: xz, 8: x²-y² | 9: P_3, 10: P_4
 // Directions are unit vectors in which light travels, x east, y north, z up.
 #pragma once
 #include <array>
@@ -13,9 +13,9 @@
 namespace neph {
 
 inline constexpr int kBroadMoments = 9;     ///< l = 0 ... 2
-inline constexpr int kAlignedMoments = 15;  ///< the same and l = 3 ... 8 about the sun
+inline constexpr int kAlignedMoments = 11;  ///< the same and l = 3, 4 about the sun
 inline constexpr int kBroadDegrees = 3;
-inline constexpr int kAlignedDegrees = 9;
+inline constexpr int kAlignedDegrees = 5;
 
 /// Values of all kAlignedMoments functions; who needs kBroadMoments ignores the rest.
 using Harmonics = std::array<float, kAlignedMoments>;

@@ -62,7 +62,7 @@ struct LightScene {
 };
 
 struct LightSettings {
-    /// Also zonal harmonics of l = 3 ... 8 about the sun, and rings of directions, for light of the
+    /// Also zonal harmonics of l = 3 and 4 about the sun, and rings of directions, for light of the
     /// sun; needed where an eye looks towards it.
     bool aligned = false;
     int levels = 4;          ///< grids of the multigrid, the finest included
@@ -83,7 +83,7 @@ double lightThickness(const LightMedium& medium, double extinctionPerM);
 
 /// Delta-M: which share of the scattered light of a class counts as not scattered.
 /// `thickness` is `lightThickness` at the same place. At 0 what is kept of the phase function ends
-/// at l = 8 with `aligned` and at l = 2 without, at 1 at l = 2; at 2 the rest is isotropic.
+/// at l = 4 with `aligned` and at l = 2 without, at 1 at l = 2; at 2 the rest is isotropic.
 double forwardShare(const LightClass& light, bool aligned, double thickness);
 
 /// Extinction and scattering of degree l = 0 ... 8, of one class at one place, scaled by delta-M.

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/transport/balance.h"
 #include "core/transport/beam.h"
@@ -39,8 +40,24 @@ struct Between {
     }
 };
 
-bool usesRings(const LightScene& scene, const LightSettings& settings) {
-    return settings.aligned && scene.source == LightSource::sun;
+int momentsFor(const LightScene& scene, const LightSettings& settings) {
+    const bool rings = settings.aligned && scene.source == LightSource::sun;
+    return rings ? kAlignedMoments : kBroadMoments;
+}
+
+/// The grids of the multigrid, the finest first.
+std::shared_ptr<const std::vector<TransportLevel>> levelsOf(const LightMedium& medium,
+                                                            const LightScene& scene,
+                                                            const LightSettings& settings) {
+    assert(glm::all(glm::greaterThanEqual(medium.nodes, glm::ivec3(2))));
+    assert(glm::all(glm::greaterThan(medium.spacingM, glm::dvec3(0.0))));
+    auto levels = std::make_shared<std::vector<TransportLevel>>();
+    levels->push_back(
+        finestLevel(medium, scene.periodicSides, settings.aligned, momentsFor(scene, settings)));
+    while (static_cast<int>(levels->size()) < settings.levels && canCoarsen(levels->back().grid)) {
+        levels->push_back(coarsened(levels->back()));
+    }
+    return levels;
 }
 
 void moveTowards(const std::vector<float>& target, float share, std::vector<float>& values) {
@@ -49,19 +66,25 @@ void moveTowards(const std::vector<float>& target, float share, std::vector<floa
 
 }  // namespace
 
-LightSolver::LightSolver(const LightMedium& medium, const LightScene& scene,
-                         const LightSettings& settings)
-    : scene_(scene), settings_(settings), directions_(settings.seed) {
-    assert(glm::all(glm::greaterThanEqual(medium.nodes, glm::ivec3(2))));
-    assert(glm::all(glm::greaterThan(medium.spacingM, glm::dvec3(0.0))));
-    const int moments = usesRings(scene, settings) ? kAlignedMoments : kBroadMoments;
-    levels_.push_back(finestLevel(medium, scene.periodicSides, settings.aligned, moments));
-    while (static_cast<int>(levels_.size()) < settings.levels && canCoarsen(levels_.back().grid)) {
-        levels_.push_back(coarsened(levels_.back()));
-    }
-    field_ = levels_.front().emptyField();
+LightSolver::LightSolver(std::shared_ptr<const std::vector<TransportLevel>> levels,
+                         const LightScene& scene, const LightSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      levels_(std::move(levels)),
+      field_(level().emptyField()),
+      directions_(settings.seed) {
     restart(scene);
     replacing_ = settings.coldCycles;
+}
+
+LightSolver::LightSolver(const LightMedium& medium, const LightScene& scene,
+                         const LightSettings& settings)
+    : LightSolver(levelsOf(medium, scene, settings), scene, settings) {}
+
+LightSolver::LightSolver(const LightSolver& other, const LightScene& scene,
+                         const LightSettings& settings)
+    : LightSolver(other.levels_, scene, settings) {
+    assert(momentCount() == momentsFor(scene, settings));
 }
 
 void LightSolver::restart(const LightScene& scene) {
@@ -69,7 +92,7 @@ void LightSolver::restart(const LightScene& scene) {
     const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun;
     scene_ = scene;
     if (scene.source == LightSource::sun && moved) {
-        const TransportLevel& fine = levels_.front();
+        const TransportLevel& fine = level();
         beam_ = beamIrradiance(fine, scene.towardsSun, settings_.threads);
         groundBeam_ = beam_;
         groundBeam_.resize(std::min(beam_.size(), fine.grid.columnCount()));
@@ -79,15 +102,20 @@ void LightSolver::restart(const LightScene& scene) {
         }
     }
     cycles_ = 0;
-    replacing_ = settings_.warmCycles;
     remaining_ = 1.0;
+    startAverages(settings_.warmCycles);
+}
+
+/// After so many cycles, counted from the start.
+void LightSolver::startAverages(int cycles) {
+    replacing_ = cycles;
     halfCycles_ = {};
-    for (auto& half : halves_) half.assign(levels_.front().activeCount, 0.0f);
+    for (auto& half : halves_) half.assign(level().activeCount, 0.0f);
 }
 
 void LightSolver::startFrom(const LightSolver& other) {
     assert(other.scene_.source == scene_.source && other.momentCount() == momentCount());
-    const TransportLevel& to = levels_.front();
+    const TransportLevel& to = level();
     const glm::dvec3 perNode = to.grid.spacingM / other.level().grid.spacingM;
     const auto moments = static_cast<std::size_t>(momentCount());
     forEachNode(to.grid, [&](const glm::ivec3& node, std::size_t index) {
@@ -108,7 +136,7 @@ void LightSolver::startFrom(const LightSolver& other) {
 
 Swept LightSolver::sweepFine(const LightField& field, const LightDirections& directions) const {
     SweepInput input;
-    input.level = &levels_.front();
+    input.level = &level();
     input.field = &field;
     input.sunTravel = -scene_.towardsSun;
     const double sine = std::max(scene_.towardsSun.z, 0.0);  // of light on the ground
@@ -138,7 +166,7 @@ void LightSolver::cycle() {
         return;
     }
     LightField next = sweepFine(field_, directions).field;
-    remaining_ = correctByMultigrid(levels_, pass, field_, next);
+    remaining_ = correctByMultigrid(*levels_, pass, field_, next);
     average(next);
 }
 
@@ -146,16 +174,26 @@ void LightSolver::cycle() {
 LightField LightSolver::thickCycle(const LightDirections& directions, const MultigridPass& pass) {
     // Mean radiance over irradiance / pi, or over radiance: more is a node that overshoots.
     constexpr double kBrightest = 1.7;
-    const TransportLevel& fine = levels_.front();
+    // Of a correction relative to the field; more of it later on is divergence.
+    constexpr double kMost = 1.0;
+    constexpr int kCyclesToConverge = 3;
+    const TransportLevel& fine = level();
     const float* beam = hasBeam() ? beam_.data() : nullptr;
     LightField next = field_;
     {
         const Swept sums = sweepFine(field_, directions);
         relax(missingFrom(fine, sums, field_, beam), resistanceOf(fine, sums), next);
     }
-    if (levels_.size() > 1) {
-        LightField missing = missingFrom(fine, sweepFine(next, directions), next, beam);
-        remaining_ = correctThick(levels_, pass, missing, next);
+    if (levels_->size() > 1 && !diverges_) {
+        const LightField missing = missingFrom(fine, sweepFine(next, directions), next, beam);
+        remaining_ = correctThick(*levels_, pass, missing, next);
+        // Written so that what is not a number counts too.
+        diverges_ = cycles_ >= kCyclesToConverge && !(remaining_ <= kMost);
+        if (diverges_) {
+            remaining_ = 1.0;
+            next = field_ = fine.emptyField();
+            startAverages(cycles_ + settings_.warmCycles);
+        }
     }
     const bool sky = scene_.source == LightSource::sky;
     limitBalanced(fine, kBrightest * (sky ? 1.0 : 1.0 / std::numbers::pi), next);
@@ -179,7 +217,7 @@ void LightSolver::average(const LightField& next) {
 
 double LightSolver::chance() const {
     if (halfCycles_[1] == 0) return -1.0;
-    const TransportLevel& fine = levels_.front();
+    const TransportLevel& fine = level();
     double spread = 0.0, whole = 0.0;
     for (std::size_t node = 0; node < fine.place.size(); ++node) {
         if (fine.place[node] < 0) continue;
@@ -194,7 +232,7 @@ double LightSolver::chance() const {
 }
 
 std::span<const float> LightSolver::momentsAt(std::size_t node) const {
-    const std::int32_t place = levels_.front().place[node];
+    const std::int32_t place = level().place[node];
     if (place < 0) return {};
     const auto moments = static_cast<std::size_t>(momentCount());
     return {&field_.moments[static_cast<std::size_t>(place) * moments], moments};
@@ -212,14 +250,13 @@ std::vector<float> LightSolver::momentsOfAllNodes() const {
 }
 
 std::size_t LightSolver::bytes() const {
-    std::size_t sum = sizeof(float) * (beam_.size() + 2 * halves_[0].size());
-    // The field, and while a cycle runs the sum of each thread.
-    const auto fields = 1 + static_cast<std::size_t>(settings_.threads);
-    for (const TransportLevel& level : levels_) {
-        sum += level.bytes() + fields * sizeof(float) * level.activeCount *
-                                   static_cast<std::size_t>(level.momentCount);
+    std::size_t shared = 0, own = beam_.size() + groundBeam_.size() + 2 * halves_[0].size();
+    for (const TransportLevel& level : *levels_) {
+        shared += level.bytes();
+        own += level.activeCount * static_cast<std::size_t>(level.momentCount);
     }
-    return sum;
+    return sizeof(float) * own + shared / static_cast<std::size_t>(levels_.use_count()) +
+           sweptBytes(level());
 }
 
 }  // namespace neph

@@ -7,6 +7,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ class LightSolver {
     /// The medium is not needed afterwards. Its nodes are at least 2 on each axis.
     LightSolver(const LightMedium& medium, const LightScene& scene, const LightSettings& settings);
 
+    /// Of the same medium and number of moments as `other`, which is quicker.
+    LightSolver(const LightSolver& other, const LightScene& scene, const LightSettings& settings);
+
     /// Another sun or ground; the field is kept as a start. Source and sides are as before.
     void restart(const LightScene& scene);
 
@@ -35,8 +39,8 @@ class LightSolver {
 
     int cyclesDone() const { return cycles_; }
     /// kBroadMoments, or kAlignedMoments for the sun with `aligned`.
-    int momentCount() const { return levels_.front().momentCount; }
-    const TransportLevel& level() const { return levels_.front(); }
+    int momentCount() const { return levels_->front().momentCount; }
+    const TransportLevel& level() const { return levels_->front(); }
     const LightScene& scene() const { return scene_; }
     const LightSettings& settings() const { return settings_; }
 
@@ -46,8 +50,8 @@ class LightSolver {
     std::span<const float> momentsAt(std::size_t node) const;
     /// Of all nodes, x fastest, momentCount() side by side, 0 where not active.
     std::vector<float> momentsOfAllNodes() const;
-    /// Across the beam with scaled extinction, of every node; empty without a beam. Where nodes are
-    /// balanced, that which would bring in what the beam loses around them.
+    /// Across the beam with scaled extinction, of active nodes and on the ground; empty without a
+    /// beam. Where nodes are balanced, that which would bring in what the beam loses around them.
     const std::vector<float>& beam() const { return beam_; }
     /// The same of the ground, everywhere what the beam has left; x fastest.
     const std::vector<float>& groundBeam() const { return groundBeam_; }
@@ -72,14 +76,17 @@ class LightSolver {
     std::size_t bytes() const;
 
   private:
+    LightSolver(std::shared_ptr<const std::vector<TransportLevel>> levels, const LightScene& scene,
+                const LightSettings& settings);
     Swept sweepFine(const LightField& field, const LightDirections& directions) const;
     LightField thickCycle(const LightDirections& directions, const MultigridPass& pass);
+    void startAverages(int cycles);
     void average(const LightField& next);
     bool hasBeam() const { return !beam_.empty(); }
 
     LightScene scene_;
     LightSettings settings_;
-    std::vector<TransportLevel> levels_;
+    std::shared_ptr<const std::vector<TransportLevel>> levels_;
     LightField field_;
     std::vector<float> beam_, groundBeam_;
     double underResolved_ = 0.0;
@@ -89,6 +96,7 @@ class LightSolver {
     int cycles_ = 0;
     int replacing_ = 0;  ///< cycles before averaging starts
     double remaining_ = 1.0;
+    bool diverges_ = false;  ///< the correction by coarse grids: it is left out, which is slower
 };
 
 }  // namespace neph

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMostThreads = 16;
 // Cycles that are averaged; the light of the sky is a twentieth of that of the sun.
-constexpr std::array<int, kLightParts> kAveragedCycles{12, 4, 4};
+constexpr std::array<int, kLightParts> kAveragedCycles{8, 4, 4};
 constexpr double kWorthACoarseStart = 5000;  // nodes
 constexpr int kCoarseCycles = 3;
 // While cycles are averaged, every so many of them are worth showing.
@@ -52,19 +52,34 @@ struct LightWork::Solution {
     /// Starts from `start`, if there is one. `medium` is that of the request, or a coarser one.
     Solution(const LightRequest& first, const LightMedium& medium, const Solution* start)
         : request(first) {
+        makeSolvers(medium);
         for (std::size_t i = 0; i < kLightParts; ++i) {
-            const auto part = static_cast<LightPart>(i);
-            const LightSettings settings = settingsOf(part);
-            solvers[i] = std::make_unique<LightSolver>(medium, sceneOf(first, part), settings);
             if (start != nullptr) solvers[i]->startFrom(*start->solvers[i]);
+            const LightSettings& settings = solvers[i]->settings();
             toSettle[i] =
                 kAveragedCycles[i] + (start != nullptr ? settings.warmCycles : settings.coldCycles);
         }
+        sunFirst = start != nullptr;
         albedo = filledAlbedo(solvers[0]->level());
         const auto& place = solvers[0]->level().place;
         for (std::size_t node = 0; node < place.size(); ++node) {
             if (place[node] >= 0) nodes.push_back(static_cast<std::uint32_t>(node));
         }
+    }
+    void makeSolvers(const LightMedium& medium) {
+        const auto make = [&](LightPart part, const auto& from) {
+            solvers[static_cast<std::size_t>(part)] =
+                std::make_unique<LightSolver>(from, sceneOf(request, part), settingsOf(part));
+        };
+        const auto makeSome = [&](std::size_t piece, std::size_t, const Progress&) {
+            if (piece == 0) {
+                make(LightPart::sun, medium);
+            } else {
+                make(LightPart::horizon, medium);
+                make(LightPart::zenith, *solvers[static_cast<std::size_t>(LightPart::horizon)]);
+            }
+        };
+        shareOut(2, workerCount(2), makeSome);
     }
     void change(const LightRequest& to) {
         for (std::size_t i = 0; i < kLightParts; ++i) {
@@ -82,6 +97,7 @@ struct LightWork::Solution {
             toSettle[i] = settingsOf(part).warmCycles + kAveragedCycles[i];
         }
         request = to;
+        sunFirst = true;
     }
     bool settled() const {
         bool all = true;
@@ -95,6 +111,8 @@ struct LightWork::Solution {
     bool cycle() {
         for (std::size_t i = 0; i < kLightParts; ++i) {
             if (!isSettled(i)) solvers[i]->cycle();
+            // The light of the sky that is there does for a first look.
+            if (std::exchange(sunFirst, false)) return true;
         }
         const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles[0]);
         return averaged <= 0 || averaged % kShownOf == 0 || settled();
@@ -123,6 +141,7 @@ struct LightWork::Solution {
     LightRequest request;
     std::array<std::unique_ptr<LightSolver>, kLightParts> solvers;
     std::array<int, kLightParts> toSettle{};
+    bool sunFirst = false;  ///< the next cycle is of the sun alone
     std::vector<float> albedo;
     std::vector<std::uint32_t> nodes;
 };

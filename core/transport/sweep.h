@@ -30,8 +30,16 @@ struct Swept {
     std::vector<float> exchange;  ///< how much of the excess a source of the node alone would lose
 };
 
+/// What directions leave beside the moments.
+struct SweptEnds {
+    std::vector<float> groundFlux, excess, exchange;  ///< as LightField and Swept have them
+};
+
 /// Directions are shared out over `threads`; the sum depends on their number only by rounding. On a
 /// thick level they are such that the opposite of each is one too.
 Swept swept(const SweepInput& input, const LightDirections& directions, int threads);
+
+/// What a sweep of a level holds while it lasts, its result included.
+std::size_t sweptBytes(const TransportLevel& level);
 
 }  // namespace neph

@@ -1,7 +1,7 @@
 // transport_level.cpp: makes the grids, and carries fields between them.
 //
 // Node i of a fine axis lies at i / 2 of the coarse one: an even node has one parent and an odd
-// node two. Both are written as two halves, (i + 0) / 2 and (i + 1) / 2.
+// node two, which share it equally.
 #include "core/transport/transport_level.h"
 
 #include <algorithm>
@@ -11,9 +11,6 @@
 
 namespace neph {
 namespace {
-
-constexpr int kParents = 8;
-constexpr float kShare = 1.0f / kParents;
 
 bool halves(const TransportGrid& grid, int axis) {
     if (grid.periodic(axis)) return grid.nodes[axis] >= 4 && grid.nodes[axis] % 2 == 0;
@@ -30,23 +27,37 @@ TransportGrid halfGrid(const TransportGrid& fine) {
     return coarse;
 }
 
-/// Coarse indices of the parents of each fine index, along one axis.
+/// The coarse nodes that a fine one belongs to, in equal shares.
 class Parents {
   public:
     Parents(const TransportGrid& fine, const TransportGrid& coarse) : coarse_(coarse) {
         for (int axis = 0; axis < 3; ++axis) halved_[axis] = halves(fine, axis);
     }
-    std::size_t of(const glm::ivec3& node, int parent) const {
-        glm::ivec3 at = node;
+    /// `visit(index, share)` of each.
+    template <typename Visit>
+    void forEach(const glm::ivec3& node, const Visit& visit) const {
+        glm::ivec3 low = node, high = node;
         for (int axis = 0; axis < 3; ++axis) {
             if (!halved_[axis]) continue;
-            at[axis] = (node[axis] + ((parent >> axis) & 1)) / 2;
-            if (at[axis] == coarse_.nodes[axis]) at[axis] = 0;
+            low[axis] = node[axis] / 2;
+            high[axis] = (node[axis] + 1) / 2;
         }
-        return coarse_.index(at.x, at.y, at.z);
+        const glm::ivec3 count = high - low + 1;
+        const float share = 1.0f / static_cast<float>(count.x * count.y * count.z);
+        for (int k = low.z; k <= high.z; ++k) {
+            for (int j = low.y; j <= high.y; ++j) {
+                for (int i = low.x; i <= high.x; ++i) visit(indexOf({i, j, k}), share);
+            }
+        }
     }
 
   private:
+    /// Beyond the last node of a periodic axis is the first.
+    std::size_t indexOf(const glm::ivec3& node) const {
+        const glm::ivec3 at = glm::mix(node, glm::ivec3(0), glm::equal(node, coarse_.nodes));
+        return coarse_.index(at.x, at.y, at.z);
+    }
+
     TransportGrid coarse_;
     glm::bvec3 halved_{false};
 };
@@ -83,6 +94,16 @@ void TransportLevel::numberActive() {
         if (number == 0) number = static_cast<std::int32_t>(activeCount++);
     }
     albedo.assign(activeCount * static_cast<std::size_t>(degreeCount), 0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int along = sliceAxes(axis)[0], across = sliceAxes(axis)[1];
+        const int rows = grid.nodes[across];
+        auto& spans = activeRows[static_cast<std::size_t>(axis)];
+        spans.assign(static_cast<std::size_t>(grid.nodes[axis] * rows), {});
+        forEachNode(grid, [&](const glm::ivec3& node, std::size_t index) {
+            if (place[index] < 0) return;
+            spans[static_cast<std::size_t>(node[axis] * rows + node[across])].include(node[along]);
+        });
+    }
 }
 
 float* TransportLevel::albedoAt(std::size_t node) {
@@ -126,11 +147,10 @@ TransportLevel coarsened(const TransportLevel& fine) {
     coarse.extinctionPerM.assign(coarse.grid.nodeCount(), 0.0f);
     std::vector<float> children(coarse.grid.nodeCount(), 0.0f);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
-        for (int p = 0; p < kParents; ++p) {
-            const std::size_t parent = parents.of(at, p);
-            children[parent] += kShare;
-            coarse.extinctionPerM[parent] += kShare * fine.extinctionPerM[node];
-        }
+        parents.forEach(at, [&](std::size_t parent, float share) {
+            children[parent] += share;
+            coarse.extinctionPerM[parent] += share * fine.extinctionPerM[node];
+        });
     });
     for (std::size_t i = 0; i < children.size(); ++i) coarse.extinctionPerM[i] /= children[i];
     coarse.numberActive();
@@ -138,15 +158,14 @@ TransportLevel coarsened(const TransportLevel& fine) {
     std::vector<float> weights(coarse.grid.nodeCount(), 0.0f);
     const auto degrees = static_cast<std::size_t>(fine.degreeCount);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
-        const float share = kShare * fine.weightAt(node);
-        if (share <= 0.0f) return;
+        const float weight = fine.weightAt(node);
+        if (weight <= 0.0f) return;
         const float* from = &fine.albedo[static_cast<std::size_t>(fine.place[node]) * degrees];
-        for (int p = 0; p < kParents; ++p) {
-            const std::size_t parent = parents.of(at, p);
-            weights[parent] += share;
+        parents.forEach(at, [&](std::size_t parent, float share) {
+            weights[parent] += share * weight;
             float* to = coarse.albedoAt(parent);
-            for (std::size_t l = 0; l < degrees; ++l) to[l] += share * from[l];
-        }
+            for (std::size_t l = 0; l < degrees; ++l) to[l] += share * weight * from[l];
+        });
     });
     for (std::size_t node = 0; node < weights.size(); ++node) {
         const float sum = weights[node];
@@ -167,22 +186,24 @@ LightField restricted(const TransportLevel& fine, const TransportLevel& coarse,
     std::vector<float> weight(coarse.activeCount, 0.0f);
     std::vector<float> columns(coarse.grid.columnCount(), 0.0f);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
-        for (int p = 0; at.z == 0 && p < 4; ++p) {
-            const std::size_t parent = parents.of(at, p);
-            columns[parent] += 1.0f;
-            field.groundFlux[parent] += after.groundFlux[node] - before.groundFlux[node];
+        if (at.z == 0) {
+            parents.forEach(at, [&](std::size_t parent, float share) {
+                columns[parent] += share;
+                field.groundFlux[parent] +=
+                    share * (after.groundFlux[node] - before.groundFlux[node]);
+            });
         }
-        const float share = kShare * fine.weightAt(node);
-        if (share <= 0.0f) return;
+        const float ofNode = fine.weightAt(node);
+        if (ofNode <= 0.0f) return;
         const std::size_t from = static_cast<std::size_t>(fine.place[node]) * moments;
-        for (int p = 0; p < kParents; ++p) {
-            const auto to = static_cast<std::size_t>(coarse.place[parents.of(at, p)]);
-            weight[to] += share;
+        parents.forEach(at, [&](std::size_t parent, float share) {
+            const auto to = static_cast<std::size_t>(coarse.place[parent]);
+            weight[to] += share * ofNode;
             for (std::size_t q = 0; q < moments; ++q) {
                 field.moments[to * moments + q] +=
-                    share * (after.moments[from + q] - before.moments[from + q]);
+                    share * ofNode * (after.moments[from + q] - before.moments[from + q]);
             }
-        }
+        });
     });
     for (std::size_t i = 0; i < field.moments.size(); ++i) {
         const float sum = weight[i / moments];
@@ -197,19 +218,20 @@ void addProlonged(const TransportLevel& fine, const TransportLevel& coarse,
     const Parents parents(fine.grid, coarse.grid);
     const auto moments = static_cast<std::size_t>(fine.momentCount);
     forEachNode(fine.grid, [&](const glm::ivec3& at, std::size_t node) {
-        for (int p = 0; at.z == 0 && p < 4; ++p) {
-            field.groundFlux[node] += part * correction.groundFlux[parents.of(at, p)] / 4.0f;
+        if (at.z == 0) {
+            parents.forEach(at, [&](std::size_t parent, float share) {
+                field.groundFlux[node] += part * share * correction.groundFlux[parent];
+            });
         }
         if (fine.place[node] < 0) return;
         const std::size_t to = static_cast<std::size_t>(fine.place[node]) * moments;
-        for (int p = 0; p < kParents; ++p) {
-            const std::int32_t place = coarse.place[parents.of(at, p)];
-            if (place < 0) continue;
-            const std::size_t from = static_cast<std::size_t>(place) * moments;
+        parents.forEach(at, [&](std::size_t parent, float share) {
+            if (coarse.place[parent] < 0) return;
+            const std::size_t from = static_cast<std::size_t>(coarse.place[parent]) * moments;
             for (std::size_t q = 0; q < moments; ++q) {
-                field.moments[to + q] += kShare * part * correction.moments[from + q];
+                field.moments[to + q] += share * part * correction.moments[from + q];
             }
-        }
+        });
     });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/transport/light_medium.h"
+#include "core/transport/row_span.h"
 
 namespace neph {
 
@@ -29,7 +30,16 @@ struct TransportGrid {
                     static_cast<std::size_t>(nodes.y) * static_cast<std::size_t>(z));
     }
     bool periodic(int axis) const { return periodicSides && axis < 2; }
+    /// How far apart neighbours along each axis are in an array of all nodes.
+    std::array<std::size_t, 3> steps() const {
+        return {1, static_cast<std::size_t>(nodes.x), columnCount()};
+    }
 };
+
+/// The other two axes of slices across `axis`: along their rows, and from row to row.
+constexpr std::array<int, 2> sliceAxes(int axis) {
+    return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+}
 
 /// Moments of radiance at active nodes and irradiance from above, without beam, at the ground.
 struct LightField {
@@ -50,6 +60,8 @@ struct TransportLevel {
     /// Scattering over extinction times chi'_l, degreeCount of each active node.
     std::vector<float> albedo;
     std::size_t activeCount = 0;
+    /// Of slices across each axis: where the active nodes of a row are, row by row.
+    std::array<std::vector<RowSpan>, 3> activeRows;
 
     // Empty unless nodes are optically thick. docs/transport.md
     std::vector<float> aroundPerM;  ///< scaled, of each active node: the mean around it
@@ -70,6 +82,11 @@ struct TransportLevel {
     }
     /// Finds the active nodes from the extinctions, and makes room for their albedos.
     void numberActive();
+    RowSpan activeRow(int axis, int slice, int row) const {
+        const auto rows = static_cast<std::size_t>(grid.nodes[sliceAxes(axis)[1]]);
+        return activeRows[static_cast<std::size_t>(axis)]
+                         [static_cast<std::size_t>(slice) * rows + static_cast<std::size_t>(row)];
+    }
     void setBalanced();
 
     LightField emptyField() const;

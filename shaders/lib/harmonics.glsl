@@ -1,11 +1,11 @@
 // harmonics.glsl: the functions of direction in which radiance is kept: real orthonormal spherical
-// harmonics to l = 2, then zonal ones of l = 3 to 8 about the direction in which sunlight travels.
+// harmonics to l = 2, then zonal ones of l = 3 and 4 about the direction in which sunlight travels.
 // Their order is in core/transport/harmonics.h.
 #pragma once
 #include "constants.glsl"
 
 struct DirectionHarmonics {
-    float value[15];
+    float value[11];
 };
 
 /// `travel` and `sunTravel` are unit vectors in which light travels.
@@ -27,7 +27,7 @@ DirectionHarmonics directionHarmonics(vec3 travel, vec3 sunTravel) {
     float t = dot(travel, sunTravel);
     float before = t;
     float legendre = 1.5f * t * t - 0.5f;
-    for (int l = 3; l <= 8; ++l) {
+    for (int l = 3; l <= 4; ++l) {
         float n = float(l);
         float next = ((2.0f * n - 1.0f) * t * legendre - (n - 1.0f) * before) / n;
         before = legendre;

@@ -285,7 +285,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     met = scatteredIn(last, stations, eye.through);
 #endif
 #if FULL
-    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM)), eye);
+    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM), path.sunwards), eye);
 #else
     float seen = (eye.through - met.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
@@ -299,7 +299,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
 #endif
 
 Eye march(Path path, uint most) {
-    lookUpSunlight(path.ray.dir);
+    lookUpSunlight(path.ray.dir, path.sunwards);
     Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);

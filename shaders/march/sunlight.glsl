@@ -12,9 +12,10 @@ const int kSunlit = CLASSES;
 #endif
 vec3 sunlit_[kSunlit];  // by each class and, with FULL, row of it, along the ray
 
-void lookUpSunlight(vec3 dir) {
+void lookUpSunlight(vec3 dir, bool peaks) {
+    const int kRows = kSunlit / CLASSES;
     for (int i = 0; i < kSunlit; ++i) {
-        sunlit_[i] = sunlitBy(i / (kSunlit / CLASSES), i, dir);
+        if (peaks || i % kRows == 0) sunlit_[i] = sunlitBy(i / kRows, i, dir);
     }
 }
 
@@ -22,22 +23,30 @@ void lookUpSunlight(vec3 dir) {
 /// What the mixture of a run does with light, per unit of scaled optical depth.
 struct Optics {
     float kept;     ///< scaled extinction over extinction
-    float forward;  ///< scattering into the peak of thin voxels, which does not count
+    float forward;  ///< scattering into the peak, which does not count
     vec3 once;      ///< sunlight scattered once
     vec3 peak[3];   ///< of it, what is forward; and scattered forward twice, and more often
     vec3 colour;    ///< of what is scattered more often
 };
 
-Optics opticsOf(Mixture mixture, float thickness) {
+/// `peaks`: what is forward is wanted.
+Optics opticsOf(Mixture mixture, float thickness, bool peaks) {
     Optics optics = Optics(0.0, 0.0, vec3(0.0), vec3[](vec3(0.0), vec3(0.0), vec3(0.0)), vec3(0.0));
+    vec3 near = max(1.0 - abs(thickness - vec3(0.0, 1.0, 2.0)), 0.0);
     for (int i = 0; i < CLASSES; ++i) {
         float share = mixture.share[i];
         int row = kPhaseRows * i;
         optics.kept += share * scaledShare(i, thickness);
-        optics.forward += share * u_.classes[i].forward.x;
         optics.once += share * sunlit_[row];
-        for (int k = 0; k < 3; ++k) optics.peak[k] += share * sunlit_[row + 1 + k];
         optics.colour += share * u_.classes[i].colourAlbedo.rgb;
+        if (!peaks) continue;
+        optics.forward += share * dot(near, u_.classes[i].forward.xyz);
+        for (int k = 0; k < kPeakTimes; ++k) {
+            int peak = row + 1 + k;
+            optics.peak[k] +=
+                share * (near.x * sunlit_[peak] + near.y * sunlit_[peak + kPeakTimes] +
+                         near.z * sunlit_[peak + 2 * kPeakTimes]);
+        }
     }
     float perKept = 1.0 / max(optics.kept, 1e-6);
     optics.forward *= perKept;

@@ -48,12 +48,12 @@ const int kSourceMomentsBuffer = 5;
 const int kSourceBalancedBuffer = 6;
 const int kSourceCountLocation = 0;
 const int kSourceGroup = 64;
-const int kSunMoments = 15;
+const int kSunMoments = 11;
 const int kSkyMoments = 9;
 const int kWordsOfSun = (kSunMoments + 1) / 2;
 const int kWordsOfSky = (2 * kSkyMoments + 1) / 2;
 const int kWordsOfNode = kWordsOfSun + kWordsOfSky;
-const int kBalancedDegrees = 9;
+const int kBalancedDegrees = 5;
 const int kWordsOfBalanced = (kBalancedDegrees + 1) / 2;
 
 // pack_mixture.comp

@@ -24,10 +24,11 @@ const int kBricksUnit = 2;
 const int kNoiseUnit = 3;
 const int kPhasesUnit = 8;
 
-// Rows of a class for full transport: its phase function, then its peak in thin voxels after one
-// scattering forward, after two and after more. docs/transport.md
-const int kPhaseRows = 4;
-const float kPeakEndCos = 0.9396926f;  // of the angle where they end, 20 degrees
+// Rows of a class for full transport: its phase function, then for voxels of thickness 0, 1 and 2
+// the peak after one scattering forward, after two and after more. docs/transport.md
+const int kPeakTimes = 3;
+const int kPhaseRows = 1 + 3 * kPeakTimes;
+const float kPeakEndCos = 0.5f;  // of the angle where the widest end, 60 degrees
 
 // Bakes read a texture for each species, and one more.
 const int kHeldUnit = 0;

@@ -203,6 +203,21 @@ TEST_CASE("Paths at rest: four times the pixels each, then one a pixel after the
     CHECK_FALSE(at(shown, 60.0, false));  // its error is small enough
 }
 
+TEST_CASE("Smaller images of paths have as many paths as asked for before there is a larger one") {
+    const ui::Draft moving{{81, 45}, 1.0, 0};
+    const auto after = [&](const ui::Draft& shown, double restS) {
+        return ui::nextTraced(shown, moving, kWindowPx, restS, 100e3, true, 2);
+    };
+    CHECK_FALSE(after(moving, 0.0));  // the user holds it
+    const ui::Draft second{{81, 45}, 1.0, 0, 1};
+    CHECK(after(moving, 0.1) == second);
+    CHECK(after(second, 0.1) == ui::Draft{{162, 90}, 1.0, 1});
+    CHECK(after({{324, 180}, 1.0, 1}, 0.1) == ui::Draft{{324, 180}, 1.0, 1, 1});
+    CHECK(after({{324, 180}, 1.0, 1, 1}, 0.1) == ui::Draft{kWindowPx, 1.0, ui::kFullStep});
+    CHECK(after({kWindowPx, 1.0, ui::kFullStep}, 0.1) ==
+          ui::Draft{kWindowPx, 1.0, ui::kFullStep, 1});
+}
+
 TEST_CASE("Where an image of paths is quick there is no smaller one before it") {
     const ui::Draft moving{{324, 180}, 1.0, 0};
     const ui::Draft full{kWindowPx, 1.0, ui::kFullStep};

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 #include "app/cli/bench/bench_sections.h"
 #include "core/base/resources.h"
@@ -116,7 +117,7 @@ class Screen {
         float& scale = look.of(Species::cloud).mixingScale;
         switch (change) {
             case Change::mixingScale:
-                scale = scale == 1.0f ? kScaleStep : 1.0f;
+                scale *= std::exchange(scaleStep_, 1.0f / scaleStep_);
                 break;
             case Change::sun:
                 look.sunAzimuthDeg += kSunStepDeg;
@@ -132,6 +133,7 @@ class Screen {
     std::vector<SpeciesVolume> volumes_;
     render::FrameInputs full_;
     std::size_t shown_ = 0;
+    float scaleStep_ = kScaleStep;
 };
 
 /// A row of the result, and a line for the user.

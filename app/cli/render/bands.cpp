@@ -9,6 +9,8 @@
 #include "app/cli/render/reference_channels.h"
 #include "app/render/frame/tiles.h"
 #include "app/workbench/profile_text.h"
+#include "core/base/parallel.h"
+#include "core/image/denoise.h"
 
 namespace neph {
 namespace {
@@ -118,9 +120,16 @@ void Bands::draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx) {
     if (average_) {
         average_->add(side.renderer->readLinear(), {lowerPx.x, sizePx_.y - lowerPx.y - tilePx.y});
     }
-    if (side.denoise) side.renderer->denoise();
+    if (side.denoise) preview(side);
     donePx_ += count(tilePx);
     ++tiles_;
+}
+
+/// Of what was drawn last.
+void Bands::preview(const DrawnSide& side) {
+    const std::array<ImageF, 2> halves = side.renderer->readHalves();
+    preview_ = denoised(halves[0], halves[1], workerCount(kMostDenoisers));
+    side.renderer->showPreview(*preview_, side.inputs);
 }
 
 template <typename Image>
@@ -134,7 +143,7 @@ Image Bands::next(std::vector<ImageLayer>* layers) {
                 if constexpr (std::is_same_v<Image, Image8>) {
                     return side.renderer->readDisplay();
                 } else {
-                    return side.renderer->readLinear();
+                    return side.denoise ? preview_.value() : side.renderer->readLinear();
                 }
             }();
             paste(tile, x, band);

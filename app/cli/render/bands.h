@@ -60,6 +60,7 @@ class Bands {
     Image next(std::vector<ImageLayer>* layers = nullptr);
     bool layered() const;
     void draw(const DrawnSide& side, glm::ivec2 lowerPx, glm::ivec2 tilePx);
+    void preview(const DrawnSide& side);
 
     std::vector<DrawnSide> sides_;
     Progress progress_;
@@ -69,6 +70,7 @@ class Bands {
     std::size_t donePx_ = 0;
     render::FrameStats stats_;
     std::optional<BoxAverage> average_;
+    std::optional<ImageF> preview_;  // of the tile, where it is denoised
 };
 
 }  // namespace neph

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/transport/forward_peak.h"
 #include "core/transport/harmonics.h"
@@ -12,8 +13,9 @@ namespace {
 
 // Scattered forward once, twice, and more often, which is much like four times.
 constexpr std::array kTimes{1.0, 2.0, 4.0};
-static_assert(kPhaseRows == 1 + kTimes.size());
-static_assert(kAlignedDegrees == 9);    // whose peaks end at 20 degrees
+static_assert(kPeakTimes == kTimes.size());
+// Of the peaks in voxels of thickness 0, 1 and 2: forwardShare.
+constexpr std::array kPeakDegrees{kAlignedDegrees, kBroadDegrees, 1};
 constexpr std::size_t kMostPeaks = 32;  // that are kept, while sliders change them
 
 void append(const PhaseTable& table, std::vector<glm::vec4>& values) {
@@ -27,7 +29,10 @@ const std::vector<PhaseTable>& PhaseTexture::peaksOf(const PhaseTable& table) {
     const auto met = std::ranges::find(peaks_, table, [](const auto& each) { return each.first; });
     if (met != peaks_.end()) return met->second;
     if (peaks_.size() >= kMostPeaks) peaks_.clear();
-    return peaks_.emplace_back(table, neph::peaksOf(table, kAlignedDegrees, kTimes)).second;
+    std::vector<PhaseTable> rows;
+    for (const int degree : kPeakDegrees)
+        std::ranges::move(neph::peaksOf(table, degree, kTimes), std::back_inserter(rows));
+    return peaks_.emplace_back(table, std::move(rows)).second;
 }
 
 void PhaseTexture::update(const Look& look, const MediumPlan& plan) {

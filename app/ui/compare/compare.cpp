@@ -60,11 +60,6 @@ void takeTurns(CompareState& compare, NextFrame& next) {
     next.again(kTurnS * (std::floor(turns) + 1.0 - turns));
 }
 
-int seenSlot(const CompareState& compare) {
-    if (compare.mode == CompareMode::flicker) return compare.flickered;
-    return compare.peeking ? 1 - compare.active : compare.active;
-}
-
 }  // namespace
 
 void drawCompare(const PanelContext& context, CompareState& compare, CompareErrors& errors) {

@@ -19,6 +19,12 @@ struct CompareState {
     bool trace = false;  ///< make B what the reference draws of A, after this frame
 };
 
+/// The slot whose image is seen where there is one at a time.
+inline int seenSlot(const CompareState& compare) {
+    if (compare.mode == CompareMode::flicker) return compare.flickered;
+    return compare.peeking ? 1 - compare.active : compare.active;
+}
+
 /// Whether images have to be compared for what is to be seen.
 inline bool comparesImages(const CompareState& compare) {
     return compare.second && (compare.figures || compare.mode == CompareMode::error);

@@ -21,9 +21,10 @@ struct FrameReport {
     glm::ivec2 sizePx{0};
     bool full = false;  ///< at the resolution of the window and with all planes or steps
     std::string device;
-    std::size_t gpuBytes = 0;            ///< held for this slot's images
-    int time = -1;                       ///< of the data in it; -1: not told
-    ReferenceProgress reference;         ///< of that engine alone
+    std::size_t gpuBytes = 0;     ///< held for this slot's images
+    int time = -1;                ///< of the data in it; -1: not told
+    ReferenceProgress reference;  ///< of that engine alone
+    int previewSamples = 0;  ///< of each pixel, of which a denoised preview is shown; 0: none is
     std::optional<LightProgress> light;  ///< of full transport
     std::string knownError;              ///< of other transport: core/look/known_error.h
     std::optional<MeasuredError> error;  ///< against the reference; none before it was measured

@@ -17,6 +17,11 @@ std::string tooltipOf(const Action& action) {
            (chord.empty() ? "" : "  " + chord);
 }
 
+std::string helpOf(const Action& action, const Ui& ui) {
+    const bool needs = !action.needs.empty() && !isEnabled(action, ui);
+    return std::string(action.help) + (needs ? "\nNeeds " + std::string(action.needs) : "");
+}
+
 bool isEnabled(const Action& action, const Ui& ui) {
     return !action.enabled || action.enabled(ui);
 }

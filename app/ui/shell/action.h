@@ -22,12 +22,15 @@ struct Action {
     std::string_view help = {};  ///< one line
     std::function<void(Ui&)> run = {};
     std::function<bool(const Ui&)> enabled = {};  ///< none: always
+    std::string_view needs = {};                  ///< what it takes to be enabled; said where not
     std::function<bool(const Ui&)> checked = {};  ///< of a switch; else none
     bool separated = false;                       ///< a line above it in its menu
 };
 
 /// Label, help and chord: "Undo: Takes the last step back  Ctrl+Z".
 std::string tooltipOf(const Action& action);
+/// Help, and what it takes where it is not enabled.
+std::string helpOf(const Action& action, const Ui& ui);
 bool isEnabled(const Action& action, const Ui& ui);
 /// Whether it is a switch that is on.
 bool isChecked(const Action& action, const Ui& ui);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "app/ui/shell/actions.h"
+#include "app/ui/widgets/reference_text.h"
 
 namespace neph::ui {
 namespace {
@@ -64,6 +65,7 @@ const std::array kActions{
            .help = "How far A is from B: bias, relRMSE, relMSE, p95, FLIP",
            .run = [](Ui& ui) { ui.compare.figures = !ui.compare.figures; },
            .enabled = hasSecond,
+           .needs = "slot B",
            .checked = [](const Ui& ui) { return ui.compare.figures; }},
     Action{.id = "compare.reference",
            .label = "Compare with the reference",
@@ -77,6 +79,17 @@ const std::array kActions{
                    return ui.compare.second || !traced;
                },
            .separated = true},
+    Action{.id = "compare.preview",
+           .label = kPreviewName,
+           .menu = Menu::compare,
+           .chord = {Key::n},
+           .help =
+               "Of the reference, soon smooth and a little off: for looking at, not in files or "
+               "figures",
+           .run = [](Ui& ui) { ui.settings.denoisedPreview = !ui.settings.denoisedPreview; },
+           .enabled = [](const Ui& ui) { return canPreview(ui.previews); },
+           .needs = "an image of the reference: View > Engine, or Compare with the reference",
+           .checked = [](const Ui& ui) { return ui.settings.denoisedPreview; }},
     Action{.id = "compare.measure",
            .label = "Measure the error",
            .menu = Menu::compare,
@@ -85,6 +98,7 @@ const std::array kActions{
                    "background: in the status line",
            .run = [](Ui& ui) { ui.errorMeter.toggled = true; },
            .enabled = isMeasurable,
+           .needs = "an engine other than the reference itself",
            .checked = [](const Ui& ui) { return ui.errorMeter.measures; }},
     Action{.id = "compare.measure_at_rest",
            .label = "Measure the error at rest",
@@ -128,6 +142,7 @@ const std::array kActions{
            .help = "Gives up the second slot and its memory",
            .run = [](Ui& ui) { ui.compare.close = true; },
            .enabled = hasSecond,
+           .needs = "slot B",
            .separated = true},
 };
 

@@ -19,7 +19,7 @@ void drawItem(Ui& ui, const Action& action) {
     }
     place(action.id);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", std::string(action.help).c_str());
+        ImGui::SetTooltip("%s", helpOf(action, ui).c_str());
     }
 }
 

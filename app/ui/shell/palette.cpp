@@ -14,7 +14,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kWidthEms = 34.0f;
+constexpr float kPaletteEms = 34.0f;
 constexpr int kRows = 14;
 constexpr std::size_t kMostRecent = 8;
 constexpr const char* kName = "##palette";
@@ -46,8 +46,8 @@ std::string noteOf(const Ui& ui, const Command& command) {
     return screenText(row, valueOf(ui.session().document, row));
 }
 
-std::string helpOf(const Command& command) {
-    return command.action != nullptr ? std::string(command.action->help) : command.parameter->help;
+std::string helpOf(const Command& command, const Ui& ui) {
+    return command.action != nullptr ? helpOf(*command.action, ui) : command.parameter->help;
 }
 
 void parameterMenu(Ui& ui, const Command& command) {
@@ -73,7 +73,7 @@ bool drawRow(Ui& ui, const Command& command, bool chosen) {
     ImGui::PopStyleColor();
     place("palette:" + id);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", helpOf(command).c_str());
+        ImGui::SetTooltip("%s", helpOf(command, ui).c_str());
     }
     parameterMenu(ui, command);
     const std::string note = noteOf(ui, command), where = command.where();
@@ -134,7 +134,7 @@ void drawPalette(Ui& ui) {
         ImGui::OpenPopup(kName);
     }
     ImGui::SetNextWindowPos({display.x / 2.0f, 0.12f * display.y}, ImGuiCond_Always, {0.5f, 0.0f});
-    ImGui::SetNextWindowSize({std::min(kWidthEms * em, display.x - 2.0f * em), 0.0f});
+    ImGui::SetNextWindowSize({std::min(kPaletteEms * em, display.x - 2.0f * em), 0.0f});
     if (!ImGui::BeginPopup(kName)) return;
     if (opens) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);

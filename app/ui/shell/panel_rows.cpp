@@ -5,6 +5,7 @@
 #include "app/ui/camera/camera_panel.h"
 #include "app/ui/compare/compare.h"
 #include "app/ui/compare/error_map.h"
+#include "app/ui/compare/preview_label.h"
 #include "app/ui/data/data_panel.h"
 #include "app/ui/data/path_popup.h"
 #include "app/ui/data/session_dialogs.h"
@@ -61,6 +62,13 @@ const std::array kPanels{
               [](Ui& ui) {
                   if (ui.compare.mode != CompareMode::single) return;
                   drawErrorMap(contextOf(ui), ui.errorMeter, ui.report);
+              }},
+    Panel{.id = "preview_labels",
+          .draw =
+              [](Ui& ui) {
+                  // The colours of the error are in the place of both images.
+                  if (ui.compare.mode == CompareMode::error && ui.errors.texture != 0) return;
+                  drawPreviewLabels(contextOf(ui), ui.compare, ui.previews);
               }},
     Panel{.id = "compare",
           .draw = [](Ui& ui) { drawCompare(contextOf(ui), ui.compare, ui.errors); }},

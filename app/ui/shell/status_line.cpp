@@ -145,6 +145,8 @@ std::vector<Standing> standing(const Session& session, const FrameReport& report
     const VolumeSummary* shown = session.shown();
     add({coarsenedText(shown), "status.coarsened",
          shown == nullptr ? "" : describe(shown->plan, *session.info()), warningColour()});
+    add({report.previewSamples > 0 ? previewText(report.previewSamples) : "", "status.preview",
+         previewMeaning(), warningColour()});
     add({errorNow(report), "status.error",
          report.error ? meaningOf(*report.error)
                       : "The reference of this view is being traced, at low resolution",

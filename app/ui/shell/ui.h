@@ -11,6 +11,7 @@
 #include "app/ui/compare/compare_errors.h"
 #include "app/ui/compare/compare_state.h"
 #include "app/ui/compare/error_map.h"
+#include "app/ui/compare/preview_label.h"
 #include "app/ui/data/data_panel.h"
 #include "app/ui/data/session_files.h"
 #include "app/ui/fields/fields_state.h"
@@ -45,6 +46,7 @@ struct Ui {
     CompareState compare;
     CompareErrors errors;
     ErrorMeter errorMeter;
+    PreviewMarks previews;
     DataEdits data;
     FieldsState fields;
     OutputState output;

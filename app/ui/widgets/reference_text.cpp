@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/look/engines.h"
 
 namespace neph::ui {
 
@@ -30,14 +31,23 @@ std::string roughDuration(double seconds) {
 }
 
 std::string referenceText(const ReferenceProgress& progress) {
-    std::string text =
-        fmt::format("{} sample{} per pixel", progress.samples, progress.samples == 1 ? "" : "s");
+    std::string text = countText(progress.samples, "sample") + " per pixel";
     if (!std::isfinite(progress.relativeError)) return text;
     text += fmt::format(", error {} %", numberText(100.0 * progress.relativeError, 2));
     const std::optional<double> left = secondsToTarget(progress);
     if (!left) return text;
     return text + fmt::format(", about {} to {} %", roughDuration(*left),
                               numberText(100.0 * progress.targetError, 3));
+}
+
+std::string previewText(int samples) {
+    return fmt::format("{} of {} per pixel", kPreviewName, countText(samples, "sample"));
+}
+
+std::string previewMeaning() {
+    return "Most of the noise is averaged away, and with it faint detail and the light of single "
+           "bright pixels.\nFor looking at: files, figures and error images have the image as it "
+           "was traced.";
 }
 
 }  // namespace neph::ui

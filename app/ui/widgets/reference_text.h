@@ -17,4 +17,9 @@ std::string roughDuration(double seconds);
 /// "37 samples per pixel, error 8.1 %, about 2 min to 2 %".
 std::string referenceText(const ReferenceProgress& progress);
 
+/// "Denoised preview", the same "of 16 samples per pixel", and what that means.
+inline constexpr const char* kPreviewName = "Denoised preview";
+std::string previewText(int samples);
+std::string previewMeaning();
+
 }  // namespace neph::ui

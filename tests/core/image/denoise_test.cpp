@@ -78,6 +78,29 @@ TEST_CASE("A denoised preview is three times as close to the truth as the noisy 
     }
 }
 
+TEST_CASE("Noise that is in a few bright pixels is averaged away, and most of its light stays") {
+    // One path in six brings light: what one or two paths per pixel see of a thick cloud.
+    constexpr float kShare = 1.0f / 6.0f;
+    std::mt19937 random(7);
+    std::bernoulli_distribution brings(static_cast<double>(kShare));
+    std::array<ImageF, 2> halves{truth(), truth()};
+    for (ImageF& half : halves) {
+        for (glm::vec4& pixel : half.pixels) {
+            const glm::vec3 colour = brings(random) ? glm::vec3(pixel) / kShare : glm::vec3(0.0f);
+            pixel = glm::vec4(colour, 1.0f);
+        }
+    }
+    const ImageF preview = denoised(halves[0], halves[1]);
+    CHECK(rmse(preview, truth()) < rmse(meanOf(halves), truth()) / 5.0);
+    double light = 0.0, traced = 0.0;
+    for (int x = 0; x < kSize.x; ++x) {
+        light += columnOf(preview, x);
+        traced += columnOf(meanOf(halves), x);
+    }
+    CHECK(light > 0.95 * traced);
+    CHECK(light < 1.05 * traced);
+}
+
 TEST_CASE("A denoised preview keeps an edge where it is") {
     const std::array<ImageF, 2> halves = noisyHalves(0.2f);
     const ImageF preview = denoised(halves[0], halves[1]);
@@ -113,4 +136,12 @@ TEST_CASE("A single bright pixel does not spread in a denoised preview") {
 TEST_CASE("The number of threads does not change a denoised preview") {
     const std::array<ImageF, 2> halves = noisyHalves(0.3f);
     CHECK(rmse(denoised(halves[0], halves[1], 1), denoised(halves[0], halves[1], 3)) == 0.0);
+}
+
+TEST_CASE("Denoising ends as soon as it is told to") {
+    const std::array<ImageF, 2> halves = noisyHalves(0.3f);
+    int asked = 0;
+    CHECK_THROWS_AS(denoised(halves[0], halves[1], 1, [&asked](double) { return ++asked < 3; }),
+                    Cancelled);
+    CHECK(asked == 3);
 }

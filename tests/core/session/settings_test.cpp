@@ -73,6 +73,7 @@ TEST_CASE("Every setting reads back as it was saved") {
     settings.scaleBar = settings.compass = false;
     settings.heightRuler = true;
     settings.measureAtRest = false;
+    settings.denoisedPreview = true;
     settings.recent = {"/data/a\n/data/b", "/data/Größe"};
     saveSettings(settings);
     std::vector<std::string> warnings;
@@ -96,6 +97,7 @@ TEST_CASE("A wrong setting is told with what is expected, and the others are use
          {Case{"theme", "\"blue\"", "\"light\""}, Case{"text_scale", "100", "0.5 to 4"},
           Case{"text_scale", "\"1\"", "0.5 to 4"}, Case{"compass", "1", "true or false"},
           Case{"frames_per_second", "0", "1 to 240"}, Case{"recent", "[1]", "names"},
+          Case{"denoised_preview", "\"on\"", "true or false"},
           Case{"measure_at_rest", "1", "or null"}, Case{"recent", "{}", "names"}}) {
         CAPTURE(c.key);
         CAPTURE(c.value);

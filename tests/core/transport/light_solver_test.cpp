@@ -150,7 +150,7 @@ TEST_CASE("transport: where there is nothing light goes straight to the ground")
     LightScene scene = sunScene();
     const LightSolver sun = solvedAfter(medium, scene, {}, 1);
     CHECK(sun.field().moments.empty());
-    CHECK(std::ranges::all_of(sun.beam(), [](float e) { return e == 1.0f; }));
+    CHECK(std::ranges::all_of(sun.groundBeam(), [](float e) { return e == 1.0f; }));
     CHECK(std::ranges::all_of(sun.groundFlux(), [](float f) { return f == 0.0f; }));
     scene.source = LightSource::sky;
     const LightSolver sky = solvedAfter(medium, scene, {}, 1);

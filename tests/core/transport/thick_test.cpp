@@ -48,15 +48,6 @@ LightSolver solvedLayer(double opticalDepth, int layers, double sine, int cycles
     return solver;
 }
 
-/// Clouds with edges and holes, up to a scaled depth of 30 between nodes.
-LightMedium thickClouds(const glm::ivec3& nodes) {
-    LightMedium medium = transportClouds(nodes);
-    for (LightClass& light : medium.classes) {
-        for (float& extinction : light.extinctionPerM.values) extinction *= 20.0f;
-    }
-    return medium;
-}
-
 /// Diffusion: what passes goes as 1 / ((1 - g) tau + 1.4209), the factor from adding and doubling
 /// of a layer of 64.
 double expectedTransmission(double opticalDepth, double sine) {
@@ -144,27 +135,31 @@ TEST_CASE("transport: depths are exact along any ray through a trilinear medium"
 
 TEST_CASE("transport: the white furnace stays white in thick clouds" *
           doctest::skip(!kSolvesInSeconds)) {
-    const LightMedium medium = thickClouds({12, 10, 14});
+    const LightMedium medium = transportClouds({9, 8, 10}, 20.0f);
     LightScene scene;
     scene.source = LightSource::sky;
     scene.groundAlbedo = 1.0;
-    LightSettings settings;
-    settings.coldCycles = 400;
-    LightSolver solver(medium, scene, settings);
-    for (int i = 0; i < 400; ++i) solver.cycle();
-    REQUIRE_FALSE(solver.balanced().empty());
-    const double exact = std::sqrt(4.0 * std::numbers::pi);
-    double most = 0.0;
-    for (std::size_t i = 0; i < solver.field().moments.size(); ++i) {
-        const double value = static_cast<double>(solver.field().moments[i]) / exact;
-        most = std::max(most, std::abs(value - (i % kBroadMoments == 0 ? 1.0 : 0.0)));
+    for (const bool aligned : {false, true}) {
+        CAPTURE(aligned);
+        LightSettings settings;
+        settings.aligned = aligned;
+        settings.coldCycles = 400;
+        LightSolver solver(medium, scene, settings);
+        for (int i = 0; i < 400; ++i) solver.cycle();
+        REQUIRE_FALSE(solver.balanced().empty());
+        const double exact = std::sqrt(4.0 * std::numbers::pi);
+        double most = 0.0;
+        for (std::size_t i = 0; i < solver.field().moments.size(); ++i) {
+            const double value = static_cast<double>(solver.field().moments[i]) / exact;
+            most = std::max(most, std::abs(value - (i % kBroadMoments == 0 ? 1.0 : 0.0)));
+        }
+        CHECK(most < 1e-5);
+        const std::vector<PhaseOfCosine> phases(2, [](float) { return 1.0f; });  // no sun
+        const ThickestNode thickest = thickestNode(solver);
+        const double radiance =
+            scatteredRadiancePerM(solver, medium, phases, thickest.atM, {0.6, 0.0, -0.8});
+        CHECK(radiance == doctest::Approx(thickest.extinctionPerM).epsilon(1e-3));
     }
-    CHECK(most < 1e-5);
-    const std::vector<PhaseOfCosine> phases(2, [](float) { return 1.0f; });  // no sun, no matter
-    const ThickestNode thickest = thickestNode(solver);
-    const double radiance =
-        scatteredRadiancePerM(solver, medium, phases, thickest.atM, {0.6, 0.0, -0.8});
-    CHECK(radiance == doctest::Approx(thickest.extinctionPerM).epsilon(1e-3));
 }
 
 TEST_CASE("transport: thin media keep the cheap cycle, and nothing of them is under-resolved") {
@@ -183,7 +178,7 @@ TEST_CASE("transport: more and more of a phase function counts as forward as nod
     CHECK(lightThickness(medium, 30.0 / 1000.0) == doctest::Approx(2.0));
     for (const bool aligned : {false, true}) {
         CHECK(forwardShare(light, aligned, 0.0) ==
-              doctest::Approx(std::pow(kThickG, aligned ? 9 : 3)));
+              doctest::Approx(std::pow(kThickG, aligned ? 5 : 3)));
         CHECK(forwardShare(light, aligned, 1.0) == doctest::Approx(std::pow(kThickG, 3)));
         CHECK(forwardShare(light, aligned, 2.0) == doctest::Approx(kThickG));
     }

@@ -73,8 +73,9 @@ inline ThickestNode thickestNode(const neph::LightSolver& solver) {
     return {glm::dvec3(node) * grid.spacingM, static_cast<double>(*thickest)};
 }
 
-/// Clouds with holes and thick cores.
-inline neph::LightMedium transportClouds(const glm::ivec3& nodes) {
+/// Clouds with holes and thick cores; with a `scale` of 20 up to a scaled depth of 30 between
+/// nodes.
+inline neph::LightMedium transportClouds(const glm::ivec3& nodes, float scale = 1.0f) {
     neph::LightMedium medium;
     medium.nodes = nodes;
     medium.spacingM = {200.0, 250.0, 150.0};
@@ -89,9 +90,10 @@ inline neph::LightMedium transportClouds(const glm::ivec3& nodes) {
             for (int i = 0; i < nodes.x; ++i) {
                 const double wave = std::sin(0.9 * i) * std::cos(0.8 * j + 0.5) * std::sin(0.4 * k);
                 if (wave <= 0.1) continue;
-                medium.classes[0].extinctionPerM.at(i, j, k) = static_cast<float>(0.02 * wave);
+                medium.classes[0].extinctionPerM.at(i, j, k) =
+                    scale * static_cast<float>(0.02 * wave);
                 medium.classes[1].extinctionPerM.at(i, j, k) =
-                    static_cast<float>(0.005 * wave * wave);
+                    scale * static_cast<float>(0.005 * wave * wave);
             }
         }
     }

@@ -34,6 +34,10 @@ TEST_CASE("The status line says how far the reference is and how long it takes")
     CHECK(ui::referenceText(after(400, 0.0199, 0.02, 7.8)) == "400 samples per pixel, error 2 %");
 }
 
+TEST_CASE("A preview says that it is one, and of how many samples") {
+    CHECK(ui::previewText(16) == "Denoised preview of 16 samples per pixel");
+}
+
 TEST_CASE("Durations are in the unit that suits them") {
     CHECK(ui::roughDuration(0.0) == "0 s");
     CHECK(ui::roughDuration(59.4) == "59 s");

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kLightBytes = std::size_t{128} << 20;
 // Between two questions to `progress`, a few milliseconds on the slowest machine. Rows are whole
 // groups of the shader.
-constexpr int kBandRows = 4 * kSlicingEyeGroup;
+constexpr int kEyeBandRows = 4 * kSlicingEyeGroup;
 
 std::vector<std::string> defines(const Look& look, const MediumTextures& medium) {
     std::vector<std::string> names =
@@ -63,10 +63,10 @@ void SlicingEngine::marchEye(const FrameInputs& inputs, const gl::Program& progr
                              const Progress& progress) {
     phases_.bind();
     eye_.bindImage(kSlicingEyeImage, GL_READ_WRITE);
-    for (int row = 0; row < inputs.sizePx.y; row += kBandRows) {
+    for (int row = 0; row < inputs.sizePx.y; row += kEyeBandRows) {
         if (!goOn(progress, static_cast<double>(row) / inputs.sizePx.y)) throw Cancelled{};
         program.setInt(kSlicingFirstRowLocation, row);
-        program.dispatch({inputs.sizePx.x, std::min(kBandRows, inputs.sizePx.y - row), 1});
+        program.dispatch({inputs.sizePx.x, std::min(kEyeBandRows, inputs.sizePx.y - row), 1});
     }
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
