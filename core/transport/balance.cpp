@@ -53,9 +53,9 @@ std::vector<float> resistanceOf(const TransportLevel& level, const Swept& sums) 
     std::vector<float> resistance(level.activeCount, 1.0f);
     forEachBalanced(level, [&](std::size_t node, std::size_t place, float toMean) {
         const float share = level.balanced[node];
-        const float forward = level.albedo[place * static_cast<std::size_t>(level.degreeCount) + 1];
-        const float lost = kPerSphere * toMean * sums.exchange[place] / (1.0f - forward);
-        const float own = std::clamp(lost, kLeast, 1.0f);
+        const float* albedo = &level.albedo[place * static_cast<std::size_t>(level.degreeCount)];
+        const float lost = kPerSphere * toMean * sums.exchange[place] / (1.0f - albedo[1]);
+        const float own = std::clamp(lost + 1.0f - albedo[0], kLeast, 1.0f);
         resistance[place] = std::min(1.0f, kDamping * (1.0f - share + share * own));
     });
     return resistance;

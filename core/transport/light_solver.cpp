@@ -102,13 +102,8 @@ void LightSolver::restart(const LightScene& scene) {
         }
     }
     cycles_ = 0;
+    replacing_ = settings_.warmCycles;
     remaining_ = 1.0;
-    startAverages(settings_.warmCycles);
-}
-
-/// After so many cycles, counted from the start.
-void LightSolver::startAverages(int cycles) {
-    replacing_ = cycles;
     halfCycles_ = {};
     for (auto& half : halves_) half.assign(level().activeCount, 0.0f);
 }
@@ -174,9 +169,6 @@ void LightSolver::cycle() {
 LightField LightSolver::thickCycle(const LightDirections& directions, const MultigridPass& pass) {
     // Mean radiance over irradiance / pi, or over radiance: more is a node that overshoots.
     constexpr double kBrightest = 1.7;
-    // Of a correction relative to the field; more of it later on is divergence.
-    constexpr double kMost = 1.0;
-    constexpr int kCyclesToConverge = 3;
     const TransportLevel& fine = level();
     const float* beam = hasBeam() ? beam_.data() : nullptr;
     LightField next = field_;
@@ -184,16 +176,9 @@ LightField LightSolver::thickCycle(const LightDirections& directions, const Mult
         const Swept sums = sweepFine(field_, directions);
         relax(missingFrom(fine, sums, field_, beam), resistanceOf(fine, sums), next);
     }
-    if (levels_->size() > 1 && !diverges_) {
+    if (levels_->size() > 1) {
         const LightField missing = missingFrom(fine, sweepFine(next, directions), next, beam);
         remaining_ = correctThick(*levels_, pass, missing, next);
-        // Written so that what is not a number counts too.
-        diverges_ = cycles_ >= kCyclesToConverge && !(remaining_ <= kMost);
-        if (diverges_) {
-            remaining_ = 1.0;
-            next = field_ = fine.emptyField();
-            startAverages(cycles_ + settings_.warmCycles);
-        }
     }
     const bool sky = scene_.source == LightSource::sky;
     limitBalanced(fine, kBrightest * (sky ? 1.0 : 1.0 / std::numbers::pi), next);

@@ -80,7 +80,6 @@ class LightSolver {
                 const LightSettings& settings);
     Swept sweepFine(const LightField& field, const LightDirections& directions) const;
     LightField thickCycle(const LightDirections& directions, const MultigridPass& pass);
-    void startAverages(int cycles);
     void average(const LightField& next);
     bool hasBeam() const { return !beam_.empty(); }
 
@@ -96,7 +95,6 @@ class LightSolver {
     int cycles_ = 0;
     int replacing_ = 0;  ///< cycles before averaging starts
     double remaining_ = 1.0;
-    bool diverges_ = false;  ///< the correction by coarse grids: it is left out, which is slower
 };
 
 }  // namespace neph

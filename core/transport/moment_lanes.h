@@ -16,7 +16,6 @@ class MomentLanes {
         : count_(count), values_(groupsOf(nodes) * count * kLanes, 0.0f) {}
 
     static std::size_t groupsOf(std::size_t nodes) { return (nodes + kLanes - 1) / kLanes; }
-    std::size_t count() const { return count_; }
     float* group(std::size_t group) { return &values_[group * count_ * kLanes]; }
     const float* group(std::size_t group) const { return &values_[group * count_ * kLanes]; }
     float* at(std::size_t node) { return group(node / kLanes) + node % kLanes; }

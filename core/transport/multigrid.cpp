@@ -124,10 +124,10 @@ double correctByMultigrid(const std::vector<TransportLevel>& levels, const Multi
 
 double correctThick(const std::vector<TransportLevel>& levels, const MultigridPass& pass,
                     const LightField& missing, LightField& field) {
-    const double whole = strength(levels[0], field.moments);  // perhaps not a number
+    const double whole = strength(levels[0], field.moments);
     Correction correction(levels, pass);
     correction.correctThick(0, missing, field);
-    return whole == 0.0 ? 0.0 : correction.coarsest() / whole;
+    return whole > 0.0 ? correction.coarsest() / whole : 0.0;
 }
 
 }  // namespace neph

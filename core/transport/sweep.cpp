@@ -24,6 +24,7 @@ void add(const std::vector<float>& term, std::vector<float>& sum) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
 }
 
+/// The sweep along a set of directions of a field of kCount moments.
 template <std::size_t kCount>
 class SetSweep {
   public:
@@ -48,10 +49,9 @@ class SetSweep {
     Swept along(const LightDirections& directions) {
         setSource();
         const std::size_t batch = std::min(kBatch, directions.size());
-        for (auto* values : {&along_, &even_}) {
-            if (values == &even_ && !level_.thick()) continue;
-            values->assign(batch, std::vector<float>(groups_ * MomentLanes::kLanes));
-        }
+        const std::vector<float> empty(groups_ * MomentLanes::kLanes);
+        along_.assign(batch, empty);
+        if (level_.thick()) even_.assign(batch, empty);
         for (std::size_t first = 0; first < directions.size(); first += batch) {
             const std::span of(&directions[first], std::min(batch, directions.size() - first));
             scatterInto(of);
@@ -109,12 +109,11 @@ class SetSweep {
         });
     }
     void sweep(const LightDirection& direction, std::size_t i, std::size_t worker) {
+        float* along = along_[i].data();
         if (level_.thick()) {
-            const DirectionValues values{along_[i].data(), even_[i].data()};
-            DirectionSweep<true>(input_, direction, values, ends_[worker]).run();
+            DirectionSweep<true>(input_, direction, {along, even_[i].data()}, ends_[worker]).run();
         } else {
-            const DirectionValues values{along_[i].data(), nullptr};
-            DirectionSweep<false>(input_, direction, values, ends_[worker]).run();
+            DirectionSweep<false>(input_, direction, {along, nullptr}, ends_[worker]).run();
         }
     }
     void collect(const Set& set) {

@@ -162,6 +162,19 @@ TEST_CASE("transport: the white furnace stays white in thick clouds" *
     }
 }
 
+TEST_CASE("transport: thick clouds that absorb converge as fast as those that do not") {
+    LightMedium medium = transportClouds({20, 18, 16}, 5.0f);
+    for (const double albedo : {1.0, 0.9, 0.8, 0.5}) {
+        CAPTURE(albedo);
+        for (LightClass& light : medium.classes) light.singleScattering = albedo;
+        LightSolver solver(medium, overhead(0.8), {});
+        for (int i = 0; i < 12; ++i) solver.cycle();
+        REQUIRE_FALSE(solver.balanced().empty());
+        CHECK(solver.remaining() > 0.0);  // 0 of what is not a number
+        CHECK(solver.remaining() < 0.1);
+    }
+}
+
 TEST_CASE("transport: thin media keep the cheap cycle, and nothing of them is under-resolved") {
     const LightSolver solver(transportClouds({10, 9, 11}), overhead(0.8), {});
     CHECK(solver.balanced().empty());
