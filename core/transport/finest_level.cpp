@@ -115,8 +115,8 @@ bool needsBalance(const TransportLevel& level) {
     return above(thickPerM) > kFew * above(0.0f);
 }
 
-/// No greater scaled depth is between two nodes: nothing gets through it anyway, and from twice as
-/// much on cycles amplify what is between their directions.
+/// No greater scaled depth is between two nodes: nothing gets through it anyway, and somewhere
+/// between 50 and 150 cycles begin to diverge.
 constexpr double kDeepest = 25.0;
 
 /// The extinctions of the classes, less where a node of `level` would be deeper than that; empty
