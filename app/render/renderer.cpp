@@ -45,6 +45,7 @@ struct Renderer::Impl {
     std::shared_ptr<gl::ProgramCache> programs;
     std::shared_ptr<const VolumeTextures> volume;
     HeldMedium medium;
+    SkyTextures sky;
     std::shared_ptr<NoiseTextures> noise;
     bool shares = false;  ///< what is above, with the renderer that it was made from
     gl::Texture rays;     ///< where pixels are the mean of several
@@ -59,7 +60,7 @@ struct Renderer::Impl {
     std::function<void()> wake;
 
     RenderContext context(const Progress& progress, FrameStats& stats) {
-        return {*volume, medium, *noise, *programs, timer, progress, stats, messages, wake};
+        return {*volume, medium, *noise, sky, *programs, timer, progress, stats, messages, wake};
     }
     void use(Engine wanted);
     std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
@@ -196,6 +197,9 @@ FrameStats Renderer::Impl::frame(const FrameInputs& inputs, int sample, Stage st
     timer.start(inputs.profile);
     if (stage <= Stage::medium) integrator->prepare(inputs.look, working);
     if (stage <= Stage::eye) {
+        timer.pass("sky");
+        sky.update(inputs.look, inputs.camera.eyeWorld.z);
+        sky.bind();
         draw(inputs, sample, stage, working);
         stats.marchedEye = true;
     }
@@ -370,6 +374,7 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"medium", impl_->medium.bytes(), true},
             {"light", engine ? engine->lightBytes() : 0, true},
             {"noise", shares ? 0 : impl_->noise->bytes()},
+            {"sky", impl_->sky.bytes()},
             {"images", impl_->imageBytes() + (engine ? engine->otherBytes() : 0)}};
 }
 

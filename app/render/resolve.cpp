@@ -1,9 +1,8 @@
 // resolve.cpp: one pass, and the way back.
 #include "app/render/resolve.h"
 
-#include <cmath>
-
 #include "app/render/frame/rows.h"
+#include "core/look/exposure.h"
 
 namespace neph::render {
 
@@ -20,7 +19,7 @@ void resolve(const gl::Texture& linear, const FrameInputs& inputs, gl::ProgramCa
     program.setInt(kResolveLeftLocation, lowerPx.x);
     program.setInt(kResolveLowerLocation, lowerPx.y);
     program.setInt(kResolveTransparentLocation, inputs.backdrop ? 0 : 1);
-    program.setFloat(kResolveGainLocation, std::exp2(inputs.look.exposureEv));
+    program.setFloat(kResolveGainLocation, exposureGain(inputs.look));
     program.setInt(kResolveCurveLocation, static_cast<int>(inputs.look.toneMap));
     linear.bindImage(kResolveLinearImage, GL_READ_ONLY);
     display.bindImage(kResolveDisplayImage, GL_WRITE_ONLY);

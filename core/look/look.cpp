@@ -24,6 +24,11 @@ bool scattersOften(const Look& look) {
     return look.transport == Transport::full && traitsOf(look.engine).scattersOften;
 }
 
+glm::vec3 groundAlbedo(const Look& look) {
+    // Full light is an irradiance of 4 pi.
+    return glm::clamp(0.25f * look.groundColour, 0.0f, 1.0f);
+}
+
 glm::dvec3 sunDirWorld(const Look& look) {
     return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
 }

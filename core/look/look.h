@@ -26,7 +26,9 @@ enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
-enum class ToneMap : int { linear, filmic };
+/// Two colours, or the air of the Earth. docs/sky.md
+enum class SkyModel : int { gradient, atmosphere };
+enum class ToneMap : int { linear, filmic, agx };
 
 /// Where the size of a field's particles comes from. docs/physics.md §7
 enum class RadiusSource : int { constant, file, number, scheme };
@@ -76,6 +78,9 @@ struct Look {
     float sunIntensity = 1.0f;
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
+    SkyModel skyModel = SkyModel::gradient;
+    float visibilityM = 100e3f;
+    float ozoneDobson = 300.0f;
     glm::vec3 skyZenith{0.03f, 0.09f, 0.26f};
     glm::vec3 skyHorizon{0.20f, 0.30f, 0.44f};
     float skyIntensity = 1.0f;
@@ -86,6 +91,7 @@ struct Look {
     Engine engine{};
     int planes = 256;  ///< of the slicing engine; they decide the brightness of its printed form
     float exposureEv = 0.4f;
+    bool autoExposure = true;
     ToneMap toneMap = ToneMap::filmic;
 
     std::array<SpeciesLook, kSpeciesCount> species;
@@ -98,6 +104,10 @@ struct Look {
 /// Whether light is followed through all its scatterings: Transport::full, of an engine that knows
 /// it.
 bool scattersOften(const Look& look);
+
+/// Albedo of the ground, linear RGB: of a Lambert surface with the radiance that the look gives it
+/// in full light.
+glm::vec3 groundAlbedo(const Look& look);
 
 /// Unit vector towards the sun in world space.
 glm::dvec3 sunDirWorld(const Look& look);

@@ -174,15 +174,38 @@ void addSunAndSky(std::vector<Parameter>& table) {
                 Stage::light, "Height of the sun above the horizon.");
     rows.number("sun.intensity", "Sun intensity", "1", &Look::sunIntensity, {0.0, 20.0, true},
                 Stage::eye,
-                "Irradiance L_lt of Eq. 12; 1 makes isotropic scatter of full light radiance 1.");
-    rows.colour("sun.colour", "Sun colour", &Look::sunColour, Stage::eye,
-                "Linear RGB of sunlight.");
-    rows.colour("sky.zenith", "Sky zenith", &Look::skyZenith, Stage::eye,
-                "Radiance of the sky overhead, linear RGB.");
-    rows.colour("sky.horizon", "Sky horizon", &Look::skyHorizon, Stage::eye,
-                "Radiance of the sky at the horizon, linear RGB.");
-    rows.number("sky.intensity", "Sky intensity", "1", &Look::skyIntensity, {0.0, 5.0}, Stage::eye,
-                "Multiplies the sky's radiance: L_bg of Eq. 5 and the skylight.");
+                "Irradiance L_lt of Eq. 12; 1 makes isotropic scatter of full light radiance 1. "
+                "With the atmosphere, of the sun outside it.");
+    rows.choice("sky.model", "Sky", &Look::skyModel, Stage::light,
+                {{"gradient", "Gradient", "Two colours, as L_bg of [Riley03]; no haze on clouds."},
+                 {"atmosphere", "Atmosphere",
+                  "Air, haze and ozone around a round Earth: they colour the sun, make the sky and "
+                  "veil what is far. docs/sky.md"}},
+                "Where the light of the sky comes from: two colours, or air of a given visibility, "
+                "which also dims and colours the sun and veils what is far.");
+    const auto ofGradient = [](Parameter& row) {
+        row.acts = [](const Look& look) { return look.skyModel == SkyModel::gradient; };
+    };
+    const auto ofAtmosphere = [](Parameter& row) {
+        row.acts = [](const Look& look) { return look.skyModel == SkyModel::atmosphere; };
+    };
+    Parameter& visibility = rows.number(
+        "sky.visibility", "Visibility", "m", &Look::visibilityM, {2000.0, 300e3, true},
+        Stage::light, "How far one sees through the haze near the ground; it ends 1.2 km up.");
+    visibility.displayUnit = "km";
+    visibility.displayScale = 1e-3;
+    ofAtmosphere(visibility);
+    ofAtmosphere(rows.number("sky.ozone", "Ozone", "DU", &Look::ozoneDobson, {0.0, 600.0},
+                             Stage::light, "Dobson units; ozone keeps the sky of twilight blue."));
+    ofGradient(rows.colour("sun.colour", "Sun colour", &Look::sunColour, Stage::eye,
+                           "Linear RGB of sunlight."));
+    ofGradient(rows.colour("sky.zenith", "Sky zenith", &Look::skyZenith, Stage::eye,
+                           "Radiance of the sky overhead, linear RGB."));
+    ofGradient(rows.colour("sky.horizon", "Sky horizon", &Look::skyHorizon, Stage::eye,
+                           "Radiance of the sky at the horizon, linear RGB."));
+    ofGradient(rows.number("sky.intensity", "Sky intensity", "1", &Look::skyIntensity, {0.0, 5.0},
+                           Stage::eye,
+                           "Multiplies the sky's radiance: L_bg of Eq. 5 and the skylight."));
     ofOneScattering(
         rows.number("sky.skylight", "Skylight", "1", &Look::skylight, {0.0, 2.0}, Stage::eye,
                     "Share of the sky's radiance that lights the cloud, dimmed by what lies above "
@@ -207,10 +230,16 @@ void addView(std::vector<Parameter>& table) {
     planes.alias = {"--planes", "N", "Slices, slicing; instead of view.planes"};
     rows.number("exposure", "Exposure", "EV", &Look::exposureEv, {-10.0, 10.0}, Stage::resolve,
                 "Scene-referred gain, 2^EV, before tone mapping.");
-    rows.choice("tone_map", "Tone mapping", &Look::toneMap, Stage::resolve,
-                {{"linear", "Linear", "Clipped where it is too bright."},
-                 {"filmic", "Filmic", "A toe and a shoulder, as on photographs. [Narkowicz15]"}},
-                "Filmic shoulder and toe, or linear with clipping.");
+    rows.toggle("auto_exposure", "Exposure follows the light", &Look::autoExposure, Stage::resolve,
+                "As a meter held at the cloud shows it: more exposure when the sun is low, "
+                "whatever the camera looks at.")
+        .acts = [](const Look& look) { return look.skyModel == SkyModel::atmosphere; };
+    rows.choice(
+        "tone_map", "Tone mapping", &Look::toneMap, Stage::resolve,
+        {{"linear", "Linear", "Clipped where it is too bright."},
+         {"filmic", "Filmic", "A toe and a shoulder, as on photographs. [Narkowicz15]"},
+         {"agx", "AgX", "Sixteen stops; bright colours go to white as on film. [Sobotka22]"}},
+        "Filmic shoulder and toe, AgX, or linear with clipping.");
 }
 
 void addSampling(std::vector<Parameter>& table) {

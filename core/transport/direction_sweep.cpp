@@ -32,7 +32,7 @@ DirectionSweep<kThick>::DirectionSweep(const SweepInput& input, const LightDirec
     midTaps_ = SliceTaps(offsetB_ / 2.0f, offsetC_ / 2.0f);
     shape_ = {grid_.nodes[axisB_], grid_.nodes[axisC_], grid_.periodic(axisB_),
               grid_.periodic(axisC_)};
-    inflow_ = travel_.z < 0.0f ? static_cast<float>(input.sky.radianceAt(-direction.travel.z))
+    inflow_ = travel_.z < 0.0f ? static_cast<float>(input.sky.radianceAt(-direction.travel))
                                : input.farGroundRadiance;
     prepare();
 }

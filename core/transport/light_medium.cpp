@@ -9,19 +9,21 @@
 
 namespace neph {
 
-double SkyLight::radianceAt(double up) const {
+double SkyLight::radianceAt(const glm::dvec3& towards) const {
+    if (dome) return dome->patterns[pattern].at(towards, dome->towardsSun);
     const glm::vec3 radiance =
-        glsl::skyRadiance(static_cast<float>(up), glm::vec3(static_cast<float>(zenith)),
+        glsl::skyRadiance(static_cast<float>(towards.z), glm::vec3(static_cast<float>(zenith)),
                           glm::vec3(static_cast<float>(horizon)));
     return static_cast<double>(radiance.x);
 }
 
 double SkyLight::irradiance() const {
+    if (dome) return std::numbers::pi;  // of any pattern
     constexpr int kBands = 2000;
     double sum = 0.0;
     for (int i = 0; i < kBands; ++i) {
         const double up = (i + 0.5) / kBands;
-        sum += 2.0 * std::numbers::pi / kBands * up * radianceAt(up);
+        sum += 2.0 * std::numbers::pi / kBands * up * radianceAt({0.0, 0.0, up});
     }
     return sum;
 }

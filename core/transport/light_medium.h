@@ -8,9 +8,11 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/grid/grid.h"
+#include "core/sky/sky_tables.h"
 #include "core/transport/harmonics.h"
 #include "core/transport/phase_moments.h"
 
@@ -41,11 +43,15 @@ enum class LightSource : int {
     sky   ///< the sky above the horizon; the sun is dark
 };
 
-/// Radiance of a sky from zenith to horizon as shaders/lib/sky.glsl has it.
+/// Radiance of a sky: from zenith to horizon as shaders/lib/sky.glsl has it, or a pattern of the
+/// atmosphere.
 struct SkyLight {
     double zenith = 1.0, horizon = 1.0;
-    /// `up` is the sine of the elevation, above the horizon.
-    double radianceAt(double up) const;
+    std::shared_ptr<const SkyDome> dome = {};
+    std::size_t pattern = 0;  ///< of the dome
+    bool isDark() const { return !dome && zenith == 0.0 && horizon == 0.0; }
+    /// `towards` is a unit vector above the horizon.
+    double radianceAt(const glm::dvec3& towards) const;
     /// On a level surface.
     double irradiance() const;
     bool operator==(const SkyLight&) const = default;
@@ -54,8 +60,10 @@ struct SkyLight {
 struct LightScene {
     LightSource source = LightSource::sun;
     glm::dvec3 towardsSun{0.0, 0.0,
-                          1.0};   ///< unit vector; below the horizon it still lights what is high
-    SkyLight sky;                 ///< if it is the source
+                          1.0};  ///< unit vector; below the horizon it still lights what is high
+    SkyLight sky;                ///< if it is the source
+    /// If it is the source, how bright the sun is at the height of each layer of nodes: 1 if empty.
+    std::vector<float> sunByLayer;
     double groundAlbedo = 0.0;    ///< Lambert, also of the ground beyond open sides
     double groundRadiance = 0.0;  ///< comes up from below besides
     bool periodicSides = false;

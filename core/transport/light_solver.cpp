@@ -89,11 +89,13 @@ LightSolver::LightSolver(const LightSolver& other, const LightScene& scene,
 
 void LightSolver::restart(const LightScene& scene) {
     assert(scene.source == scene_.source && scene.periodicSides == scene_.periodicSides);
-    const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun;
+    const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun ||
+                       scene.sunByLayer != scene_.sunByLayer;
     scene_ = scene;
     if (scene.source == LightSource::sun && moved) {
         const TransportLevel& fine = level();
         beam_ = beamIrradiance(fine, scene.towardsSun, settings_.threads);
+        dimBeam(scene.sunByLayer);
         groundBeam_ = beam_;
         groundBeam_.resize(std::min(beam_.size(), fine.grid.columnCount()));
         underResolved_ = 0.0;
@@ -106,6 +108,14 @@ void LightSolver::restart(const LightScene& scene) {
     remaining_ = 1.0;
     halfCycles_ = {};
     for (auto& half : halves_) half.assign(level().activeCount, 0.0f);
+}
+
+/// By what the air takes of it on its way to each layer.
+void LightSolver::dimBeam(const std::vector<float>& sunByLayer) {
+    if (sunByLayer.empty()) return;
+    const std::size_t layer = level().grid.columnCount();
+    assert(sunByLayer.size() * layer >= beam_.size());
+    for (std::size_t i = 0; i < beam_.size(); ++i) beam_[i] *= sunByLayer[i / layer];
 }
 
 void LightSolver::startFrom(const LightSolver& other) {
@@ -137,7 +147,8 @@ Swept LightSolver::sweepFine(const LightField& field, const LightDirections& dir
     const double sine = std::max(scene_.towardsSun.z, 0.0);  // of light on the ground
     if (hasBeam()) input.beam = beam_.data();
     if (scene_.source == LightSource::sky) input.sky = scene_.sky;
-    const double farFlux = hasBeam() ? sine : input.sky.irradiance();
+    const double sun = scene_.sunByLayer.empty() ? 1.0 : static_cast<double>(scene_.sunByLayer[0]);
+    const double farFlux = hasBeam() ? sine * sun : input.sky.irradiance();
     const double perFlux = scene_.groundAlbedo / std::numbers::pi;
     const auto upwards = [&](double flux) {
         return static_cast<float>(scene_.groundRadiance + perFlux * flux);

@@ -81,6 +81,7 @@ class LightSolver {
     Swept sweepFine(const LightField& field, const LightDirections& directions) const;
     LightField thickCycle(const LightDirections& directions, const MultigridPass& pass);
     void average(const LightField& next);
+    void dimBeam(const std::vector<float>& sunByLayer);
     bool hasBeam() const { return !beam_.empty(); }
 
     LightScene scene_;

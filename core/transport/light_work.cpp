@@ -33,15 +33,26 @@ LightSettings settingsOf(LightPart part) {
     return settings;
 }
 
-LightScene sceneOf(const LightRequest& request, LightPart part) {
+/// `layers` of nodes, `layerM` apart.
+LightScene sceneOf(const LightRequest& request, LightPart part, int layers, double layerM) {
     LightScene scene;
     scene.towardsSun = request.towardsSun;
     scene.groundAlbedo = request.groundHidden ? 0.0 : request.groundAlbedo;
-    if (part == LightPart::sun) return scene;
+    if (part == LightPart::sun) {
+        for (int k = 0; request.dome && k < layers; ++k) {
+            const double altitudeM = request.lowestM + k * layerM;
+            scene.sunByLayer.push_back(static_cast<float>(request.dome->sunAt(altitudeM)));
+        }
+        return scene;
+    }
     scene.source = LightSource::sky;
     scene.sky.horizon = part == LightPart::horizon ? 1.0 : 0.0;
     scene.sky.zenith = part == LightPart::zenith ? 1.0 : 0.0;
-    if (request.groundHidden) scene.groundRadiance = scene.sky.horizon;
+    scene.sky.dome = request.dome;
+    scene.sky.pattern = part == LightPart::horizon ? 0 : 1;
+    if (!request.groundHidden) return scene;
+    scene.groundRadiance =
+        request.dome ? request.dome->patterns[scene.sky.pattern].atHorizon() : scene.sky.horizon;
     return scene;
 }
 
@@ -68,8 +79,8 @@ struct LightWork::Solution {
     }
     void makeSolvers(const LightMedium& medium) {
         const auto make = [&](LightPart part, const auto& from) {
-            solvers[static_cast<std::size_t>(part)] =
-                std::make_unique<LightSolver>(from, sceneOf(request, part), settingsOf(part));
+            solvers[static_cast<std::size_t>(part)] = std::make_unique<LightSolver>(
+                from, sceneOf(request, part, medium.nodes.z, medium.spacingM.z), settingsOf(part));
         };
         const auto makeSome = [&](std::size_t piece, std::size_t, const Progress&) {
             if (piece == 0) {
@@ -84,11 +95,12 @@ struct LightWork::Solution {
     void change(const LightRequest& to) {
         for (std::size_t i = 0; i < kLightParts; ++i) {
             const auto part = static_cast<LightPart>(i);
-            LightScene scene = sceneOf(to, part);
+            const TransportGrid& grid = solvers[i]->level().grid;
+            LightScene scene = sceneOf(to, part, grid.nodes.z, grid.spacingM.z);
             if (part != LightPart::sun) {
                 const LightScene& before = solvers[i]->scene();
                 scene.towardsSun = before.towardsSun;
-                if (scene.groundAlbedo == before.groundAlbedo &&
+                if (scene.sky == before.sky && scene.groundAlbedo == before.groundAlbedo &&
                     scene.groundRadiance == before.groundRadiance) {
                     continue;
                 }

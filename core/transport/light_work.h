@@ -21,15 +21,18 @@ struct LightRequest {
     std::shared_ptr<const LightMedium> medium;  ///< another object is another medium
     glm::dvec3 towardsSun{0.0, 0.0, 1.0};
     double groundAlbedo = 0.0;
-    bool groundHidden = false;  ///< the sky's horizon shines from below instead
+    bool groundHidden = false;                 ///< the sky's horizon shines from below instead
+    std::shared_ptr<const SkyDome> dome = {};  ///< of an atmosphere; none: a gradient
+    double lowestM = 0.0;                      ///< altitude of the lowest nodes
     /// May start from the light that is there, which is quicker; else the outcome depends on
     /// nothing that was asked before.
     bool warm = false;
     bool operator==(const LightRequest&) const = default;
 };
 
-/// Sources of light whose fields add up: the sun with irradiance 1, and two parts of the sky, with
-/// radiance 1 at the horizon falling to 0 in the zenith, and the other way round.
+/// Sources of light whose fields add up: the sun with irradiance 1, or as bright as the dome has
+/// it, and two parts of the sky, with radiance 1 at the horizon falling to 0 in the zenith, and the
+/// other way round, or the patterns of the dome.
 enum class LightPart : int { sun, horizon, zenith };
 inline constexpr std::size_t kLightParts = 3;
 

@@ -155,11 +155,11 @@ class SetSweep {
 
 /// A random set has not quite the right flux through a horizontal plane.
 void scaleGroundFlux(const SkyLight& sky, const LightDirections& directions, LightField& field) {
-    const bool dark = sky == SkyLight{0.0, 0.0};
+    const bool dark = sky.isDark();
     double downward = 0.0;
     for (const LightDirection& d : directions) {
         const double up = -d.travel.z;
-        if (up > 0.0) downward += d.weightSr * up * (dark ? 1.0 : sky.radianceAt(up));
+        if (up > 0.0) downward += d.weightSr * up * (dark ? 1.0 : sky.radianceAt(-d.travel));
     }
     const auto scale = static_cast<float>((dark ? std::numbers::pi : sky.irradiance()) / downward);
     for (float& flux : field.groundFlux) flux *= scale;

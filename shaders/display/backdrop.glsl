@@ -1,9 +1,8 @@
 // backdrop.glsl: sky and ground, L_bg of Eq. 5. The ground shows the shadow of the cloud: what is
 // left of the light behind the last slice.
 #pragma once
-#include "../lib/sky.glsl"
-#include "../shared/frame.glsl"
 #include "../shared/light_layout.glsl"
+#include "../sky/air.glsl"
 
 layout(binding = kLightUnit) uniform sampler2DArray t_light;
 #if FULL
@@ -28,19 +27,20 @@ vec3 groundLight(vec3 positionM, float sun) {
     vec2 inside = min(at, 1.0 - at);
     float known = smoothstep(0.0, kFade, min(inside.x, inside.y));
     vec3 diffuse = mix(u_.farGround.rgb, textureLod(t_groundLight, at, 0.0).rgb, known);
-    return max(u_.towardsSun.z, 0.0) * sun * u_.sunRadiance.rgb + diffuse;
+    return max(u_.towardsSun.z, 0.0) * sun * sunAt(0.0) * u_.sunRadiance.rgb + diffuse;
 }
 #else
 vec3 groundLight(vec3 positionM, float sun) {
-    return u_.sunRadiance.rgb * max(u_.towardsSun.z, 0.0) * sun + u_.ambient.rgb;
+    return u_.sunRadiance.rgb * sunAt(0.0) * max(u_.towardsSun.z, 0.0) * sun + u_.ambient.rgb;
 }
 #endif
 
 vec3 backdrop(Ray ray, int lastLayer) {
     if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
-    if (groundM <= 0.0) return skyRadiance(ray.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
-    vec3 positionM = ray.originM + groundM * ray.dir;
+    if (groundM <= 0.0) return eyeSky(ray.dir);
+    vec3 positionM = pointAlong(ray, groundM);
     vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
+    if (hasAir()) return throughAir(airRay(ray.dir), groundM, u_.ground.rgb * light, 1.0);
     return hazyGround(u_.ground.rgb * light, u_.skyHorizon.rgb, groundM);
 }

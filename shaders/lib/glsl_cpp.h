@@ -30,6 +30,7 @@ using namespace glm;
 #include "shaders/lib/ray_box.glsl"
 #include "shaders/lib/scattering_table.glsl"
 #include "shaders/lib/sky.glsl"
+#include "shaders/lib/sky_table.glsl"
 #include "shaders/lib/tonemap.glsl"
 
 }  // namespace

@@ -13,9 +13,30 @@ float srgbEncode(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
-/// Linear display value, 1 for white, of a linear radiance. `curve` is 0 for linear, 1 for filmic.
+/// AgX: a sigmoid over the logarithm of radiance, 10 stops below middle grey to 6.5 above, between
+/// primaries that are drawn in and out again, so that what is bright loses its colour as on film.
+/// [Sobotka22], by the polynomial of [Wrensch23].
+vec3 agx(vec3 radiance) {
+    const float kFirstStop = -12.47393f, kLastStop = 4.026069f;
+    mat3 inwards = mat3(0.842479062f, 0.042328242f, 0.042375655f, 0.0784336f, 0.878468636f,
+                        0.0784336f, 0.079223745f, 0.079166127f, 0.879142974f);
+    mat3 outwards = mat3(1.196879005f, -0.052896852f, -0.052971636f, -0.098020881f, 1.15190313f,
+                         -0.09804345f, -0.099029744f, -0.098961177f, 1.151073673f);
+    vec3 stops = log2(max(inwards * radiance, vec3(1e-10f)));
+    vec3 x = clamp((stops - kFirstStop) / (kLastStop - kFirstStop), vec3(0.0f), vec3(1.0f));
+    vec3 x2 = x * x;
+    vec3 x4 = x2 * x2;
+    vec3 y = 15.5f * x4 * x2 - 40.14f * x4 * x + 31.96f * x4 - 6.868f * x2 * x + 0.4298f * x2 +
+             0.1191f * x - 0.00232f;
+    vec3 encoded = clamp(outwards * y, vec3(0.0f), vec3(1.0f));
+    return pow(encoded, vec3(2.2f));
+}
+
+/// Linear display value, 1 for white, of a linear radiance. `curve` is 0 for linear, 1 for filmic,
+/// 2 for AgX.
 vec3 displayShare(vec3 radiance, float gain, int curve) {
     vec3 exposed = max(radiance * gain, vec3(0.0f));
+    if (curve == 2) return agx(exposed);
     return curve == 1 ? filmic(exposed) : clamp(exposed, vec3(0.0f), vec3(1.0f));
 }
 

@@ -52,13 +52,14 @@ const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
 /// A ray in the units in which it is used.
 struct Path {
     Ray ray;
-    vec3 at, atPerM;        // in the medium's texture
-    vec3 brick, brickPerM;  // in bricks
-    vec3 mPerBrick;         // distance along the ray for one brick of each axis, signed
-    float startM, endM;     // of the part that can meet anything
-    float stepM;            // the shortest
-    bool sunwards;          // what is scattered forward is seen
-    float place;            // of the samples on the ray, in shortest steps, less than the longest
+    vec3 at, atPerM;          // in the medium's texture
+    vec3 brick, brickPerM;    // in bricks
+    float bendM, bendBricks;  // upwards, per square of the distance
+    AirRay air;
+    float startM, endM;  // of the part that can meet anything
+    float stepM;         // the shortest
+    bool sunwards;       // what is scattered forward is seen
+    float place;         // of the samples on the ray, in shortest steps, less than the longest
 };
 
 /// A sample: where it is on the ray, and what is there.
@@ -95,7 +96,9 @@ Path pathOf(ivec2 pixel, Ray ray, vec2 insideM) {
     path.atPerM = ray.dir / u_.gridExtentM.xyz;
     path.brick = ray.originM / u_.brickM.xyz;
     path.brickPerM = divisible(ray.dir) / u_.brickM.xyz;
-    path.mPerBrick = 1.0 / path.brickPerM;
+    path.bendM = bendOf(ray.dir);
+    path.bendBricks = path.bendM / u_.brickM.z;
+    if (hasAir()) path.air = airRay(ray.dir);
     path.startM = insideM.x;
     path.endM = insideM.y;
     path.stepM = 1.0 / length(ray.dir * u_.march.xyz);
@@ -118,14 +121,17 @@ float stationBefore(Path path, float atM) {
 /// Leaps from empty brick to empty brick; returns where that ends.
 float leap(Path path, float atM, inout uint skipped) {
     ivec3 last = textureSize(t_bricks, 0) - 1;
-    vec3 ahead = step(0.0, path.brickPerM);
     while (true) {
         vec3 p = path.brick + atM * path.brickPerM;
+        p.z += path.bendBricks * atM * atM;
+        vec3 perM = path.brickPerM;
+        perM.z = divisible(vec3(perM.z + 2.0 * path.bendBricks * atM)).z;
+        vec3 ahead = step(0.0, perM);
         vec3 corner = floor(p);
         float reach = float(texelFetch(t_bricks, clamp(ivec3(corner), ivec3(0), last), 0).r);
         if (reach == 0.0 || atM >= path.endM) return atM;
         vec3 wall = corner + mix(vec3(1.0 - reach), vec3(reach), ahead);
-        vec3 distanceM = (wall - p) * path.mPerBrick;
+        vec3 distanceM = (wall - p) / perM;
         // A thousandth of a brick over the wall, so that rounding cannot hold the ray at it.
         atM += min(min(distanceM.x, distanceM.y), distanceM.z) + 1e-3 * u_.brickM.x;
         ++skipped;
@@ -168,13 +174,25 @@ float detailAt(vec3 positionM, vec3 jitter, Detail detail) {
 }
 #endif
 
+vec3 inTexture(Path path, float atM) {
+    vec3 at = path.at + atM * path.atPerM;
+    at.z += path.bendM / u_.gridExtentM.z * atM * atM;
+    return at;
+}
+
+vec3 positionOn(Path path, float atM) {
+    vec3 positionM = path.ray.originM + atM * path.ray.dir;
+    positionM.z += path.bendM * atM * atM;
+    return positionM;
+}
+
 Station stationAt(Path path, float index) {
     float atM = stationM(path, index);
 #if FLOOR
-    vec4 texel = textureLod(t_floor, path.at + atM * path.atPerM, 0.0);
+    vec4 texel = textureLod(t_floor, inTexture(path, atM), 0.0);
     return Station(atM, 0.0, dot(texel.rgb, vec3(texel.a)));
 #else
-    vec2 medium = textureLod(t_extinction, path.at + atM * path.atPerM, 0.0).rg;
+    vec2 medium = textureLod(t_extinction, inTexture(path, atM), 0.0).rg;
     return Station(atM, medium.r, medium.g);
 #endif
 }
@@ -244,16 +262,17 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 #if FULL
 /// What a run adds to the image, step by step: sunlight scattered once, and diffuse light, of which
 /// voxels of light know the sum.
-void addScattered(Path path, Station from, Station stations[kRun], Optics optics, inout Eye eye) {
+void addScattered(Path path, Station from, Station stations[kRun], Optics optics, vec3 sun,
+                  inout Eye eye) {
     for (int i = 0; i < kRun; ++i) {
         Station to = stations[i];
         float depth =
             0.5 * optics.kept * (from.extinctionPerM + to.extinctionPerM) * (to.atM - from.atM);
         float origin = originInStep(from.extinctionPerM, to.extinctionPerM, depth);
         float light = mix(from.light, to.light, origin);
-        vec3 positionM = path.ray.originM + mix(from.atM, to.atM, origin) * path.ray.dir;
+        vec3 positionM = positionOn(path, mix(from.atM, to.atM, origin));
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
-        vec3 diffuse = source.rgb - light * source.a * u_.sunRadiance.rgb;
+        vec3 diffuse = source.rgb - light * source.a * sun * u_.sunRadiance.rgb;
         float through = eye.through * exp2(-kLog2E * depth);
         vec3 single = optics.once;
         if (path.sunwards) {
@@ -262,7 +281,7 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
                 scatteredOnce(optics, eye.forward + (origin * depth + fromSun) * optics.forward);
         }
         eye.radiance +=
-            (eye.through - through) * max(light * single + optics.colour * diffuse, 0.0);
+            (eye.through - through) * max(light * sun * single + optics.colour * diffuse, 0.0);
         eye.through = through;
         eye.forward += depth * optics.forward;
         from = to;
@@ -273,27 +292,35 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
 /// What a run adds to the image.
 void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     Scattered met = scatteredIn(last, stations, eye.through);
-    vec3 metM = path.ray.originM + met.atM * path.ray.dir;
+    vec3 metM = positionOn(path, met.atM);
     Mixture mixture = mixtureAt(metM);
 #if NOISE
     Detail detail = detailOf(mixture);
     vec3 jitter = (fract(path.place * vec3(5.0, 37.0, 91.0)) - 0.5) / float(kNoiseSize);
     for (int i = 0; i < kRun; ++i) {
-        vec3 positionM = path.ray.originM + stations[i].atM * path.ray.dir;
+        vec3 positionM = positionOn(path, stations[i].atM);
         stations[i].extinctionPerM *= detailAt(positionM, jitter, detail);
     }
     met = scatteredIn(last, stations, eye.through);
 #endif
+    vec3 sun = sunAt(altitudeM(metM));
+    vec3 nearer = eye.radiance;
+    float throughNearer = eye.through;
 #if FULL
-    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM), path.sunwards), eye);
+    addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM), path.sunwards), sun,
+                 eye);
 #else
     float seen = (eye.through - met.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
-        eye.radiance += mixture.share[i] * (met.light * sunlit_[i] +
+        eye.radiance += mixture.share[i] * (met.light * sun * sunlit_[i] +
                                             seen * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
     }
     eye.through = met.through;
 #endif
+    if (hasAir()) {
+        eye.radiance = nearer + throughAir(path.air, met.atM, eye.radiance - nearer,
+                                           throughNearer - eye.through);
+    }
     last = stations[kRun - 1];
 }
 #endif

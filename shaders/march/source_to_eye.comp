@@ -7,6 +7,7 @@ layout(local_size_x = kSourceGroup) in;
 #include "../lib/harmonics.glsl"
 #include "../shared/frame.glsl"
 #include "../shared/groups_layout.glsl"
+#include "../sky/air.glsl"
 
 layout(rgba16f, binding = kSourceImage) writeonly uniform image3D o_source;
 layout(std430, binding = kSourceNodesBuffer) readonly buffer Nodes {
@@ -68,8 +69,15 @@ void main() {
         }
     }
     // Light of a sun of this radiance: shaders/medium/phases.glsl.
-    vec3 source = 4.0 * kPi * sun * u_.sunRadiance.rgb + sky[0] * u_.skyHorizon.rgb +
-                  sky[1] * u_.skyZenith.rgb;
+    // Sunlight arrives with the luminance that it has at each altitude; its colour is taken to be
+    // that of where it is scattered last.
+    vec3 colour = sunAt(altitudeM(positionM));
+    colour /= max(dot(colour, kLuminance), 1e-12);
+    if (!hasAir()) colour = vec3(1.0);
+    vec3 source = 4.0 * kPi * sun * colour * u_.sunRadiance.rgb +
+                  max(sky[0] * skyPartAt(altitudeM(positionM), 0) +
+                          sky[1] * skyPartAt(altitudeM(positionM), 1),
+                      0.0);
     float held = 0.0;
 #if BALANCED
     held = 4.0 * kPi * heldOfBeam(kWordsOfBalanced * i, dot(travel, -u_.towardsSun.xyz));

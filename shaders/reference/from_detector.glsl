@@ -28,6 +28,20 @@ void start(inout Path p, uint index) {
     }
 }
 
+bool bends(Path p) {
+    return false;
+}
+
+void bend(inout Path p, float lengthM) {}
+
+bool reachesSeenGround(inout Path p) {
+    return reachesGround(p);
+}
+
+vec3 seenSky(Path p) {
+    return skyFrom(p.positionM, p.dir);
+}
+
 bool showsBackdrop() {
     return true;
 }

@@ -15,14 +15,53 @@ void start(inout Path p, uint index) {
     Ray ray = rayThrough(pixelOf(index));
     p.positionM = ray.originM;
     p.dir = ray.dir;
+    p.axis = ray.dir;
+}
+
+/// Until it meets a particle a path follows its ray over the round Earth; `axis` is how it left the
+/// eye.
+bool bends(Path p) {
+    return p.scatterings == 0 && !p.toSun && u_.sky.z > 0.0;
+}
+
+/// Turns a path after so much of its way.
+void bend(inout Path p, float lengthM) {
+    p.dir = normalize(p.dir + vec3(0.0, 0.0, 2.0 * bendOf(p.axis) * lengthM));
+}
+
+Ray rayOf(Path p) {
+    return Ray(u_.eyeM.xyz, p.axis);
+}
+
+bool reachesSeenGround(inout Path p) {
+    float groundM = groundDistanceM(rayOf(p));
+    if (groundM > 0.0) p.positionM = pointAlong(rayOf(p), groundM);
+    return groundM > 0.0;
+}
+
+vec3 seenSky(Path p) {
+    return eyeSky(p.axis);
 }
 
 bool showsBackdrop() {
     return u_.sampling.y == 1;
 }
 
-/// The ground fades into the horizon where it is seen directly, as with the other engines.
+/// What is seen directly is seen through the air, as with the other engines.
+void passAir(inout Path p) {
+    AirRay air = airRay(p.axis);
+    float distanceM = distance(u_.eyeM.xyz, p.positionM);
+    vec3 worth = worthOf(p);
+    p.radiance += worth * throughAir(air, distanceM, vec3(0.0), 1.0);
+    p.throughput *= throughAir(air, distanceM, vec3(1.0), 0.0);
+}
+
+/// The ground fades into the horizon where there is no air.
 void passHaze(inout Path p) {
+    if (hasAir()) {
+        passAir(p);
+        return;
+    }
     float clear = exp(-distance(u_.eyeM.xyz, p.positionM) / kHazeLengthM);
     p.radiance += (1.0 - clear) * worthOf(p) * u_.skyHorizon.rgb;
     p.throughput *= clear;
@@ -30,4 +69,5 @@ void passHaze(inout Path p) {
 
 void noteFirst(inout Path p) {
     p.firstM = distance(u_.eyeM.xyz, p.positionM);
+    if (hasAir()) passAir(p);
 }

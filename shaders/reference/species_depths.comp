@@ -3,8 +3,7 @@
 #version 450 core
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../lib/noise.glsl"
-#include "../lib/ray_box.glsl"
-#include "../shared/frame.glsl"
+#include "../medium/ray_in_box.glsl"
 #include "../shared/reference_layout.glsl"
 
 layout(binding = kHeldUnit) uniform sampler3D t_held[kSpeciesCount];  // kg/m³ or 1/m
@@ -33,14 +32,14 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     Ray ray = rayThrough(pixel);
-    vec2 inside = rayBox(ray.originM, ray.dir, vec3(0.0), u_.gridExtentM.xyz);
+    vec2 inside = partInBoxM(ray, vec3(0.0), u_.gridExtentM.xyz);
     float lengthM = max(0.0, inside.y - max(inside.x, 0.0));
     int steps = int(ceil(lengthM / longestStepM));
     float stepM = lengthM / float(max(steps, 1));
     float depth[kSpeciesCount];
     for (int s = 0; s < kSpeciesCount; ++s) depth[s] = 0.0;
     for (int i = 0; i < steps; ++i) {
-        vec3 positionM = ray.originM + (max(inside.x, 0.0) + (float(i) + 0.5) * stepM) * ray.dir;
+        vec3 positionM = pointAlong(ray, max(inside.x, 0.0) + (float(i) + 0.5) * stepM);
         for (int s = 0; s < kSpeciesCount; ++s) {
             if (classOf[s] < 0) continue;
             float held = textureLod(t_held[s], positionM / u_.gridExtentM.xyz, 0.0).r;

@@ -113,7 +113,7 @@ void takeUp(inout Path p, uint lane) {
     uint at = waitingWord(p.waiting, lane);
     uvec4 words[kWaitingWords];
     for (int i = 0; i < kWaitingWords; ++i) words[i] = lanes_[at + uint(i) * n];
-    p.positionM = uintBitsToFloat(words[0].xyz);
+    p.positionM = p.vertexM = uintBitsToFloat(words[0].xyz);
     p.density = uintBitsToFloat(words[0].w);
     p.dir = uintBitsToFloat(words[1].xyz);
     p.scatterings = int(words[1].w);

@@ -9,8 +9,9 @@
 #version 450 core
 layout(local_size_x = 64) in;
 #include "../lib/random.glsl"
-#include "../lib/sky.glsl"
+#include "../medium/ray_in_box.glsl"
 #include "../shared/reference_blocks.glsl"
+#include "../sky/air.glsl"
 #include "scattering.glsl"
 #include "state.glsl"
 
@@ -50,8 +51,13 @@ float sunSolidAngle() {
     return 2.0 * kPi * discVersine;
 }
 
-vec3 sunIrradiance() {
-    return 4.0 * kPi * u_.sunRadiance.rgb;
+/// Radiance that full sunlight at a point gives to isotropic scatter.
+vec3 sunRadianceAt(vec3 positionM) {
+    return u_.sunRadiance.rgb * sunAt(max(altitudeM(positionM), 0.0));
+}
+
+vec3 sunIrradianceAt(vec3 positionM) {
+    return 4.0 * kPi * sunRadianceAt(positionM);
 }
 
 /// What light along the path counts for, at each wavelength.
@@ -62,6 +68,15 @@ vec3 worthOf(Path p) {
 /// Share of what sampling the sun finds, where directions are drawn with a density as well.
 float shareOfSun(float density) {
     return 1.0 / (1.0 + density * sunSolidAngle());
+}
+
+/// Whether the way ahead ends on the ground; then moves there.
+bool reachesGround(inout Path p) {
+    float heightM = u_.eyeM.w + p.positionM.z;
+    float highest = hasAir() ? horizonSine(heightM) : 0.0;
+    if (u_.ground.w < 0.5 || p.dir.z >= highest || heightM < -1.0) return false;
+    if (p.dir.z < 0.0) p.positionM += max(heightM, 0.0) / -p.dir.z * p.dir;
+    return true;
 }
 
 #if DETECTORS
@@ -137,7 +152,7 @@ float sunReach(vec3 positionM) {
 
 /// What all the sunlight at the vertex would bring.
 float worthOfSunlight(Path p) {
-    return largestOf(p.sunlit) / max(largestOf(u_.sunRadiance.rgb), 1e-30);
+    return largestOf(p.sunlit) / max(largestOf(sunRadianceAt(p.vertexM)), 1e-30);
 }
 
 /// Light scattered for the first time, or from ground that is seen, has little noise but this.
@@ -156,7 +171,7 @@ void sampleSun(inout Path p) {
     vec3 sun = directionAround(towards, discVersine * u.x, u.y);
     // Weighed by the density towards the disc's middle, for both ways of finding it.
     p.density = p.direct ? sentTo(p, medium, mixture, towards).density : 0.0;
-    p.sunlit = worthOf(p) * sentTo(p, medium, mixture, sun).share * sunIrradiance() *
+    p.sunlit = worthOf(p) * sentTo(p, medium, mixture, sun).share * sunIrradianceAt(p.positionM) *
                shareOfSun(p.density);
     p.vertexM = p.positionM;
     float expected = worthOfSunlight(p) * exp(-kAskingPerDepth * sunDepthAt(p.positionM));
@@ -188,7 +203,7 @@ void scatter(inout Path p, uint lane) {
     vec3 next = directionAround(p.axis, drawn.x, u.z);
     vec3 near = directionAround(towards, drawnNear.x, v.y);
     float reach = sunReach(p.positionM);
-    bool shines = largestOf(u_.sunRadiance.rgb) > 0.0;
+    bool shines = largestOf(sunRadianceAt(p.vertexM)) > 0.0;
     bool branches = shines && p.direct && p.waiting < kMostWaiting;
     float branching = branches ? clamp(worthOfSunlight(p) * reach, kLeastBranching, 1.0) : 0.0;
     Sent toNext = sentTo(p, medium, mixture, next);
@@ -232,12 +247,18 @@ void scatter(inout Path p, uint lane) {
 /// Finds where in the grid the way begins that lies ahead.
 void aim(inout Path p) {
     p.depth = -log(1.0 - draw(p).x);
-    vec2 inside = rayBox(p.positionM, p.dir, vec3(0.0), u_.gridExtentM.xyz);
+    bool bent = bends(p);
+    vec2 inside = bent ? partInBoxM(Ray(p.positionM, p.dir), vec3(0.0), u_.gridExtentM.xyz)
+                       : rayBox(p.positionM, p.dir, vec3(0.0), u_.gridExtentM.xyz);
     if (inside.x >= inside.y || inside.y <= 0.0) {
         p.stage = kLeft;
         return;
     }
-    if (inside.x > 0.0) {
+    if (bent) {
+        p.positionM =
+            clamp(pointAlong(Ray(p.positionM, p.dir), inside.x), vec3(0.0), u_.gridExtentM.xyz);
+        bend(p, inside.x);
+    } else if (inside.x > 0.0) {
         p.positionM = clamp(p.positionM + inside.x * p.dir, vec3(0.0), u_.gridExtentM.xyz);
     }
     p.cell = cellAt(p.positionM);
@@ -256,6 +277,7 @@ float cross(inout Path p) {
             return s.boundPerM;
         }
         p.depth -= depth;
+        if (bends(p)) bend(p, s.lengthM);
         if (!crossWall(s, p.dir, p.positionM, p.cell)) p.stage = kLeft;
     }
     return 0.0;
@@ -272,7 +294,7 @@ void meet(inout Path p, float boundPerM) {
         if (u.y < share) {
             p.stage = kMet;
             p.kind = kParticle;
-            p.axis = p.dir;
+            if (!bends(p)) p.axis = p.dir;
         }
         return;
     }
@@ -289,19 +311,17 @@ void meet(inout Path p, float boundPerM) {
 /// The ground, the sky or the sun is at the end of the way.
 void arrive(inout Path p) {
     bool seen = p.scatterings == 0;
-    float heightM = u_.eyeM.w + p.positionM.z;
-    bool ground = u_.ground.w > 0.5 && p.dir.z < 0.0 && heightM >= -1.0;
     p.stage = kDone;
     if (seen && !showsBackdrop()) return;
     if (p.density > 0.0) {
-        p.radiance +=
-            worthOf(p) * sunIrradiance() / sunSolidAngle() * (1.0 - shareOfSun(p.density));
+        p.radiance += worthOf(p) * sunIrradianceAt(p.vertexM) / sunSolidAngle() *
+                      (1.0 - shareOfSun(p.density));
     }
+    bool ground = seen ? reachesSeenGround(p) : reachesGround(p);
     if (!ground) {
-        p.radiance += worthOf(p) * skyRadiance(p.dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
+        p.radiance += worthOf(p) * (seen ? seenSky(p) : skyFrom(p.vertexM, p.dir));
         return;
     }
-    p.positionM += max(heightM, 0.0) / -p.dir.z * p.dir;
     p.positionM.z = -u_.eyeM.w;
     if (seen) passHaze(p);
     ++p.scatterings;

@@ -1,6 +1,7 @@
 // frame.glsl: what every pass of slicing knows of the frame: the pixel's ray, the ground, the place
 // in the light buffer.
 #pragma once
+#include "../lib/sky_table.glsl"
 #include "frame_block.glsl"
 
 layout(std140, binding = kFrameBinding) uniform FrameUniforms {
@@ -17,11 +18,24 @@ Ray rayThrough(ivec2 pixel) {
     return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
 }
 
-/// Distance at which the ray meets the ground, if there is one and the eye is above it; else -1.
+/// Gain in height of a ray from the eye over a plane, per square of the distance, 1/m: the Earth is
+/// round, and the grid is level.
+float bendOf(vec3 dir) {
+    return u_.sky.z * dot(dir.xy, dir.xy);
+}
+
+/// The point of grid space that a ray from the eye passes at a distance.
+vec3 pointAlong(Ray ray, float atM) {
+    vec3 positionM = ray.originM + atM * ray.dir;
+    positionM.z += bendOf(ray.dir) * atM * atM;
+    return positionM;
+}
+
+/// Distance at which a ray from the eye meets the ground, if there is one and the eye is above it;
+/// else -1.
 float groundDistanceM(Ray ray) {
-    float eyeHeightM = u_.eyeM.w + ray.originM.z;
-    bool meets = u_.ground.w > 0.5 && ray.dir.z < 0.0 && eyeHeightM > 0.0;
-    return meets ? -eyeHeightM / ray.dir.z : -1.0;
+    if (u_.ground.w < 0.5) return -1.0;
+    return groundAlongM(u_.eyeM.w + ray.originM.z, ray.dir, u_.sky.z);
 }
 
 /// Place of a point of grid space in the light buffer, in [0, 1] where the buffer covers it.

@@ -42,8 +42,10 @@ struct FrameBlock {
     vec4 sourcePerM;      ///< likewise of the light in them, which may be coarser
     vec4 sourceOffset;
     vec4 farGround;    ///< rgb: diffuse light, as a share of full light, of ground far away
+    vec4 sky;          ///< x: 1 where the tables have it, else a gradient; y: sine of the
+                       ///< horizon's elevation; z: how rays bend, 1/m; w: intensity of the sun
     vec4 sunRadiance;  ///< rgb: colour × intensity
-    vec4 skyZenith;    ///< rgb × intensity
+    vec4 skyZenith;    ///< rgb × intensity; with tables both are the intensity of the sun
     vec4 skyHorizon;   ///< rgb × intensity
     vec4 ambient;      ///< rgb: radiance that skylight gives a sample under open sky
     vec4 ground;       ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible

@@ -12,6 +12,7 @@ layout(local_size_x = kSlicingEyeGroup, local_size_y = kSlicingEyeGroup) in;
 #include "../medium/sample.glsl"
 #include "../medium/total_extinction.glsl"
 #include "../shared/light_layout.glsl"
+#include "../sky/air.glsl"
 
 layout(binding = kLightUnit) uniform sampler2DArray t_light;
 // Of the band of rows that is drawn.
@@ -39,12 +40,15 @@ vec4 marchBatch(Ray ray) {
     vec3 sunlit[CLASSES];
     for (int i = 0; i < CLASSES; ++i) sunlit[i] = sunlitBy(i, i, ray.dir);
 
+    AirRay air;
+    if (hasAir()) air = airRay(ray.dir);
     int forward = perUnit > 0.0 ? 1 : -1;
     int slice = forward > 0 ? met.x : met.y;
     vec3 radiance = vec3(0.0);
     float through = 1.0;
     while (slice >= met.x && slice <= met.y) {
-        vec3 positionM = ray.originM + (t0 + float(slice) * perUnit) * ray.dir;
+        float atM = t0 + float(slice) * perUnit;
+        vec3 positionM = pointAlong(ray, atM);
         int empty = emptiness(positionM);
         if (empty > 0) {
             float skipM = emptyDistanceM(positionM, ray.dir, empty);
@@ -56,14 +60,17 @@ vec4 marchBatch(Ray ray) {
         if (extinctionPerM > 0.0) {
             float light =
                 textureLod(t_light, vec3(lightCoordinate(positionM), slice - u_.slices.y), 0.0).r;
+            vec3 sun = sunAt(altitudeM(positionM));
             vec3 source = vec3(0.0);
             for (int i = 0; i < CLASSES; ++i) {
-                source +=
-                    s.extinctionPerM[i] * (light * sunlit[i] + skylightOf(s) * u_.ambient.rgb *
-                                                                   u_.classes[i].colourAlbedo.rgb);
+                source += s.extinctionPerM[i] *
+                          (light * sun * sunlit[i] +
+                           skylightOf(s) * u_.ambient.rgb * u_.classes[i].colourAlbedo.rgb);
             }
             float segment = exp(-extinctionPerM * segmentM);
-            radiance += through * (1.0 - segment) / extinctionPerM * source;
+            float seen = through * (1.0 - segment);
+            vec3 sent = seen / extinctionPerM * source;
+            radiance += hasAir() ? throughAir(air, atM, sent, seen) : sent;
             through *= segment;
             if (through < u_.forwardShare.z) {
                 through = 0.0;

@@ -15,6 +15,7 @@
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/base/resources.h"
+#include "core/look/exposure.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
@@ -26,7 +27,7 @@ constexpr double kMsPerS = 1000.0;
 Image8 displayOf(const ImageF& linear, const Look& look) {
     Image8 image;
     image.size = linear.size;
-    const float gain = std::exp2(look.exposureEv);
+    const float gain = exposureGain(look);
     for (const glm::vec4& pixel : linear.pixels) {
         const glm::vec3 shown =
             glsl::displayValue(glm::vec3(pixel), gain, static_cast<int>(look.toneMap));

@@ -10,7 +10,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 30 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 31 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -47,25 +47,41 @@ void fillLight(FrameBlock& block, const Look& look, const SlicePlan& plan) {
     block.forwardShare = {shares.inner, shares.outer, kOpaque, 0.0f};
 }
 
-void fillSky(FrameBlock& block, const Look& look) {
+void fillAtmosphere(FrameBlock& block, const Look& look, double eyeAltitudeM,
+                    const SkyTextures& sky) {
+    const auto altitudeM = static_cast<float>(eyeAltitudeM);
+    const vec4 sun(vec3(look.sunIntensity), 0.0f);
+    block.sky = {1.0f, glsl::horizonSine(altitudeM), glsl::bendPerM(altitudeM), look.sunIntensity};
+    block.sunRadiance = block.skyZenith = block.skyHorizon = sun;
+    // Full light, an irradiance of 4 pi, makes a radiance of 1.
+    const vec3 onGround(sky.tables().skyOnGround);
+    block.ambient = vec4(4.0f * look.skylight * look.sunIntensity * onGround, 0.0f);
+}
+
+void fillGradient(FrameBlock& block, const Look& look) {
     const vec3 zenith = look.skyZenith * look.skyIntensity;
     const vec3 horizon = look.skyHorizon * look.skyIntensity;
     block.sunRadiance = vec4(look.sunColour * look.sunIntensity, 0.0f);
     block.skyZenith = vec4(zenith, 0.0f);
     block.skyHorizon = vec4(horizon, 0.0f);
     block.ambient = vec4(0.5f * (zenith + horizon) * look.skylight, 0.0f);
-    block.ground = vec4(look.groundColour, look.groundVisible ? 1.0f : 0.0f);
 }
 
 }  // namespace
 
 FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
-                          const BrickMap& bricks, const MediumPlan& medium,
-                          const SlicePlan& slices) {
+                          const BrickMap& bricks, const MediumPlan& medium, const SlicePlan& slices,
+                          const SkyTextures& sky) {
     FrameBlock block{};
     fillView(block, inputs.camera, grid, slices);
     fillLight(block, inputs.look, slices);
-    fillSky(block, inputs.look);
+    if (sky.hasAir()) {
+        fillAtmosphere(block, inputs.look, inputs.camera.eyeWorld.z, sky);
+    } else {
+        fillGradient(block, inputs.look);
+    }
+    const float visible = inputs.look.groundVisible ? 1.0f : 0.0f;
+    block.ground = vec4(inputs.look.groundColour, visible);
     block.boxLowerM = v4(bricks.occupied.lowerM);
     block.boxUpperM = v4(bricks.occupied.upperM);
     block.gridExtentM = v4(grid.extentM());

@@ -7,6 +7,7 @@
 #include "app/render/frame/frame_inputs.h"
 #include "app/render/light/slice_plan.h"
 #include "app/render/medium/brick_map.h"
+#include "app/render/sky/sky_textures.h"
 #include "core/grid/species.h"
 #include "core/look/medium.h"
 #include "shaders/lib/glsl_cpp.h"
@@ -21,8 +22,8 @@ using block::FrameBlock;
 /// All but what is an engine's own: `slices.yz`, `sampling.x`, `march`, what is known of voxels of
 /// light, and `forward` of the classes.
 FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
-                          const BrickMap& bricks, const MediumPlan& medium,
-                          const SlicePlan& slices);
+                          const BrickMap& bricks, const MediumPlan& medium, const SlicePlan& slices,
+                          const SkyTextures& sky);
 
 /// Whether any class has detail.
 bool isNoisy(const MediumPlan& medium);

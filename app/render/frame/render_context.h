@@ -11,6 +11,7 @@
 #include "app/render/medium/medium_bake.h"
 #include "app/render/medium/noise_texture.h"
 #include "app/render/medium/volume_textures.h"
+#include "app/render/sky/sky_textures.h"
 #include "core/base/progress.h"
 
 namespace neph::render {
@@ -19,6 +20,7 @@ struct RenderContext {
     const VolumeTextures& volume;
     HeldMedium& medium;
     NoiseTextures& noise;
+    const SkyTextures& sky;  ///< of the frame, bound
     gl::ProgramCache& programs;
     gl::PassTimer& timer;
     const Progress& progress;            ///< to be asked every few milliseconds

@@ -107,6 +107,7 @@ LightClass DiffuseLight::lightClassOf(const MediumClass& c) {
 void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid,
                               const PackedMedium& medium, const gl::Program& nodes) {
     const BoxM whole{glm::dvec3(0.0), grid.extentM()};
+    seaLevelM_ = grid.originM.z;
     grid_ = chooseLightGrid(grid, medium.bricks.empty() ? whole : medium.bricks.occupied,
                             inputs.sampling.lightVoxels);
     auto made = std::make_shared<LightMedium>();
@@ -143,7 +144,7 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
 }
 
 void DiffuseLight::fill(FrameBlock& block, const Look& look,
-                        const std::vector<MediumClass>& classes) {
+                        const std::vector<MediumClass>& classes, const SkyTextures& sky) {
     const auto setMap = [](const LightGrid& grid, glm::vec4& perM, glm::vec4& offset) {
         const glm::dvec3 ofTexture = 1.0 / grid.extentM();
         perM = glm::vec4(ofTexture, 0.0);
@@ -151,25 +152,25 @@ void DiffuseLight::fill(FrameBlock& block, const Look& look,
     };
     setMap(grid_, block.lightPerM, block.lightOffset);
     setMap(shownGrid_, block.sourcePerM, block.sourceOffset);
-    const glm::dvec3 far = look.groundVisible
-                               ? farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
-                                     farLight(LightPart::zenith) * glm::dvec3(block.skyZenith)
-                               : glm::dvec3(0.0);
-    block.farGround = glm::vec4(far, 0.0);
+    glm::dvec3 far = farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
+                     farLight(LightPart::zenith) * glm::dvec3(block.skyZenith);
+    if (sky.hasAir()) far = sky.tables().skyOnGround * static_cast<double>(look.sunIntensity);
+    block.farGround = glm::vec4(look.groundVisible ? far : glm::dvec3(0.0), 0.0);
     for (std::size_t i = 0; i < classes.size(); ++i) {
         block.classes[i].forward = forwardOf(lightClassOf(classes[i]));
     }
 }
 
-void DiffuseLight::update(const Look& look, bool settled, const Progress& progress) {
+void DiffuseLight::update(const Look& look, const SkyTextures& sky, bool settled,
+                          const Progress& progress) {
     LightRequest& request = asked_;
     request.medium = medium_;
     request.warm = !settled;
     request.towardsSun = sunDirWorld(look);
-    // A Lambert surface whose radiance in full light is the look's.
-    const double reflected = static_cast<double>(luminanceOf(look.groundColour));
-    request.groundAlbedo = std::clamp(std::numbers::pi / kFullLight * reflected, 0.0, 1.0);
+    request.groundAlbedo = static_cast<double>(luminanceOf(groundAlbedo(look)));
     request.groundHidden = !look.groundVisible;
+    request.dome = sky.hasAir() ? sky.tables().dome : nullptr;
+    request.lowestM = seaLevelM_ + grid_.lowerM.z;
     work_.ask(request);
     // The light of a moment ago is better than none, if it is of the same voxels.
     const bool some = shown_ && wholeGrid_ == grid_;
@@ -222,8 +223,9 @@ void DiffuseLight::upload(const LightState& state) {
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
 }
 
-void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceToEye) {
-    lightGround(block);
+void DiffuseLight::lookFrom(const FrameBlock& block, const SkyTextures& sky,
+                            const gl::Program& sourceToEye) {
+    lightGround(block, sky);
     const auto count = static_cast<int>(shown_->nodes.size());
     if (count == 0) return;
     nodes_.bind(GL_SHADER_STORAGE_BUFFER, kSourceNodesBuffer);
@@ -236,15 +238,22 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const gl::Program& sourceTo
 }
 
 /// Diffuse light that comes down to the ground, in the colours of the look.
-void DiffuseLight::lightGround(const FrameBlock& block) {
+void DiffuseLight::lightGround(const FrameBlock& block, const SkyTextures& sky) {
     const glm::ivec2 size(shown_->size);
     const std::vector<float>& sun = shown_->groundFlux[0];
     const std::vector<float>&horizon = shown_->groundFlux[1], &zenith = shown_->groundFlux[2];
     std::vector<glm::vec4> light(sun.size());
     const auto perIrradiance = static_cast<float>(1.0 / kFullLight);
-    const glm::vec3 ofSun(block.sunRadiance);  // whose irradiance is full light
-    const glm::vec3 ofHorizon = perIrradiance * glm::vec3(block.skyHorizon);
-    const glm::vec3 ofZenith = perIrradiance * glm::vec3(block.skyZenith);
+    glm::vec3 ofSun(block.sunRadiance);  // whose irradiance is full light
+    glm::vec3 ofHorizon = perIrradiance * glm::vec3(block.skyHorizon);
+    glm::vec3 ofZenith = perIrradiance * glm::vec3(block.skyZenith);
+    if (sky.hasAir()) {
+        // The field has the luminance already.
+        const glm::vec3 sunColour = sky.sunOnGround();
+        ofSun *= sunColour / std::max(luminanceOf(sunColour), 1e-12f);
+        ofHorizon *= sky.patternOnGround(0);
+        ofZenith *= sky.patternOnGround(1);
+    }
     for (std::size_t i = 0; i < light.size(); ++i) {
         light[i] = glm::vec4(sun[i] * ofSun + horizon[i] * ofHorizon + zenith[i] * ofZenith, 0.0f);
     }

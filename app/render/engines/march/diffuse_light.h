@@ -28,13 +28,14 @@ class DiffuseLight {
     void takeMedium(const FrameInputs& inputs, const RegularGrid& grid, const PackedMedium& medium,
                     const gl::Program& nodes);
     /// Numbers of the block that are its own. `classes` are those of the block.
-    void fill(FrameBlock& block, const Look& look, const std::vector<MediumClass>& classes);
+    void fill(FrameBlock& block, const Look& look, const std::vector<MediumClass>& classes,
+              const SkyTextures& sky);
 
     /// Asks for the light of a look, and takes over the newest there is: waits for the first, or
     /// with `settled` for the last. Throws Cancelled.
-    void update(const Look& look, bool settled, const Progress& progress);
+    void update(const Look& look, const SkyTextures& sky, bool settled, const Progress& progress);
     /// What the voxels of light send towards the eye of the block, which is bound.
-    void lookFrom(const FrameBlock& block, const gl::Program& sourceToEye);
+    void lookFrom(const FrameBlock& block, const SkyTextures& sky, const gl::Program& sourceToEye);
     void bind() const;
     /// Whether some of the light that is shown is balanced: BALANCED of source_to_eye.comp.
     bool isBalanced() const { return shown_ && !shown_->balanced.empty(); }
@@ -48,10 +49,11 @@ class DiffuseLight {
   private:
     LightClass lightClassOf(const MediumClass& c);
     void upload(const LightState& state);
-    void lightGround(const FrameBlock& block);
+    void lightGround(const FrameBlock& block, const SkyTextures& sky);
 
     LightWork work_;
     LightGrid grid_;
+    double seaLevelM_ = 0.0;  ///< altitude of the lower corner of the medium's grid
     std::shared_ptr<const LightMedium> medium_;  ///< as it was asked for
     LightGrid shownGrid_;                        ///< of what is on the GPU
     LightGrid wholeGrid_;                        ///< of the medium that it is of

@@ -189,7 +189,7 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     }
     if (full_ && frame.sample == 0) {  // else it belongs to an image that has its light
         context.timer.pass("light solved");
-        diffuse_->update(inputs.look, inputs.settledLight, context.progress);
+        diffuse_->update(inputs.look, context.sky, inputs.settledLight, context.progress);
     }
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
     phases_.update(shownLook(inputs.look), medium.plan);
@@ -198,7 +198,7 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {
             diffuse_->lookFrom(
-                bound_,
+                bound_, context.sky,
                 context.programs.get("march/source_to_eye.comp",
                                      {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0)}));
         }
@@ -218,13 +218,13 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     const glm::dvec3 perM = stepsPerM(inputs, grid, medium);
     const double shortest = glm::length(boxOf(medium, grid).sizeM() * perM);
     steps_ = static_cast<int>(std::lround(fixed ? shortest : 0.5 * shortest));
-    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_, context.sky);
     block.slices.y = batch.x;
     block.slices.z = batch.y;
     block.sampling.x = frame.sample;
     const float mostDimming = isNoisy(medium.plan) ? kMostDimmingDetailed : kMostDimming;
     block.march = glm::vec4(glm::vec3(perM), mostDimming / inputs.sampling.quality);
-    if (full_) diffuse_->fill(block, inputs.look, medium.plan.classes);
+    if (full_) diffuse_->fill(block, inputs.look, medium.plan.classes, context.sky);
     bound_ = block;
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);

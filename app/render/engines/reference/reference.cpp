@@ -53,12 +53,10 @@ std::vector<float> firstDistances(const TraceSums& sums, glm::ivec2 size) {
     return fromTop(out, static_cast<std::size_t>(size.x));
 }
 
-FrameBlock blockOf(const FrameInputs& inputs, const RegularGrid& grid,
-                   const MediumTextures& medium) {
-    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{});
-    // The look has the radiance c of the ground in full light, an irradiance of 4π: a Lambert
-    // surface of albedo c / 4.
-    block.ground = glm::vec4(0.25f * glm::vec3(block.ground), block.ground.w);
+FrameBlock blockOf(const FrameInputs& inputs, const RegularGrid& grid, const MediumTextures& medium,
+                   const SkyTextures& sky) {
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, SlicePlan{}, sky);
+    block.ground = glm::vec4(groundAlbedo(inputs.look), block.ground.w);
     return block;
 }
 
@@ -83,7 +81,7 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
     }
     if (frame.sample == 0) {
         // A first pass that yielded goes on.
-        const TraceSetup setup{.block = blockOf(inputs, grid, medium),
+        const TraceSetup setup{.block = blockOf(inputs, grid, medium, context.sky),
                                .seed = inputs.sampling.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }
@@ -123,7 +121,7 @@ std::optional<FrameLayers> ReferenceEngine::layers(const FrameInputs& inputs,
 
     const gl::Program& program = context.programs.get(
         "reference/species_depths.comp", {fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0)});
-    const FrameBlock block = blockOf(inputs, volume.grid, medium);
+    const FrameBlock block = blockOf(inputs, volume.grid, medium, context.sky);
     gl::Buffer uniforms, depths;
     uniforms.write(&block, sizeof(block));
     uniforms.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);

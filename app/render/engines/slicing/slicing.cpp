@@ -94,7 +94,7 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
     medium.bricks.map.bind(kBricksUnit);
     if (const gl::Texture* noise = filteredNoise(medium.plan, context)) noise->bind(kNoiseUnit);
     light_.bind(kLightUnit);
-    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_);
+    FrameBlock block = makeFrameBlock(inputs, grid, medium.bricks, medium.plan, plan_, context.sky);
     const auto upload = [&](int first, int slices) {
         block.slices.y = first;
         block.slices.z = slices;

@@ -1,0 +1,274 @@
+// atmosphere.cpp: integration along rays, and the table of light scattered many times.
+#include "core/sky/atmosphere.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/parallel.h"
+#include "core/sky/air_columns.h"
+
+namespace neph {
+namespace {
+
+using glm::dvec2, glm::dvec3;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kSunRadius = 0.00465;  // radians; half of its mean diameter of 32'
+constexpr double kHazeG = 0.8;          // [Bruneton17]
+constexpr double kHazeAlbedo = 0.9;     // [Bruneton17]
+constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
+constexpr double kContrast = 3.912;     // -ln 0.02: what a visibility is the optical depth of
+/// Molecules of 1 Dobson unit, 1/m², spread over the tent of ozone, m.
+constexpr double kDobsonPerM2 = 2.6868e20, kOzoneTentM = 15e3;
+
+/// Absorption of a molecule of ozone at each of the wavelengths, 1e-25 m². [Bruneton17]
+constexpr std::array<double, kSpectrumSize> kOzone{1.527e-2, 0.1582, 0.7752, 2.139,
+                                                   4.266,    5.019,  2.662,  1.209};
+
+constexpr glm::ivec2 kManySize{32, 24};  // elevations of the sun, altitudes
+
+/// Optical depth of the molecules above the sea. [Bodhaine99] eq. 30
+double moleculesDepth(double nm) {
+    const double um2 = 1e-6 * nm * nm;
+    return 0.0021520 * (1.0455996 - 341.29061 / um2 - 0.90230850 * um2) /
+           (1.0 + 0.0027059889 / um2 - 85.968563 * um2);
+}
+
+Spectrum byWavelength(const auto& valueAt) {
+    Spectrum made;
+    for (std::size_t i = 0; i < kSpectrumSize; ++i) made.at[i] = static_cast<float>(valueAt(i));
+    return made;
+}
+
+double rayleigh(double cosTheta) {
+    return 3.0 / (16.0 * kPi) * (1.0 + cosTheta * cosTheta);
+}
+
+double cornetteShanks(double cosTheta, double g) {
+    const double g2 = g * g;
+    return 3.0 / (8.0 * kPi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosTheta * cosTheta) /
+           std::pow(1.0 + g2 - 2.0 * g * cosTheta, 1.5);
+}
+
+/// Part of the air that a ray passes.
+struct Reach {
+    double fromM = 0.0, toM = 0.0;
+    bool ground = false;  ///< at the end
+};
+
+Reach reachOf(double altitudeM, double up) {
+    const double r = kEarthRadiusM + altitudeM, top = kEarthRadiusM + kAtmosphereTopM;
+    const double b = r * up;
+    Reach reach;
+    const double atTop = b * b + top * top - r * r;
+    if (atTop <= 0.0 || (r > top && up >= 0.0)) return reach;
+    reach.fromM = r > top ? -b - std::sqrt(atTop) : 0.0;
+    reach.toM = -b + std::sqrt(atTop);
+    const double atGround = b * b + kEarthRadiusM * kEarthRadiusM - r * r;
+    reach.ground = up < 0.0 && atGround > 0.0;
+    if (reach.ground) reach.toM = std::max(0.0, -b - std::sqrt(atGround));
+    return reach;
+}
+
+/// Of the table of light scattered many times: finer near the horizon and the ground.
+double placeOfSun(double sunUp) {
+    return 0.5 + 0.5 * std::copysign(std::sqrt(std::abs(sunUp)), sunUp);
+}
+double sunAtPlace(double place) {
+    const double x = 2.0 * place - 1.0;
+    return std::copysign(x * x, x);
+}
+
+}  // namespace
+
+/// A ray as its points see it.
+struct Atmosphere::Path {
+    explicit Path(const SkyRay& ray)
+        : fromM(kEarthRadiusM + ray.altitudeM), up(ray.up), sunUp(ray.sunUp) {
+        const double across = std::sqrt(std::max(0.0, 1.0 - up * up));
+        const double sunAcross = std::sqrt(std::max(0.0, 1.0 - sunUp * sunUp));
+        cosSun = across * std::cos(ray.azimuthFromSun) * sunAcross + up * sunUp;
+    }
+    double fromM, up, sunUp;
+    double cosSun;  ///< of the angle between ray and sun
+};
+
+/// A point of it: how high it is, and how the sun stands there.
+struct Atmosphere::Place {
+    Place(const Path& path, double atM) {
+        const double radiusM =
+            std::sqrt(path.fromM * path.fromM + atM * (atM + 2.0 * path.fromM * path.up));
+        altitudeM = radiusM - kEarthRadiusM;
+        sunUp = (path.fromM * path.sunUp + atM * path.cosSun) / radiusM;
+    }
+    double altitudeM, sunUp;
+};
+
+struct Atmosphere::Phases {
+    float molecules = static_cast<float>(1.0 / (4.0 * kPi)), haze = molecules;
+    bool manyTimes = false;  ///< light scattered more often as well
+};
+
+Atmosphere::Atmosphere(const AtmosphereSpec& spec) : spec_(spec) {
+    moleculesPerM_ = byWavelength(
+        [](std::size_t i) { return moleculesDepth(kSpectrumNm[i]) / kMoleculesHeightM; });
+    const double molecules = moleculesDepth(550.0) / kMoleculesHeightM;
+    const double hazePerM = std::max(0.0, kContrast / spec.visibilityM - molecules);
+    hazePerM_ = byWavelength(
+        [&](std::size_t i) { return hazePerM * std::pow(kSpectrumNm[i] / 550.0, -kHazeAngstrom); });
+    const double ozonePerM3 = spec.ozoneDobson * kDobsonPerM2 / kOzoneTentM;
+    ozonePerM_ = byWavelength([&](std::size_t i) { return 1e-25 * kOzone[i] * ozonePerM3; });
+    std::vector<Spectrum> made(static_cast<std::size_t>(kManySize.x * kManySize.y));
+    shareOut(static_cast<std::size_t>(kManySize.y), workerCount(16),
+             [&](std::size_t j, std::size_t, const Progress&) {
+                 const double share = static_cast<double>(j) / (kManySize.y - 1);
+                 for (int i = 0; i < kManySize.x; ++i) {
+                     made[j * static_cast<std::size_t>(kManySize.x) + static_cast<std::size_t>(i)] =
+                         manyTimesAt(kAtmosphereTopM * share * share,
+                                     sunAtPlace(static_cast<double>(i) / (kManySize.x - 1)));
+                 }
+             });
+    manyTimes_ = std::move(made);
+}
+
+Atmosphere::Local Atmosphere::localAt(double altitudeM) const {
+    const glm::vec3 density(airDensity(std::max(altitudeM, 0.0)));
+    Local local;
+    local.molecules = density.x * moleculesPerM_;
+    const Spectrum haze = density.y * hazePerM_;
+    local.haze = static_cast<float>(kHazeAlbedo) * haze;
+    local.extinction = local.molecules + haze + density.z * ozonePerM_;
+    return local;
+}
+
+Spectrum Atmosphere::depthOf(const dvec3& columnsM) const {
+    const glm::vec3 columns(columnsM);
+    return columns.x * moleculesPerM_ + columns.y * hazePerM_ + columns.z * ozonePerM_;
+}
+
+Spectrum Atmosphere::transmittance(double altitudeM, double up) const {
+    if (up < horizonUp(altitudeM)) return Spectrum(0.0f);
+    if (altitudeM >= kAtmosphereTopM && up >= 0.0) return Spectrum(1.0f);
+    return expMinus(depthOf(airColumnsM(altitudeM, up)));
+}
+
+Spectrum Atmosphere::sunlight(double altitudeM, double sunUp) const {
+    constexpr double kWellUp = 0.02;  // the whole disc, seen from anywhere on the ground
+    if (sunUp > kWellUp) return transmittance(altitudeM, sunUp);
+    const double lowest = horizonUp(altitudeM);
+    const double above = (std::asin(std::clamp(sunUp, -1.0, 1.0)) - std::asin(lowest)) / kSunRadius;
+    if (above <= -1.0) return Spectrum(0.0f);
+    const double x = std::min(above, 1.0);
+    const double visible = 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / kPi;
+    return static_cast<float>(visible) * transmittance(altitudeM, std::max(sunUp, lowest));
+}
+
+Spectrum Atmosphere::manyTimes(double altitudeM, double sunUp) const {
+    const dvec2 share{placeOfSun(sunUp),
+                      std::sqrt(std::clamp(altitudeM / kAtmosphereTopM, 0.0, 1.0))};
+    const dvec2 at = share * dvec2(kManySize - 1);
+    const glm::ivec2 cell = glm::min(glm::ivec2(at), kManySize - 2);
+    const glm::vec2 f(at - dvec2(cell));
+    const Spectrum* row = &manyTimes_[static_cast<std::size_t>(cell.y * kManySize.x + cell.x)];
+    const Spectrum* above = row + kManySize.x;
+    return (1.0f - f.y) * ((1.0f - f.x) * row[0] + f.x * row[1]) +
+           f.y * ((1.0f - f.x) * above[0] + f.x * above[1]);
+}
+
+/// A stretch around a place, as if all of it were as it is there.
+void Atmosphere::add(const Place& place, double lengthM, const Phases& phases,
+                     AirLight& sum) const {
+    const Local local = localAt(place.altitudeM);
+    const Spectrum sun = sunlight(place.altitudeM, place.sunUp);
+    const Spectrum many =
+        phases.manyTimes ? manyTimes(place.altitudeM, place.sunUp) : Spectrum(0.0f);
+    const Spectrum depth = static_cast<float>(lengthM) * local.extinction;
+    const Spectrum clear = expMinus(depth);
+    for (std::size_t i = 0; i < kSpectrumSize; ++i) {
+        const float once =
+            local.molecules.at[i] * phases.molecules + local.haze.at[i] * phases.haze;
+        const float source =
+            once * sun.at[i] + (local.molecules.at[i] + local.haze.at[i]) * many.at[i];
+        const float x = depth.at[i];
+        // (1 - e^-x) / x.
+        const float mean = x < 0.02f ? 1.0f - x * (0.5f - x / 6.0f) : (1.0f - clear.at[i]) / x;
+        sum.radiance.at[i] += sum.clear.at[i] * source * mean * static_cast<float>(lengthM);
+        sum.clear.at[i] *= clear.at[i];
+    }
+}
+
+/// Light scattered at least twice, seen from everywhere, before it is scattered once more: of light
+/// scattered once as if isotropic, and a geometric series of what follows. [Hillaire20] eq. 5-10
+Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
+    constexpr int kUps = 8, kAzimuths = 4, kSteps = 20;
+    Spectrum light, again;
+    for (int i = 0; i < kUps; ++i) {
+        for (int j = 0; j < kAzimuths; ++j) {
+            const SkyRay ray{altitudeM, (i + 0.5) / kUps * 2.0 - 1.0, kPi * (j + 0.5) / kAzimuths,
+                             sunUp};
+            const Path path(ray);
+            const Reach reach = reachOf(altitudeM, ray.up);
+            AirLight sum;
+            for (int step = 0; step < kSteps; ++step) {
+                const dvec2 t{step / static_cast<double>(kSteps), (step + 1.0) / kSteps};
+                const dvec2 atM = reach.fromM + (reach.toM - reach.fromM) * t * t;
+                const Place place(path, 0.5 * (atM.x + atM.y));
+                const Spectrum before = sum.clear;
+                add(place, atM.y - atM.x, {}, sum);
+                const Local local = localAt(place.altitudeM);
+                for (std::size_t k = 0; k < kSpectrumSize; ++k) {
+                    const float scattered = (local.molecules.at[k] + local.haze.at[k]) /
+                                            std::max(local.extinction.at[k], 1e-20f);
+                    again.at[k] += (before.at[k] - sum.clear.at[k]) * scattered;
+                }
+            }
+            light += sum.radiance;
+            if (!reach.ground) continue;
+            const Place below(path, reach.toM);
+            const double perRadiance = spec_.groundAlbedo / kPi * std::max(below.sunUp, 0.0);
+            light += static_cast<float>(perRadiance) * (sum.clear * sunlight(0.0, below.sunUp));
+        }
+    }
+    constexpr float kPerDirection = 1.0f / (kUps * kAzimuths);
+    Spectrum many;
+    for (std::size_t k = 0; k < kSpectrumSize; ++k) {
+        many.at[k] = kPerDirection * light.at[k] / (1.0f - kPerDirection * again.at[k]);
+    }
+    return many;
+}
+
+AirLight Atmosphere::along(const SkyRay& ray) const {
+    const Reach reach = reachOf(ray.altitudeM, ray.up);
+    AirLight all;
+    along(ray, std::array{reach.toM}, std::span(&all, 1));
+    return all;
+}
+
+void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
+                       std::span<AirLight> to) const {
+    constexpr int kSteps = 40;  // of the whole
+    const Reach reach = reachOf(ray.altitudeM, ray.up);
+    const double lengthM = reach.toM - reach.fromM;
+    const Path path(ray);
+    const Phases phases{static_cast<float>(rayleigh(path.cosSun)),
+                        static_cast<float>(cornetteShanks(path.cosSun, kHazeG)), true};
+    const auto shareOf = [&](double atM) {
+        return std::sqrt(std::clamp((atM - reach.fromM) / std::max(lengthM, 1.0), 0.0, 1.0));
+    };
+    AirLight sum;
+    double from = 0.0;
+    for (std::size_t i = 0; i < distancesM.size(); ++i) {
+        const double until = shareOf(distancesM[i]);
+        const int steps = static_cast<int>(std::ceil((until - from) * kSteps));
+        for (int step = 0; step < steps; ++step) {
+            const double a = std::lerp(from, until, step / static_cast<double>(steps));
+            const double b = std::lerp(from, until, (step + 1.0) / steps);
+            const double aM = lengthM * a * a, bM = lengthM * b * b;
+            add(Place(path, reach.fromM + 0.5 * (aM + bM)), bM - aM, phases, sum);
+        }
+        from = std::max(from, until);
+        to[i] = sum;
+    }
+}
+
+}  // namespace neph

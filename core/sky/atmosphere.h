@@ -1,0 +1,76 @@
+// atmosphere.h: clear air around a spherical Earth: what it leaves of sunlight, and the light that
+// it scatters.
+//
+// After Hillaire 2020 [Hillaire20]: molecules, haze and ozone in spherical layers; light scattered
+// once exactly, light scattered more often as if isotropic. Radiances are per unit of the sun's
+// irradiance outside the atmosphere, at each wavelength, 1/sr. docs/sky.md
+#pragma once
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "core/sky/spectrum.h"
+
+namespace neph {
+
+inline constexpr double kEarthRadiusM = 6371e3;
+inline constexpr double kAtmosphereTopM = 100e3;
+
+struct AtmosphereSpec {
+    double visibilityM = 100e3;  ///< at sea level, at 550 nm; contrast 0.02 [Koschmieder24]
+    double ozoneDobson = 300.0;
+    double groundAlbedo = 0.1;  ///< of the Earth around
+    bool operator==(const AtmosphereSpec&) const = default;
+};
+
+/// Where someone looks, and where the sun stands there.
+struct SkyRay {
+    double altitudeM = 0.0;       ///< of the eye, above sea level
+    double up = 0.0;              ///< sine of the ray's elevation
+    double azimuthFromSun = 0.0;  ///< radians
+    double sunUp = 0.0;           ///< sine of the sun's elevation at the eye
+};
+
+/// What a stretch of air adds to the light that comes through it, and what it leaves of it.
+struct AirLight {
+    Spectrum radiance;
+    Spectrum clear{1.0f};
+};
+
+class Atmosphere {
+  public:
+    explicit Atmosphere(const AtmosphereSpec& spec);
+    const AtmosphereSpec& spec() const { return spec_; }
+
+    /// What is left of light from outside that arrives from a direction; 0 from below the horizon.
+    Spectrum transmittance(double altitudeM, double up) const;
+    /// The same of sunlight, of whose disc the horizon may hide a part.
+    Spectrum sunlight(double altitudeM, double sunUp) const;
+
+    /// All of the air along a ray, to the ground or to space.
+    AirLight along(const SkyRay& ray) const;
+    /// Of the air up to each of some distances, which increase, m; beyond the ground or the top
+    /// there is no more.
+    void along(const SkyRay& ray, std::span<const double> distancesM, std::span<AirLight> to) const;
+
+  private:
+    /// What air at an altitude does to light, 1/m.
+    struct Local {
+        Spectrum molecules, haze;  ///< scattering
+        Spectrum extinction;
+    };
+    struct Path;
+    struct Place;
+    struct Phases;
+    Local localAt(double altitudeM) const;
+    Spectrum depthOf(const glm::dvec3& columnsM) const;
+    Spectrum manyTimes(double altitudeM, double sunUp) const;
+    void add(const Place& place, double lengthM, const Phases& phases, AirLight& sum) const;
+    Spectrum manyTimesAt(double altitudeM, double sunUp) const;
+
+    AtmosphereSpec spec_;
+    Spectrum moleculesPerM_, hazePerM_, ozonePerM_;  ///< extinction where there is most of each
+    std::vector<Spectrum> manyTimes_;                ///< by altitude and the sun's elevation
+};
+
+}  // namespace neph

@@ -1,0 +1,81 @@
+// air.glsl: sky, sunlight and air as the tables have them. core/sky/sky_tables.h
+#pragma once
+#include "../lib/sky.glsl"
+#include "../lib/sky_table.glsl"
+#include "../shared/frame.glsl"
+#include "../shared/sky_layout.glsl"
+
+layout(binding = kEyeSkyUnit) uniform sampler2D t_eyeSky;
+layout(binding = kAirUnit) uniform sampler3D t_air;
+layout(binding = kClearAirUnit) uniform sampler2D t_clearAir;
+layout(binding = kAroundUnit) uniform sampler3D t_around;
+layout(binding = kByAltitudeUnit) uniform sampler2D t_byAltitude;
+
+/// Of the colours by altitude.
+const int kSunRow = 0, kFirstPatternRow = 1, kAltitudeRows = 3;
+
+bool hasAir() {
+    return u_.sky.x > 0.5;
+}
+
+/// Altitude of a point of grid space.
+float altitudeM(vec3 positionM) {
+    return u_.eyeM.w + positionM.z;
+}
+
+vec3 byAltitude(float atM, int row) {
+    return textureLod(t_byAltitude,
+                      vec2(tableCoordinate(lengthShare(atM, kHighestM), kAltitudes),
+                           (float(row) + 0.5) / float(kAltitudeRows)),
+                      0.0)
+        .rgb;
+}
+
+/// Colour of sunlight at an altitude, as a share of u_.sunRadiance.
+vec3 sunAt(float atM) {
+    return hasAir() ? byAltitude(atM, kSunRow) : vec3(1.0);
+}
+
+/// Radiance of the two parts of the sky that light the cloud, where theirs is 1.
+vec3 skyPartAt(float atM, int part) {
+    vec3 radiance = part == 0 ? u_.skyHorizon.rgb : u_.skyZenith.rgb;
+    return hasAir() ? radiance * byAltitude(atM, kFirstPatternRow + part) : radiance;
+}
+
+/// Where the air along a ray from the eye lies in its tables.
+struct AirRay {
+    vec2 at;      // azimuth and elevation
+    float fromM;  // where it begins
+};
+
+AirRay airRay(vec3 dir) {
+    float azimuth = tableCoordinate(azimuthShare(dir, u_.towardsSun.xyz), kAirAzimuths);
+    float elevation = tableCoordinate(airShare(dir.z, u_.sky.y), kAirElevations);
+    return AirRay(vec2(azimuth, elevation), thinAirM(altitudeM(u_.eyeM.xyz), dir.z));
+}
+
+/// What is left of the radiance at a distance from the eye, and what the air before it adds, of
+/// which the share `covered` counts.
+vec3 throughAir(AirRay ray, float distanceM, vec3 radiance, float covered) {
+    float at = tableCoordinate(lengthShare(distanceM - ray.fromM, kAirRangeM), kAirDistances);
+    return textureLod(t_clearAir, vec2(ray.at.y, at), 0.0).rgb * radiance +
+           covered * u_.sky.w * textureLod(t_air, vec3(ray.at, at), 0.0).rgb;
+}
+
+/// The sky as the eye sees it.
+vec3 eyeSky(vec3 dir) {
+    if (!hasAir()) return skyRadiance(dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
+    vec2 at = vec2(tableCoordinate(azimuthShare(dir, u_.towardsSun.xyz), kEyeSkyAzimuths),
+                   tableCoordinate(skyShare(dir.z, u_.sky.y), kEyeSkyElevations));
+    return u_.sky.w * textureLod(t_eyeSky, at, 0.0).rgb;
+}
+
+/// The sky as it is seen from a point of grid space.
+vec3 skyFrom(vec3 positionM, vec3 dir) {
+    if (!hasAir()) return skyRadiance(dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
+    float atM = max(altitudeM(positionM), 0.0);
+    vec3 at = vec3(tableCoordinate(azimuthShare(dir, u_.towardsSun.xyz), kAroundAzimuths),
+                   tableCoordinate(skyShare(dir.z, horizonSine(atM)), kAroundElevations),
+                   tableCoordinate(lengthShare(atM, kHighestAroundM), kAroundAltitudes));
+    return u_.sky.w * textureLod(t_around, at, 0.0).rgb;
+}
