@@ -1,6 +1,8 @@
 // look.cpp: the defaults that follow from the species, and where the sun stands.
 #include "core/look/look.h"
 
+#include <cmath>
+
 #include "core/grid/grid.h"
 
 namespace neph {
@@ -24,8 +26,16 @@ bool scattersOften(const Look& look) {
     return look.transport == Transport::full && traitsOf(look.engine).scattersOften;
 }
 
+bool sidesRepeat(const Look& look) {
+    return look.lightSides == LightSides::periodic && traitsOf(look.engine).periodicSides;
+}
+
 glm::dvec3 sunDirWorld(const Look& look) {
-    return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
+    float elevationDeg = look.sunElevationDeg;
+    if (sidesRepeat(look) && std::abs(elevationDeg) < kLowestPeriodicSunDeg) {
+        elevationDeg = elevationDeg < 0.0f ? -kLowestPeriodicSunDeg : kLowestPeriodicSunDeg;
+    }
+    return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
 }
 
 }  // namespace neph

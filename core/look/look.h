@@ -25,6 +25,8 @@ enum class RadiationOptics : int { geometric, wrfRrtmg };
 enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
+/// What is beside the volume, for light: nothing, or the volume again and again in x and y.
+enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 enum class ToneMap : int { linear, filmic };
 
@@ -63,6 +65,7 @@ struct Look {
     MixingRule mixing = MixingRule::asGiven;
     ColourMode colour = ColourMode::natural;
 
+    LightSides lightSides = LightSides::open;
     LightForm lightForm = LightForm::printed;
     float forwardAngleDeg = 20.0f;  ///< half of it, 10°, holds 90 % in [Riley03] fig. 7
     float forwardG = 0.979f;
@@ -98,6 +101,14 @@ struct Look {
 /// Whether light is followed through all its scatterings: Transport::full, of an engine that knows
 /// it.
 bool scattersOften(const Look& look);
+
+/// Whether light meets the volume again beyond its sides: LightSides::periodic, of an engine that
+/// knows it.
+bool sidesRepeat(const Look& look);
+
+/// Between periodic sides light from a sun on the horizon would never leave; it stands at least so
+/// high, or so low. Tuned: clouds of 4 km then have shadows of 230 km.
+inline constexpr float kLowestPeriodicSunDeg = 1.0f;
 
 /// Unit vector towards the sun in world space.
 glm::dvec3 sunDirWorld(const Look& look);

@@ -22,6 +22,7 @@ struct LightRequest {
     glm::dvec3 towardsSun{0.0, 0.0, 1.0};
     double groundAlbedo = 0.0;
     bool groundHidden = false;  ///< the sky's horizon shines from below instead
+    bool periodicSides = false;
     /// May start from the light that is there, which is quicker; else the outcome depends on
     /// nothing that was asked before.
     bool warm = false;

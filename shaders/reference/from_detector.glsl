@@ -32,6 +32,10 @@ bool showsBackdrop() {
     return true;
 }
 
+bool meetsRepeats(Path p) {
+    return true;
+}
+
 void passHaze(inout Path p) {}
 
 void noteFirst(inout Path p) {}

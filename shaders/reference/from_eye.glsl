@@ -21,6 +21,11 @@ bool showsBackdrop() {
     return u_.sampling.y == 1;
 }
 
+/// Whether the path meets what repeats between periodic sides: the eye sees the grid once.
+bool meetsRepeats(Path p) {
+    return p.scatterings > 0 || p.toSun;
+}
+
 /// The ground fades into the horizon where it is seen directly, as with the other engines.
 void passHaze(inout Path p) {
     float clear = exp(-distance(u_.eyeM.xyz, p.positionM) / kHazeLengthM);

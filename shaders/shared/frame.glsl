@@ -17,6 +17,16 @@ Ray rayThrough(ivec2 pixel) {
     return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
 }
 
+/// Where in the grid the medium at a point is: there, or between periodic sides in the one of the
+/// repeats that is the grid.
+vec3 repeated(vec3 positionM) {
+#if PERIODIC
+    vec2 widthM = u_.gridExtentM.xy;
+    positionM.xy = clamp(positionM.xy - widthM * floor(positionM.xy / widthM), vec2(0.0), widthM);
+#endif
+    return positionM;
+}
+
 /// Distance at which the ray meets the ground, if there is one and the eye is above it; else -1.
 float groundDistanceM(Ray ray) {
     float eyeHeightM = u_.eyeM.w + ray.originM.z;
