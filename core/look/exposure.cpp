@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMeterAltitudeM = 5000.0;  // of the middle of deep clouds
 /// Dusk is shown darker than day, by this power of what falls on the cloud.
-constexpr double kFollowed = 0.85;
+constexpr double kFollowed = 0.75;
 constexpr std::size_t kMostKept = 4;  // while sliders change them
 
 AtmosphereSpec specOf(const Look& look) {

@@ -5,12 +5,22 @@
 
 namespace neph {
 
-std::string knownErrorText(const Look& look) {
+namespace {
+
+std::string ofScattering(const Look& look) {
     const EngineTraits& engine = traitsOf(look.engine);
     if (!engine.singleScattering || scattersOften(look)) return {};
     if (look.phaseDisplay != PhaseDisplay::physical) return "phase for display: not a radiance";
     if (look.transport == Transport::lowAlbedo) return "light scattered once: 17 to 72 % too dark";
     return "forward scattering alone: 70 % too dark to 54 % too bright";
+}
+
+}  // namespace
+
+std::string knownErrorText(const Look& look) {
+    std::string text = ofScattering(look);
+    if (look.lightSides == LightSides::open || sidesRepeat(look)) return text;
+    return fmt::format("{}{}sides are open", text, text.empty() ? "" : "; ");
 }
 
 }  // namespace neph

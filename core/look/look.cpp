@@ -1,6 +1,8 @@
 // look.cpp: the defaults that follow from the species, and where the sun stands.
 #include "core/look/look.h"
 
+#include <cmath>
+
 #include "core/grid/grid.h"
 
 namespace neph {
@@ -29,8 +31,16 @@ glm::vec3 groundAlbedo(const Look& look) {
     return glm::clamp(0.25f * look.groundColour, 0.0f, 1.0f);
 }
 
+bool sidesRepeat(const Look& look) {
+    return look.lightSides == LightSides::periodic && traitsOf(look.engine).periodicSides;
+}
+
 glm::dvec3 sunDirWorld(const Look& look) {
-    return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
+    float elevationDeg = look.sunElevationDeg;
+    if (sidesRepeat(look) && std::abs(elevationDeg) < kLowestPeriodicSunDeg) {
+        elevationDeg = elevationDeg < 0.0f ? -kLowestPeriodicSunDeg : kLowestPeriodicSunDeg;
+    }
+    return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
 }
 
 }  // namespace neph

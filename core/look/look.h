@@ -25,6 +25,8 @@ enum class RadiationOptics : int { geometric, wrfRrtmg };
 enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
+/// What is beside the volume, for light: nothing, or the volume again and again in x and y.
+enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
@@ -65,6 +67,7 @@ struct Look {
     MixingRule mixing = MixingRule::asGiven;
     ColourMode colour = ColourMode::natural;
 
+    LightSides lightSides = LightSides::open;
     LightForm lightForm = LightForm::printed;
     float forwardAngleDeg = 20.0f;  ///< half of it, 10°, holds 90 % in [Riley03] fig. 7
     float forwardG = 0.979f;
@@ -108,6 +111,14 @@ bool scattersOften(const Look& look);
 /// Albedo of the ground, linear RGB: of a Lambert surface with the radiance that the look gives it
 /// in full light.
 glm::vec3 groundAlbedo(const Look& look);
+
+/// Whether light meets the volume again beyond its sides: LightSides::periodic, of an engine that
+/// knows it.
+bool sidesRepeat(const Look& look);
+
+/// Between periodic sides light from a sun on the horizon would never leave; it stands at least so
+/// high, or so low. Tuned: clouds of 4 km then have shadows of 230 km.
+inline constexpr float kLowestPeriodicSunDeg = 1.0f;
 
 /// Unit vector towards the sun in world space.
 glm::dvec3 sunDirWorld(const Look& look);

@@ -165,9 +165,9 @@ struct Thickness {
 
 }  // namespace
 
-std::vector<float> nodeThickness(const LightMedium& medium, bool aligned) {
+std::vector<float> nodeThickness(const LightMedium& medium, bool periodicSides, bool aligned) {
     TransportLevel level;
-    level.grid = {medium.nodes, medium.spacingM, false};
+    level.grid = {medium.nodes, medium.spacingM, periodicSides};
     const Thickness of(medium, aligned, level);
     return std::move(level.thickness);
 }

@@ -9,11 +9,34 @@ namespace {
 
 constexpr int kMostNodesBelow = 32;  // of the medium, down to the ground
 
-LightGrid gridOf(const RegularGrid& medium, const BoxM& occupied, glm::ivec3 stride) {
+/// Nodes along a periodic axis, no closer than so many voxels: coarser grids need even numbers.
+int repeatingNodes(int voxels, int stride) {
+    const int most = voxels / stride;
+    return most >= 8 ? most - most % 4 : std::max(2, most - most % 2);
+}
+
+void divideWidth(const RegularGrid& medium, int axis, LightGrid& grid) {
+    constexpr double kRounding = 1e-9;
+    const int voxels = medium.size[axis];
+    const int nodes = repeatingNodes(voxels, grid.stride[axis]);
+    const double perNode = static_cast<double>(voxels) / nodes;
+    grid.nodes[axis] = nodes;
+    grid.stride[axis] = static_cast<int>(std::ceil(perNode - kRounding));
+    grid.spacingM[axis] = perNode * medium.spacingM[axis];
+    grid.lowerM[axis] = 0.5 * grid.spacingM[axis];
+}
+
+LightGrid gridOf(const RegularGrid& medium, const BoxM& occupied, glm::ivec3 stride,
+                 bool periodicSides) {
     LightGrid grid;
     grid.stride = stride;
     grid.spacingM = glm::dvec3(stride) * medium.spacingM;
+    grid.periodicSides = periodicSides;
     for (int axis = 0; axis < 3; ++axis) {
+        if (periodicSides && axis < 2) {
+            divideWidth(medium, axis, grid);
+            continue;
+        }
         const double voxelM = medium.spacingM[axis];
         const int first = static_cast<int>(std::floor(occupied.lowerM[axis] / voxelM));
         const int last = static_cast<int>(std::ceil(occupied.upperM[axis] / voxelM)) - 1;
@@ -25,7 +48,6 @@ LightGrid gridOf(const RegularGrid& medium, const BoxM& occupied, glm::ivec3 str
             from = first - stride.z * static_cast<int>(std::min<double>(
                                           below, first / stride.z + kMostNodesBelow));
         }
-        grid.firstVoxel[axis] = from;
         grid.lowerM[axis] = (from + 0.5) * voxelM;
         grid.nodes[axis] = std::max(2, (last - from + stride[axis] - 1) / stride[axis] + 2);
     }
@@ -34,10 +56,11 @@ LightGrid gridOf(const RegularGrid& medium, const BoxM& occupied, glm::ivec3 str
 
 }  // namespace
 
-LightGrid chooseLightGrid(const RegularGrid& medium, const BoxM& occupied, int mostNodes) {
+LightGrid chooseLightGrid(const RegularGrid& medium, const BoxM& occupied, int mostNodes,
+                          bool periodicSides) {
     glm::ivec3 stride(1);
     while (true) {
-        const LightGrid grid = gridOf(medium, occupied, stride);
+        const LightGrid grid = gridOf(medium, occupied, stride, periodicSides);
         const double count = static_cast<double>(grid.nodes.x) * grid.nodes.y * grid.nodes.z;
         const int most = std::max({grid.nodes.x, grid.nodes.y, grid.nodes.z});
         if (count <= mostNodes || most <= 3) return grid;

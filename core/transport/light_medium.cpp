@@ -30,14 +30,15 @@ double SkyLight::irradiance() const {
 
 namespace {
 
-/// Along one axis, (1, 2, 1) / 4; beyond the ends there is nothing.
-Array3f halvedAlong(int axis, const Array3f& fine) {
+/// Along one axis, (1, 2, 1) / 4; beyond the ends there is nothing, or the other end.
+Array3f halvedAlong(int axis, bool periodic, const Array3f& fine) {
     glm::ivec3 size = fine.size;
-    size[axis] = fine.size[axis] / 2 + 1;
+    const int count = fine.size[axis];
+    size[axis] = count / 2 + (periodic ? 0 : 1);
     Array3f coarse(size);
     const auto valueAt = [&](glm::ivec3 node, int place) {
-        node[axis] = place;
-        return place < 0 || place >= fine.size[axis] ? 0.0f : fine.at(node.x, node.y, node.z);
+        node[axis] = periodic ? (place + count) % count : place;
+        return node[axis] < 0 || node[axis] >= count ? 0.0f : fine.at(node.x, node.y, node.z);
     };
     std::size_t index = 0;
     for (int k = 0; k < size.z; ++k) {
@@ -55,15 +56,16 @@ Array3f halvedAlong(int axis, const Array3f& fine) {
 
 }  // namespace
 
-LightMedium halved(const LightMedium& medium) {
+LightMedium halved(const LightMedium& medium, bool periodicSides) {
     constexpr int kFewest = 5;
     LightMedium coarse = medium;
     for (int axis = 0; axis < 3; ++axis) {
-        if (medium.nodes[axis] < kFewest) continue;
-        coarse.nodes[axis] = medium.nodes[axis] / 2 + 1;
+        const bool periodic = periodicSides && axis < 2;
+        if (medium.nodes[axis] < kFewest || (periodic && medium.nodes[axis] % 2 != 0)) continue;
+        coarse.nodes[axis] = medium.nodes[axis] / 2 + (periodic ? 0 : 1);
         coarse.spacingM[axis] *= 2.0;
         for (LightClass& light : coarse.classes) {
-            light.extinctionPerM = halvedAlong(axis, light.extinctionPerM);
+            light.extinctionPerM = halvedAlong(axis, periodic, light.extinctionPerM);
         }
     }
     return coarse;

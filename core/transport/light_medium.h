@@ -34,8 +34,8 @@ struct LightMedium {
 };
 
 /// At half the resolution: node n is node 2 n, with the mean around it. Axes of fewer than 5 nodes
-/// stay as they are.
-LightMedium halved(const LightMedium& medium);
+/// stay as they are, and so do periodic ones whose number of nodes is odd.
+LightMedium halved(const LightMedium& medium, bool periodicSides);
 
 /// Light comes from one source at a time; the answers to both add up.
 enum class LightSource : int {

@@ -20,14 +20,16 @@ struct Between {
     std::array<float, 8> weight{};
 
     Between(const TransportGrid& grid, const glm::dvec3& at) {
-        const glm::ivec3 low =
-            glm::clamp(glm::ivec3(glm::floor(at)), glm::ivec3(0), grid.nodes - 2);
+        glm::ivec3 last = grid.nodes - 2;  // that can be the lower of two
+        for (int axis = 0; axis < 2; ++axis) last[axis] += grid.periodic(axis) ? 1 : 0;
+        const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(at)), glm::ivec3(0), last);
         const glm::vec3 share(glm::clamp(at - glm::dvec3(low), 0.0, 1.0));
         for (int corner = 0; corner < 8; ++corner) {
             const glm::ivec3 upper{corner & 1, (corner >> 1) & 1, corner >> 2};
             const glm::vec3 of = glm::mix(1.0f - share, share, glm::vec3(upper));
             const auto i = static_cast<std::size_t>(corner);
-            node[i] = grid.index(low.x + upper.x, low.y + upper.y, low.z + upper.z);
+            const glm::ivec3 to = (low + upper) % grid.nodes;
+            node[i] = grid.index(to.x, to.y, to.z);
             weight[i] = of.x * of.y * of.z;
         }
     }

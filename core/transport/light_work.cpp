@@ -38,6 +38,7 @@ LightScene sceneOf(const LightRequest& request, LightPart part, int layers, doub
     LightScene scene;
     scene.towardsSun = request.towardsSun;
     scene.groundAlbedo = request.groundHidden ? 0.0 : request.groundAlbedo;
+    scene.periodicSides = request.periodicSides;
     if (part == LightPart::sun) {
         for (int k = 0; request.dome && k < layers; ++k) {
             const double altitudeM = request.lowestM + k * layerM;
@@ -231,7 +232,8 @@ void LightWork::publish(std::shared_ptr<const LightState> state) {
 std::unique_ptr<LightWork::Solution> LightWork::coarseStart(const LightRequest& request) {
     const glm::ivec3 nodes = request.medium->nodes;
     if (static_cast<double>(nodes.x) * nodes.y * nodes.z < kWorthACoarseStart) return {};
-    auto coarse = std::make_unique<Solution>(request, halved(*request.medium), nullptr);
+    auto coarse = std::make_unique<Solution>(
+        request, halved(*request.medium, request.periodicSides), nullptr);
     for (int cycle = 0; cycle < kCoarseCycles; ++cycle) {
         if (!isNewest(request)) return {};
         coarse->cycle();
@@ -243,7 +245,8 @@ std::unique_ptr<LightWork::Solution> LightWork::coarseStart(const LightRequest& 
 /// The same nodes may start from the light that is there.
 std::unique_ptr<LightWork::Solution> LightWork::solutionFor(const LightRequest& request,
                                                             std::unique_ptr<Solution> before) {
-    const bool same = before && before->request.medium->nodes == request.medium->nodes &&
+    const bool same = before && before->request.periodicSides == request.periodicSides &&
+                      before->request.medium->nodes == request.medium->nodes &&
                       before->request.medium->spacingM == request.medium->spacingM;
     if (!request.warm || !same) before = coarseStart(request);
     if (!isNewest(request)) return before;
@@ -273,7 +276,9 @@ void LightWork::run(const std::stop_token& stop) {
 /// Takes over what was asked for, if anything, and gets a cycle further.
 void LightWork::step(std::unique_ptr<Solution>& solution,
                      const std::optional<LightRequest>& asked) {
-    if (asked && asked->warm && solution && solution->request.medium == asked->medium) {
+    const bool same = asked && solution && solution->request.medium == asked->medium &&
+                      solution->request.periodicSides == asked->periodicSides;
+    if (same && asked->warm) {
         solution->change(*asked);
     } else if (asked) {
         solution = solutionFor(*asked, std::move(solution));

@@ -24,6 +24,7 @@ struct LightRequest {
     bool groundHidden = false;                 ///< the sky's horizon shines from below instead
     std::shared_ptr<const SkyDome> dome = {};  ///< of an atmosphere; none: a gradient
     double lowestM = 0.0;                      ///< altitude of the lowest nodes
+    bool periodicSides = false;
     /// May start from the light that is there, which is quicker; else the outcome depends on
     /// nothing that was asked before.
     bool warm = false;

@@ -93,10 +93,10 @@ struct TransportLevel {
     std::size_t bytes() const;
 };
 
-/// Thick where light is scattered more often than 4 times between two nodes.
-/// TransportLevel::thickness of the finest level alone, with open sides.
-std::vector<float> nodeThickness(const LightMedium& medium, bool aligned);
+/// TransportLevel::thickness of the finest level alone.
+std::vector<float> nodeThickness(const LightMedium& medium, bool periodicSides, bool aligned);
 
+/// Thick where light is scattered more often than 4 times between two nodes.
 TransportLevel finestLevel(const LightMedium& medium, bool periodicSides, bool aligned,
                            int momentCount);
 

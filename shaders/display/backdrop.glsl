@@ -13,20 +13,23 @@ layout(binding = kGroundLightUnit) uniform sampler2D t_groundLight;
 /// Share of sunlight that reaches a point of the ground.
 float sunOnGround(vec3 positionM, int lastLayer) {
     vec2 at = lightCoordinate(positionM);
-    if (u_.slices.x == 0 || any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) {
-        return 1.0;
-    }
+    if (u_.slices.x == 0) return 1.0;
+#if !PERIODIC
+    if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return 1.0;
+#endif
     return textureLod(t_light, vec3(at, lastLayer), 0.0).r;
 }
 
 #if FULL
 vec3 groundLight(vec3 positionM, float sun) {
-    vec2 at = positionM.xy * u_.sourcePerM.xy + u_.sourceOffset.xy;
+    vec2 at = repeated(positionM).xy * u_.sourcePerM.xy + u_.sourceOffset.xy;
+    vec3 diffuse = textureLod(t_groundLight, at, 0.0).rgb;
+#if !PERIODIC
     // What clouds send down beyond the voxels of light is not known: it fades away before.
     const float kFade = 0.15;
     vec2 inside = min(at, 1.0 - at);
-    float known = smoothstep(0.0, kFade, min(inside.x, inside.y));
-    vec3 diffuse = mix(u_.farGround.rgb, textureLod(t_groundLight, at, 0.0).rgb, known);
+    diffuse = mix(u_.farGround.rgb, diffuse, smoothstep(0.0, kFade, min(inside.x, inside.y)));
+#endif
     return max(u_.towardsSun.z, 0.0) * sun * sunAt(0.0) * u_.sunRadiance.rgb + diffuse;
 }
 #else

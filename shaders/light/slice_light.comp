@@ -28,18 +28,30 @@ layout(std430, binding = kLightTilesBuffer) readonly buffer Tiles {
 
 /// Where the light ray of a texel meets the slice.
 vec3 positionOnSlice(vec2 across, float planeM) {
+#if PERIODIC
+    vec3 base = vec3(across, 0.0);
+#else
     vec3 base = u_.lightU.xyz * across.x + u_.lightV.xyz * across.y;
+#endif
     float along = (planeM - dot(u_.normal.xyz, base)) / dot(u_.normal.xyz, u_.towardsSun.xyz);
-    return base + along * u_.towardsSun.xyz;
+    return repeated(base + along * u_.towardsSun.xyz);
 }
 
 #if TRANSLUCENT
 float ringMean(vec2 at) {
-    vec2 step = u_.lightScale.w * u_.lightScale.xy;
-    return 0.25 * (textureLod(t_light, vec3(at + vec2(step.x, 0.0), layer), 0.0).r +
-                   textureLod(t_light, vec3(at - vec2(step.x, 0.0), layer), 0.0).r +
-                   textureLod(t_light, vec3(at + vec2(0.0, step.y), layer), 0.0).r +
-                   textureLod(t_light, vec3(at - vec2(0.0, step.y), layer), 0.0).r);
+#if PERIODIC
+    // The ring lies across the light, which carries it to the level slice: longer along the light.
+    vec2 along = normalize(u_.towardsSun.xy + vec2(1e-6, 0.0));
+    vec2 first = u_.lightScale.w / abs(u_.towardsSun.z) * along * u_.lightScale.xy;
+    vec2 second = u_.lightScale.w * vec2(-along.y, along.x) * u_.lightScale.xy;
+#else
+    vec2 first = vec2(u_.lightScale.w * u_.lightScale.x, 0.0);
+    vec2 second = vec2(0.0, u_.lightScale.w * u_.lightScale.y);
+#endif
+    return 0.25 * (textureLod(t_light, vec3(at + first, layer), 0.0).r +
+                   textureLod(t_light, vec3(at - first, layer), 0.0).r +
+                   textureLod(t_light, vec3(at + second, layer), 0.0).r +
+                   textureLod(t_light, vec3(at - second, layer), 0.0).r);
 }
 #endif
 

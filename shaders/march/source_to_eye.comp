@@ -42,13 +42,16 @@ float heldOfBeam(int first, float cosTheta) {
 }
 #endif
 
-void main() {
-    int i = kSourceGroup * (firstGroup + int(gl_WorkGroupID.x)) + int(gl_LocalInvocationID.x);
-    if (i >= count) return;
-    ivec3 size = imageSize(o_source);
-    int index = int(nodes_[i]);
-    ivec3 node = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
-    vec3 at = (vec3(node) + 0.5) / vec3(size);
+// Nodes beside the first and the last that repeat others. docs/transport.md
+#if PERIODIC
+const int kBeside = 1;
+#else
+const int kBeside = 0;
+#endif
+
+/// Of node i, which lies at a texel.
+void send(int i, ivec3 texel) {
+    vec3 at = (vec3(texel) + 0.5) / vec3(imageSize(o_source));
     vec3 positionM = (at - u_.sourceOffset.xyz) / u_.sourcePerM.xyz;
     vec3 towards = u_.eyeM.xyz - positionM;
     vec3 travel = towards / max(length(towards), 1e-6);
@@ -82,5 +85,21 @@ void main() {
 #if BALANCED
     held = 4.0 * kPi * heldOfBeam(kWordsOfBalanced * i, dot(travel, -u_.towardsSun.xyz));
 #endif
-    imageStore(o_source, node, vec4(source, held));
+    imageStore(o_source, texel, vec4(source, held));
+}
+
+void main() {
+    int i = kSourceGroup * (firstGroup + int(gl_WorkGroupID.x)) + int(gl_LocalInvocationID.x);
+    if (i >= count) return;
+    ivec3 held = imageSize(o_source);
+    ivec3 size = held - 2 * ivec3(kBeside, kBeside, 0);
+    int index = int(nodes_[i]);
+    ivec3 node = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
+    for (int y = -kBeside; y <= kBeside; ++y) {
+        for (int x = -kBeside; x <= kBeside; ++x) {
+            ivec3 texel = node + ivec3(x * size.x + kBeside, y * size.y + kBeside, 0);
+            bool isHeld = all(greaterThanEqual(texel, ivec3(0))) && all(lessThan(texel, held));
+            if (isHeld) send(i, texel);
+        }
+    }
 }

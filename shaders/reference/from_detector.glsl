@@ -46,6 +46,10 @@ bool showsBackdrop() {
     return true;
 }
 
+bool meetsRepeats(Path p) {
+    return true;
+}
+
 void passHaze(inout Path p) {}
 
 void noteFirst(inout Path p) {}

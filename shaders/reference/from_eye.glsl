@@ -47,6 +47,11 @@ bool showsBackdrop() {
     return u_.sampling.y == 1;
 }
 
+/// Whether the path meets what repeats between periodic sides: the eye sees the grid once.
+bool meetsRepeats(Path p) {
+    return p.scatterings > 0 || p.toSun;
+}
+
 /// What is seen directly is seen through the air, as with the other engines.
 void passAir(inout Path p) {
     AirRay air = airRay(p.axis);

@@ -248,19 +248,33 @@ void scatter(inout Path p, uint lane) {
 void aim(inout Path p) {
     p.depth = -log(1.0 - draw(p).x);
     bool bent = bends(p);
-    vec2 inside = bent ? partInBoxM(Ray(p.positionM, p.dir), vec3(0.0), u_.gridExtentM.xyz)
-                       : rayBox(p.positionM, p.dir, vec3(0.0), u_.gridExtentM.xyz);
+    vec3 lowerM = vec3(0.0), upperM = u_.gridExtentM.xyz;
+#if PERIODIC
+    bool repeats = meetsRepeats(p);
+    if (repeats) {
+        // A level path would never leave: a ten-thousandth of all are turned by less than that.
+        const float kLeastSlope = 1e-4, kFarM = 1e20;
+        p.dir.z = p.dir.z < 0.0 ? min(p.dir.z, -kLeastSlope) : max(p.dir.z, kLeastSlope);
+        lowerM.xy = vec2(-kFarM);
+        upperM.xy = vec2(kFarM);
+    }
+#endif
+    vec2 inside = bent ? partInBoxM(Ray(p.positionM, p.dir), lowerM, upperM)
+                       : rayBox(p.positionM, p.dir, lowerM, upperM);
     if (inside.x >= inside.y || inside.y <= 0.0) {
         p.stage = kLeft;
         return;
     }
     if (bent) {
-        p.positionM =
-            clamp(pointAlong(Ray(p.positionM, p.dir), inside.x), vec3(0.0), u_.gridExtentM.xyz);
+        p.positionM = pointAlong(Ray(p.positionM, p.dir), inside.x);
         bend(p, inside.x);
     } else if (inside.x > 0.0) {
-        p.positionM = clamp(p.positionM + inside.x * p.dir, vec3(0.0), u_.gridExtentM.xyz);
+        p.positionM += inside.x * p.dir;
     }
+#if PERIODIC
+    if (repeats) p.positionM = repeated(p.positionM);
+#endif
+    if (inside.x > 0.0) p.positionM = clamp(p.positionM, vec3(0.0), u_.gridExtentM.xyz);
     p.cell = cellAt(p.positionM);
     p.stage = kFlying;
 }
@@ -277,8 +291,8 @@ float cross(inout Path p) {
             return s.boundPerM;
         }
         p.depth -= depth;
+        if (!crossWall(s, p.dir, meetsRepeats(p), p.positionM, p.cell)) p.stage = kLeft;
         if (bends(p)) bend(p, s.lengthM);
-        if (!crossWall(s, p.dir, p.positionM, p.cell)) p.stage = kLeft;
     }
     return 0.0;
 }
@@ -324,6 +338,7 @@ void arrive(inout Path p) {
     }
     p.positionM.z = -u_.eyeM.w;
     if (seen) passHaze(p);
+    p.positionM = repeated(p.positionM);
     ++p.scatterings;
     p.throughput *= u_.ground.rgb;
     p.axis = vec3(0.0, 0.0, 1.0);

@@ -31,6 +31,16 @@ vec3 pointAlong(Ray ray, float atM) {
     return positionM;
 }
 
+/// Where in the grid the medium at a point is: there, or between periodic sides in the one of the
+/// repeats that is the grid.
+vec3 repeated(vec3 positionM) {
+#if PERIODIC
+    vec2 widthM = u_.gridExtentM.xy;
+    positionM.xy = clamp(positionM.xy - widthM * floor(positionM.xy / widthM), vec2(0.0), widthM);
+#endif
+    return positionM;
+}
+
 /// Distance at which a ray from the eye meets the ground, if there is one and the eye is above it;
 /// else -1.
 float groundDistanceM(Ray ray) {

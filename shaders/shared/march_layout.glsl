@@ -37,8 +37,9 @@ const int kPackVoxelLocation = kPackCharacterLocation + kSpeciesCount;
 // light_nodes.comp
 const int kNodesExtinctionBuffer = 4;
 const int kNodesFirstVoxelLocation = 0;
-const int kNodesStrideLocation = 1;
-const int kNodesCountLocation = 2;
+const int kNodesSpacingLocation = 1;
+const int kNodesSamplesLocation = 2;
+const int kNodesCountLocation = 3;
 
 // source_to_eye.comp. Of each active node as halves, two in a word: moments of the sun, then of the
 // horizon and of the zenith.

@@ -11,12 +11,15 @@ constexpr int kBandSlices = 8;
 
 }  // namespace
 
-void LightLayers::resize(glm::ivec2 sizePx, int layers, GLenum format) {
-    if (layers_.size() == glm::ivec3(sizePx, layers) && format_ == format) return;
+void LightLayers::resize(glm::ivec2 sizePx, int layers, GLenum format, bool repeats) {
+    const bool same = format_ == format && repeats_ == repeats;
+    if (same && layers_.size() == glm::ivec3(sizePx, layers)) return;
     layers_ = {};
     layers_ = gl::Texture::make2DArray(format, sizePx, layers);
     layers_.setLinear();
+    if (repeats) layers_.setRepeat();
     format_ = format;
+    repeats_ = repeats;
 }
 
 void LightLayers::copy(int from, int to) {

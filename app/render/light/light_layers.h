@@ -12,7 +12,8 @@ namespace neph::render {
 class LightLayers {
   public:
     /// `format`: GL_R32F, or GL_R16 in which a step of 1.5e-5 is the darkest.
-    void resize(glm::ivec2 sizePx, int layers, GLenum format);
+    /// `repeats`: beyond each edge is the opposite one.
+    void resize(glm::ivec2 sizePx, int layers, GLenum format, bool repeats = false);
     /// Layer 0 takes over from another layer, or full light (-1).
     void open(int fromLayer);
     /// Fills the layers after the first, one for each slice of `tiles`. Throws Cancelled.
@@ -28,6 +29,7 @@ class LightLayers {
     gl::Texture layers_;
     gl::Buffer tiles_;
     GLenum format_ = 0;
+    bool repeats_ = false;
 };
 
 /// Layers that the driver and `mostBytes` allow, at least 2.

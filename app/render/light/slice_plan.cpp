@@ -12,6 +12,7 @@ namespace {
 // are the bounds of the light buffer.
 constexpr double kSteepestRayDeg = 80.0;
 constexpr int kMinLightPx = 16, kMaxLightPx = 1024;
+constexpr int kMostLevelSlices = 4096;
 
 struct Extent {
     double lo = 1e300, hi = -1e300;
@@ -94,6 +95,22 @@ SlicePlan planSunSlices(glm::dvec3 towardsSun, const BoxM& box, double stepM) {
     const double depthM = along(plan.normal, box).length();
     layOut(plan, towardsSun, box, std::max(1, static_cast<int>(std::ceil(depthM / stepM))));
     layLight(plan, towardsSun, box, stepM);
+    return plan;
+}
+
+SlicePlan planRepeatedSlices(glm::dvec3 towardsSun, const BoxM& occupied, glm::dvec3 extentM,
+                             double stepM) {
+    SlicePlan plan;
+    plan.repeats = true;
+    plan.normal = {0.0, 0.0, towardsSun.z < 0.0 ? 1.0 : -1.0};
+    const double heightM = occupied.upperM.z - occupied.lowerM.z;
+    const double slices = std::ceil(heightM / (std::abs(towardsSun.z) * stepM));
+    layOut(plan, towardsSun, occupied,
+           static_cast<int>(std::clamp(slices, 1.0, static_cast<double>(kMostLevelSlices))));
+    plan.lightU = {1.0, 0.0, -towardsSun.x / towardsSun.z};
+    plan.lightV = {0.0, 1.0, -towardsSun.y / towardsSun.z};
+    plan.lightExtentM = extentM;
+    plan.lightSizePx = {lightSize(extentM.x, stepM), lightSize(extentM.y, stepM)};
     return plan;
 }
 

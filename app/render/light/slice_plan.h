@@ -24,6 +24,9 @@ struct SlicePlan {
     glm::dvec2 lightLowerM{0.0};   ///< of the light buffer, in the coordinates of lightU and lightV
     glm::dvec2 lightExtentM{1.0};  ///< of the light buffer
     glm::ivec2 lightSizePx{1};
+    /// Slices are level, and lightU and lightV lead along the light to the place at height 0, of
+    /// which the buffer covers one width of the domain: planRepeatedSlices().
+    bool repeats = false;
 
     /// At most so many slices, further apart.
     void limit(int most);
@@ -32,6 +35,12 @@ struct SlicePlan {
 /// Slices that face the sun, `stepM` apart, with light texels as large: for light alone, whatever
 /// the camera. Count at least 1.
 SlicePlan planSunSlices(glm::dvec3 towardsSun, const BoxM& box, double stepM);
+
+/// The same between periodic sides: level slices, between which light goes no more than about
+/// `stepM`, and a buffer as wide as the domain that repeats in x and y. Under a low sun there are
+/// so many of them that at some point steps get longer. `extentM` is the domain's.
+SlicePlan planRepeatedSlices(glm::dvec3 towardsSun, const BoxM& occupied, glm::dvec3 extentM,
+                             double stepM);
 
 /// `texelM`: wanted size of a light texel. The buffer covers the box as the sun sees it, 16 to 1024
 /// texels per side.

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace neph;
 
 TEST_CASE("Default radii are those of table 3 of the paper") {
@@ -39,4 +41,27 @@ TEST_CASE("Droplets scatter as droplets and ice as crystals, of sizes that cloud
     }
     CHECK(look.of(Species::cloud).phase.radiusM == 10e-6f);
     CHECK(look.of(Species::rain).phase.radiusM == 25e-6f);
+}
+
+TEST_CASE("Between periodic sides the sun keeps off the horizon, of engines that know them") {
+    Look look;
+    look.lightSides = LightSides::periodic;
+    for (const float elevationDeg : {0.0f, 0.5f, -0.5f, 1.5f, -3.0f}) {
+        CAPTURE(elevationDeg);
+        look.sunElevationDeg = elevationDeg;
+        const float kept = elevationDeg == -0.5f           ? -1.0f
+                           : std::abs(elevationDeg) < 1.0f ? 1.0f
+                                                           : elevationDeg;
+        for (const Engine engine : {Engine::march, Engine::reference}) {
+            look.engine = engine;
+            CHECK(sidesRepeat(look));
+            CHECK(sunDirWorld(look).z == doctest::Approx(std::sin(glm::radians(kept))));
+        }
+        look.engine = Engine::slicing;
+        CHECK_FALSE(sidesRepeat(look));
+        CHECK(sunDirWorld(look).z == doctest::Approx(std::sin(glm::radians(elevationDeg))));
+    }
+    look.engine = Engine::march;
+    look.lightSides = LightSides::open;
+    CHECK_FALSE(sidesRepeat(look));
 }

@@ -387,3 +387,15 @@ TEST_CASE("Ways of following light that have an error say so, and full transport
     look.engine = Engine::reference;
     CHECK(knownErrorText(look).empty());
 }
+
+TEST_CASE("An engine that does not know periodic sides says that they are open") {
+    Look look;
+    look.engine = Engine::slicing;
+    CHECK(knownErrorText(look).find("sides are open") == std::string::npos);
+    look.lightSides = LightSides::periodic;
+    CHECK(knownErrorText(look).find("; sides are open") != std::string::npos);
+    look.engine = Engine::march;
+    CHECK(knownErrorText(look).empty());
+    look.engine = Engine::reference;
+    CHECK(knownErrorText(look).empty());
+}

@@ -57,9 +57,17 @@ std::set<Tile> needed(const std::vector<glm::ivec3>& blocks, const SlicePlan& pl
                 const glm::dvec2 across = plan.lightLowerM + (glm::dvec2(x, y) + 0.5) /
                                                                  glm::dvec2(plan.lightSizePx) *
                                                                  plan.lightExtentM;
-                const glm::dvec3 base = plan.lightU * across.x + plan.lightV * across.y;
-                const glm::dvec3 p = base + towardsSun * ((planeM - glm::dot(plan.normal, base)) /
-                                                          glm::dot(plan.normal, towardsSun));
+                const glm::dvec3 base = plan.repeats
+                                            ? glm::dvec3(across, 0.0)
+                                            : plan.lightU * across.x + plan.lightV * across.y;
+                glm::dvec3 p = base + towardsSun * ((planeM - glm::dot(plan.normal, base)) /
+                                                    glm::dot(plan.normal, towardsSun));
+                if (plan.repeats) {
+                    for (int axis = 0; axis < 2; ++axis) {
+                        const double widthM = plan.lightExtentM[axis];
+                        p[axis] -= widthM * std::floor(p[axis] / widthM);
+                    }
+                }
                 const glm::ivec3 block(glm::floor(p / kBlockM));
                 if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) continue;
                 found.emplace(slice, x / kLightTile, y / kLightTile);
@@ -97,6 +105,20 @@ TEST_CASE("Every texel of a slice that lies in a block is in a tile, from any su
             const glm::dvec3 sun = compassDirWorld(azimuth, elevation);
             const auto blocks = someBlocks(static_cast<unsigned>(azimuth + elevation));
             check(blocks, planSunSlices(sun, box(), 300.0), sun);
+        }
+    }
+}
+
+TEST_CASE("Every texel of a level slice that lies in a block is in a tile, from any sun") {
+    for (const float elevation : {-20.0f, -1.0f, 7.0f, 35.0f, 90.0f}) {
+        for (const float azimuth : {0.0f, 131.0f, 300.0f}) {
+            CAPTURE(elevation);
+            CAPTURE(azimuth);
+            const glm::dvec3 sun = compassDirWorld(azimuth, elevation);
+            const auto blocks = someBlocks(static_cast<unsigned>(azimuth + 90.0f));
+            const SlicePlan plan = planRepeatedSlices(sun, box(), box().upperM, 600.0);
+            CHECK(plan.lightStepM <= 600.0 * 1.001);
+            check(blocks, plan, sun);
         }
     }
 }

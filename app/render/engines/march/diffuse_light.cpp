@@ -87,6 +87,26 @@ gl::Texture makeLinear(GLenum format, glm::ivec3 size) {
     return texture;
 }
 
+/// The values of nodes, x fastest, with so many of the opposite side beside them along each axis.
+template <typename Value>
+std::vector<Value> withRepeated(const std::vector<Value>& values, glm::ivec3 nodes,
+                                glm::ivec3 beside) {
+    if (beside == glm::ivec3(0)) return values;
+    const glm::ivec3 held = nodes + 2 * beside;
+    std::vector<Value> all;
+    all.reserve(static_cast<std::size_t>(held.x) * static_cast<std::size_t>(held.y) *
+                static_cast<std::size_t>(held.z));
+    for (int z = 0; z < held.z; ++z)
+        for (int y = 0; y < held.y; ++y)
+            for (int x = 0; x < held.x; ++x) {
+                const glm::ivec3 at = (glm::ivec3(x, y, z) - beside + nodes) % nodes;
+                all.push_back(values[static_cast<std::size_t>(at.x) +
+                                     static_cast<std::size_t>(nodes.x) *
+                                         static_cast<std::size_t>(at.y + nodes.y * at.z)]);
+            }
+    return all;
+}
+
 }  // namespace
 
 LightClass DiffuseLight::lightClassOf(const MediumClass& c) {
@@ -109,7 +129,7 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     const BoxM whole{glm::dvec3(0.0), grid.extentM()};
     seaLevelM_ = grid.originM.z;
     grid_ = chooseLightGrid(grid, medium.bricks.empty() ? whole : medium.bricks.occupied,
-                            inputs.sampling.lightVoxels);
+                            inputs.sampling.lightVoxels, sidesRepeat(inputs.look));
     auto made = std::make_shared<LightMedium>();
     made->nodes = grid_.nodes;
     made->spacingM = grid_.spacingM;
@@ -119,36 +139,45 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
     std::vector<float> values(std::max<std::size_t>(made->classes.size(), 1) * empty.values.size());
     extinctions_.write(values.data(), values.size() * sizeof(float));
     extinctions_.bind(GL_SHADER_STORAGE_BUFFER, kNodesExtinctionBuffer);
-    nodes.setIvec3(kNodesFirstVoxelLocation, grid_.firstVoxel);
-    nodes.setIvec3(kNodesStrideLocation, grid_.stride);
+    nodes.setVec3(kNodesFirstVoxelLocation, glm::vec3(grid_.lowerM / grid.spacingM));
+    nodes.setVec3(kNodesSpacingLocation, glm::vec3(grid_.spacingM / grid.spacingM));
+    nodes.setIvec3(kNodesSamplesLocation, grid_.stride);
     nodes.setIvec3(kNodesCountLocation, grid_.nodes);
     nodes.dispatch(grid_.nodes);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(extinctions_.name(), 0,
                             static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
-    std::vector<std::uint8_t> thickness(empty.values.size());
     for (std::size_t c = 0; c < made->classes.size(); ++c) {
         const std::size_t count = empty.values.size();
         made->classes[c].extinctionPerM = empty;
         std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(c * count), count,
                     made->classes[c].extinctionPerM.values.begin());
     }
-    const std::vector<float> thick = nodeThickness(*made, true);
-    for (std::size_t i = 0; i < thick.size(); ++i) {
-        thickness[i] = static_cast<std::uint8_t>(std::lround(127.5f * thick[i]));
-    }
-    if (thickness_.size() != grid_.nodes) thickness_ = makeLinear(GL_R8, grid_.nodes);
-    thickness_.upload(GL_RED, GL_UNSIGNED_BYTE, thickness.data());
-    const bool same = medium_ && *medium_ == *made;
+    uploadThickness(nodeThickness(*made, grid_.periodicSides, true));
+    const bool same = medium_ && asked_.periodicSides == grid_.periodicSides && *medium_ == *made;
     if (!same) medium_ = std::move(made);
+    asked_.periodicSides = grid_.periodicSides;
+}
+
+void DiffuseLight::uploadThickness(const std::vector<float>& ofNodes) {
+    std::vector<std::uint8_t> thickness;
+    thickness.reserve(ofNodes.size());
+    for (const float thick : ofNodes) {
+        thickness.push_back(static_cast<std::uint8_t>(std::lround(127.5f * thick)));
+    }
+    const glm::ivec3 held = grid_.held();
+    if (thickness_.size() != held) thickness_ = makeLinear(GL_R8, held);
+    thickness_.upload(GL_RED, GL_UNSIGNED_BYTE,
+                      withRepeated(thickness, grid_.nodes, grid_.repeated()).data());
 }
 
 void DiffuseLight::fill(FrameBlock& block, const Look& look,
                         const std::vector<MediumClass>& classes, const SkyTextures& sky) {
     const auto setMap = [](const LightGrid& grid, glm::vec4& perM, glm::vec4& offset) {
-        const glm::dvec3 ofTexture = 1.0 / grid.extentM();
+        const glm::dvec3 held(grid.held()), ofTexture = 1.0 / (held * grid.spacingM);
         perM = glm::vec4(ofTexture, 0.0);
-        offset = glm::vec4(0.5 / glm::dvec3(grid.nodes) - grid.lowerM * ofTexture, 0.0);
+        offset =
+            glm::vec4((0.5 + glm::dvec3(grid.repeated())) / held - grid.lowerM * ofTexture, 0.0);
     };
     setMap(grid_, block.lightPerM, block.lightOffset);
     setMap(shownGrid_, block.sourcePerM, block.sourceOffset);
@@ -218,7 +247,8 @@ void DiffuseLight::upload(const LightState& state) {
     if (!balanced.empty()) {
         balanced_.write(balanced.data(), balanced.size() * sizeof(std::uint32_t));
     }
-    if (source_.size() != state.size) source_ = makeLinear(GL_RGBA16F, state.size);
+    const glm::ivec3 held = shownGrid_.held();
+    if (source_.size() != held) source_ = makeLinear(GL_RGBA16F, held);
     // Other voxels may have been occupied before.
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
 }
@@ -239,7 +269,7 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const SkyTextures& sky,
 
 /// Diffuse light that comes down to the ground, in the colours of the look.
 void DiffuseLight::lightGround(const FrameBlock& block, const SkyTextures& sky) {
-    const glm::ivec2 size(shown_->size);
+    const glm::ivec2 size(shownGrid_.held());
     const std::vector<float>& sun = shown_->groundFlux[0];
     const std::vector<float>&horizon = shown_->groundFlux[1], &zenith = shown_->groundFlux[2];
     std::vector<glm::vec4> light(sun.size());
@@ -261,7 +291,9 @@ void DiffuseLight::lightGround(const FrameBlock& block, const SkyTextures& sky) 
         groundLight_ = gl::Texture::make2D(GL_RGBA16F, size);
         groundLight_.setLinear();
     }
-    groundLight_.upload(GL_RGBA, GL_FLOAT, light.data());
+    const glm::ivec3 nodes{glm::ivec2(shownGrid_.nodes), 1};
+    groundLight_.upload(GL_RGBA, GL_FLOAT,
+                        withRepeated(light, nodes, shownGrid_.repeated()).data());
 }
 
 void DiffuseLight::bind() const {

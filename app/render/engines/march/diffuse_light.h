@@ -48,6 +48,7 @@ class DiffuseLight {
 
   private:
     LightClass lightClassOf(const MediumClass& c);
+    void uploadThickness(const std::vector<float>& ofNodes);
     void upload(const LightState& state);
     void lightGround(const FrameBlock& block, const SkyTextures& sky);
 

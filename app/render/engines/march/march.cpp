@@ -52,6 +52,16 @@ BoxM boxOf(const PackedMedium& medium, const RegularGrid& grid) {
     return medium.bricks.empty() ? BoxM{glm::dvec3(0.0), grid.extentM()} : medium.bricks.occupied;
 }
 
+SlicePlan lightPlan(const FrameInputs& inputs, const RegularGrid& grid,
+                    const PackedMedium& medium) {
+    const glm::dvec3 towardsSun = sunDirWorld(inputs.look);
+    const BoxM box = boxOf(medium, grid);
+    const double stepM =
+        (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid);
+    return sidesRepeat(inputs.look) ? planRepeatedSlices(towardsSun, box, grid.extentM(), stepM)
+                                    : planSunSlices(towardsSun, box, stepM);
+}
+
 /// Slices that are marched before their light goes to the medium.
 int batchOf(const SlicePlan& plan, const RegularGrid& grid) {
     const std::size_t mostBytes = std::max(kLittleBytes, grid.cellCount() / 4 * 3);
@@ -65,6 +75,7 @@ std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
     std::vector<std::string> names = lightDefines(carried, medium.plan, true);
     names.push_back("PACKED 1");
     if (scattersOften(look)) names.push_back("FULL 1");
+    if (sidesRepeat(look)) names.push_back("PERIODIC 1");
     names.push_back("LIGHT_FORMAT r16");
     names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
     return names;
@@ -197,10 +208,11 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     if (full_) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {
-            diffuse_->lookFrom(
-                bound_, context.sky,
-                context.programs.get("march/source_to_eye.comp",
-                                     {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0)}));
+            diffuse_->lookFrom(bound_, context.sky,
+                               context.programs.get(
+                                   "march/source_to_eye.comp",
+                                   {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0),
+                                    fmt::format("PERIODIC {}", sidesRepeat(inputs.look) ? 1 : 0)}));
         }
         diffuse_->bind();
     }
@@ -242,14 +254,15 @@ void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& 
     const Look& look = frame.inputs.look;
     full_ = scattersOften(look);
     if (!full_) return;  // what is known of the medium stays, for when it is wanted again
-    const int voxels = frame.inputs.sampling.lightVoxels;
-    if (diffuse_ && diffuseOf_ == std::pair(context.medium.version(), voxels)) return;
+    const std::tuple nodesOf{context.medium.version(), frame.inputs.sampling.lightVoxels,
+                             sidesRepeat(look)};
+    if (diffuse_ && diffuseOf_ == nodesOf) return;
     context.timer.pass("light voxels");
     if (!diffuse_) diffuse_.emplace(context.wake);
     bind(frame, medium, context, {0, 0});
     diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
                          context.programs.get("march/light_nodes.comp", defines(look, medium)));
-    diffuseOf_ = {context.medium.version(), voxels};
+    diffuseOf_ = nodesOf;
 }
 
 /// Carries sunlight through the medium and leaves it there, at every voxel. The medium holds the
@@ -260,13 +273,11 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
     const FrameInputs& inputs = frame.inputs;
     const VolumeTextures& volume = context.volume;
     const RegularGrid& grid = volume.grid;
-    plan_ = planSunSlices(
-        sunDirWorld(inputs.look), boxOf(medium, grid),
-        (inputs.draftLight ? kDraftLightTexelVoxels : kLightTexelVoxels) * voxelM(grid));
+    plan_ = lightPlan(inputs, grid, medium);
     if (medium.bricks.empty()) plan_.count = 0;
     if (full_) diffuse_->bind();
     const int batch = batchOf(plan_, grid);
-    light_.resize(plan_.lightSizePx, batch + 1, GL_R16);
+    light_.resize(plan_.lightSizePx, batch + 1, GL_R16, plan_.repeats);
     light_.open(-1);
     lastLayer_ = 0;
     const BlockOrder blocks(volume, plan_);

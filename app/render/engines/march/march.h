@@ -2,7 +2,7 @@
 // medium. docs/performance.md
 #pragma once
 #include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "app/gl/objects.h"
@@ -53,8 +53,8 @@ class MarchEngine final : public Integrator {
     PhaseTexture phases_;
     bool full_ = false;                    ///< the light that is held is of full transport
     std::optional<DiffuseLight> diffuse_;  ///< since full transport was first wanted
-    /// Version of the medium that it knows, and voxels that were asked for.
-    std::pair<std::uint64_t, int> diffuseOf_{0, 0};
+    /// Version of the medium that it knows, voxels that were asked for, periodic sides.
+    std::tuple<std::uint64_t, int, bool> diffuseOf_{0, 0, false};
     FrameBlock bound_{};
     gl::Buffer block_, counts_, blocks_;
     gl::Texture blueNoise_;

@@ -46,13 +46,14 @@ std::vector<glm::vec4> read(const gl::Texture& texture) {
     return values;
 }
 
-gl::Texture sunDepthOf(const MediumTextures& medium, const gl::Buffer& block,
+gl::Texture sunDepthOf(const MediumTextures& medium, bool periodic, const gl::Buffer& block,
                        gl::ProgramCache& programs) {
     const glm::ivec3 size = glm::min(4 * medium.first.size(), kMostSunDepth);
     gl::Texture depth = gl::Texture::make3D(GL_R16F, size);
     depth.setLinear();
     std::vector<std::string> defines = mediumDefines(medium);
     std::replace(defines.begin(), defines.end(), std::string("NOISE 1"), std::string("NOISE 0"));
+    defines.push_back(fmt::format("PERIODIC {}", periodic ? 1 : 0));
     const gl::Program& program = programs.get("reference/sun_depth.comp", defines);
     block.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     medium.first.bind(kMedium0Unit);
@@ -96,7 +97,7 @@ void PathTracer::prepare(const MediumTextures& medium, gl::ProgramCache& program
         glClearTexImage(sums->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     }
     block_.write(&setup_.block, sizeof(setup_.block));
-    sunDepth_ = sunDepthOf(medium, block_, programs);
+    sunDepth_ = sunDepthOf(medium, setup_.periodic, block_, programs);
 }
 
 const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathMedium& paths,

@@ -25,8 +25,8 @@ namespace block {
 inline constexpr double kSunRadiusRad = 0.004675;
 
 struct TraceSetup {
-    FrameBlock block{};  ///< `image` and `whole` have the size
-    bool periodic = false;
+    FrameBlock block{};                     ///< `image` and `whole` have the size
+    bool periodic = false;                  ///< in x and y, but for what the eye sees first
     const gl::Buffer* detectors = nullptr;  ///< where paths begin; none: at the eye
     int seed = 0;
     int maxScatterings = 0;  ///< 0: no limit

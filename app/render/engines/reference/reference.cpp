@@ -82,6 +82,7 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
     if (frame.sample == 0) {
         // A first pass that yielded goes on.
         const TraceSetup setup{.block = blockOf(inputs, grid, medium, context.sky),
+                               .periodic = sidesRepeat(inputs.look),
                                .seed = inputs.sampling.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }

@@ -75,8 +75,25 @@ void SlicingEngine::prepare(const Look& look, RenderContext& context) {
     prepareClasses(look, context);
 }
 
+/// Once for each time that periodic sides are asked for.
+void SlicingEngine::tellOpenSides(const Look& look, RenderContext& context) {
+    const bool wanted = look.lightSides == LightSides::periodic;
+    if (wanted && !toldOpenSides_) {
+        std::vector<std::string_view> others;
+        for (const EngineTraits& engine : kEngines) {
+            if (engine.periodicSides) others.push_back(engine.id);
+        }
+        context.messages.push_back(fmt::format(
+            "light.sides=periodic does not act with {}: its light comes in through open sides; "
+            "choose view.engine={} for light that repeats",
+            traitsOf(look.engine).label, fmt::join(others, " or ")));
+    }
+    toldOpenSides_ = wanted;
+}
+
 void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
     const FrameInputs& inputs = frame.inputs;
+    tellOpenSides(inputs.look, context);
     const VolumeTextures& volume = context.volume;
     const MediumTextures& medium = context.medium.as<MediumTextures>();
     gl::ProgramCache& programs = context.programs;

@@ -22,6 +22,7 @@ class SlicingEngine final : public Integrator {
     std::size_t otherBytes() const override { return eye_.bytes() + phases_.bytes(); }
 
   private:
+    void tellOpenSides(const Look& look, RenderContext& context);
     void resize(glm::ivec2 sizePx);
     void marchEye(const FrameInputs& inputs, const gl::Program& program, const Progress& progress);
 
@@ -31,6 +32,7 @@ class SlicingEngine final : public Integrator {
     gl::Texture eye_;
     gl::Buffer block_;
     PhaseTexture phases_;
+    bool toldOpenSides_ = false;
 };
 
 }  // namespace neph::render
