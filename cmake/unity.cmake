@@ -1,15 +1,16 @@
-# Unity builds compile several files as one: the builds under sanitizers take a third of the time
-# (docs/measurements.md). These files have a name of their own that another file has too, each in its
-# unnamed namespace, and are compiled alone; direction_feed.cpp instantiates members of a template
-# that another file instantiates for others.
+# Unity builds compile several files as one, which takes less than half of the time
+# (docs/measurements.md); tools/tidy compiles every file by itself. These files have a name of their
+# own that another file has too, each in its unnamed namespace, and are compiled alone;
+# direction_feed.cpp instantiates members of a template that another file instantiates for others.
 function(neph_compile_alone folder)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
   set_source_files_properties(${ARGN} DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
     PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-neph_compile_alone(core base/child_process.cpp camera/camera_moves.cpp optics/particle_size.cpp
-  plugin/plugin_library.cpp session/settings.cpp transport/direction_feed.cpp)
+neph_compile_alone(core base/child_process.cpp camera/camera_moves.cpp optics/blue_noise.cpp
+  optics/particle_size.cpp plugin/plugin_library.cpp session/settings.cpp
+  transport/direction_feed.cpp)
 neph_compile_alone(readers/raw_les sidecar.cpp)
 file(GLOB action_tables RELATIVE ${PROJECT_SOURCE_DIR}/app CONFIGURE_DEPENDS app/ui/shell/actions_*.cpp)
 neph_compile_alone(app ${action_tables} cli/bench/bench_growth.cpp cli/bench/bench_modes.cpp

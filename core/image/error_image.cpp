@@ -1,6 +1,8 @@
 // error_image.cpp: two colour maps, a font of 5 by 7 pixels, and a colour bar.
 #include "core/image/error_image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -124,7 +126,7 @@ glm::ivec3 toBytes(const glm::vec3& colour) {
 std::string labelAt(double error, bool end, const ErrorScale& scale) {
     if (!scale.percent) return numberText(error, 3);
     const char* beyond = !end ? "" : error < 0.0 ? "<" : ">";
-    return beyond + numberText(100.0 * error, 3) + "%";
+    return fmt::format("{}{}%", beyond, numberText(100.0 * error, 3));
 }
 
 /// Title, colour bar and tick labels below the image.

@@ -249,7 +249,8 @@ void addView(std::vector<Parameter>& table) {
         "tone_map", "Tone mapping", &Look::toneMap, Stage::resolve,
         {{"linear", "Linear", "Clipped where it is too bright."},
          {"filmic", "Filmic", "A toe and a shoulder, as on photographs. [Narkowicz15]"},
-         {"agx", "AgX", "Sixteen stops; bright colours go to white as on film. [Sobotka22]"}},
+         {"agx", "AgX",
+          "Sixteen stops; what is bright loses its colour, as on photographs. [Sobotka22]"}},
         "Filmic shoulder and toe, AgX, or linear with clipping.");
 }
 

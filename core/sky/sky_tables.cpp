@@ -134,17 +134,17 @@ std::array<SkyPattern, kSkyPatterns> patternsOf(const Around& around) {
     return patterns;
 }
 
-/// Colours by which the patterns add up to the sky around an altitude: least squares, over the
-/// sphere.
+/// Colours by which the patterns add up to the sky around an altitude: least squares of what it is
+/// off by relative to them, and then exactly its light on a level surface.
 std::array<dvec3, kSkyPatterns> coloursOf(const Around& around,
                                           const std::array<SkyPattern, kSkyPatterns>& patterns) {
     constexpr double kRidge = 1e-6;  // where both patterns are the same
     double aa = 0.0, ab = 0.0, bb = 0.0;
     dvec3 ac(0.0), bc(0.0);
     for (std::size_t t = 0; t < around.radiance.size(); ++t) {
-        const double weight = around.solidAngle[t];
         const auto a = static_cast<double>(patterns[0].radiance[t]);
         const auto b = static_cast<double>(patterns[1].radiance[t]);
+        const double weight = around.solidAngle[t] / (a + b + 1e-3);
         aa += weight * a * a;
         ab += weight * a * b;
         bb += weight * b * b;
@@ -155,7 +155,14 @@ std::array<dvec3, kSkyPatterns> coloursOf(const Around& around,
     bb *= 1.0 + kRidge;
     const double determinant = aa * bb - ab * ab;
     if (determinant <= 0.0) return {};
-    return {(bb * ac - ab * bc) / determinant, (aa * bc - ab * ac) / determinant};
+    const dvec3 ofA = (bb * ac - ab * bc) / determinant, ofB = (aa * bc - ab * ac) / determinant;
+    // Patterns have irradiance pi.
+    const dvec3 made = std::numbers::pi * (ofA + ofB), wanted = around.irradiance();
+    dvec3 scale(1.0);
+    for (int c = 0; c < 3; ++c) {
+        if (made[c] > 0.5 * wanted[c] && wanted[c] > 0.0) scale[c] = wanted[c] / made[c];
+    }
+    return {scale * ofA, scale * ofB};
 }
 
 void fillAltitudes(const Atmosphere& air, double sunUp, const std::vector<Around>& levels,

@@ -201,7 +201,7 @@ void addNotes(const std::vector<SpeciesWork>& species, const RadiusPlan& radii,
         if (work.repairs.allZero) empty.push_back(work.ratio->name);
     }
     if (species.empty() && absent.empty()) {
-        volume.notes.push_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
+        volume.notes.emplace_back("This file has no hydrometeors (QCLOUD, QICE, QRAIN, ...).");
     } else if (empty.size() == species.size()) {
         volume.notes.push_back(fmt::format(
             "There is no condensate at {}: every mixing ratio is zero.", volume.timeLabel));

@@ -24,8 +24,8 @@ float tableCoordinate(float share, int count) {
 
 /// Sine of the elevation of the horizon.
 float horizonSine(float altitudeM) {
-    float share = kPlanetRadiusM / (kPlanetRadiusM + max(altitudeM, 0.0f));
-    return -sqrt(max(0.0f, 1.0f - share * share));
+    float h = max(altitudeM, 0.0f);
+    return -sqrt(h * (2.0f * kPlanetRadiusM + h)) / (kPlanetRadiusM + h);
 }
 
 /// Of the angle between the azimuths of two directions, of unit length or less; 0 where one of

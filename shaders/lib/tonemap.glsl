@@ -15,7 +15,7 @@ float srgbEncode(float x) {
 }
 
 /// AgX: a sigmoid over the logarithm of radiance, 10 stops below middle grey to 6.5 above, between
-/// primaries that are drawn in and out again, so that what is bright loses its colour as on film.
+/// primaries that are drawn in and out again, so that what is bright loses its colour.
 /// [Sobotka22], by the polynomial of [Wrensch23].
 vec3 agx(vec3 radiance) {
     const float kFirstStop = -12.47393f, kLastStop = 4.026069f;

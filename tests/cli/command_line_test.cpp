@@ -17,6 +17,8 @@ const std::string kSource = NEPH_TEST_SOURCE_DIR;
 const std::string kStormFile = kSource + "/samples/supercell/wrfout_d01_0001-01-01_00:30:00";
 // Small and coarse: these tests are about files and words, not about images.
 const std::string kQuick = " --size 48x32 --quality 0.25 --samples 1 ";
+// With light that needs no solution.
+const std::string kQuickest = kQuick + "--set light.transport=low_albedo ";
 
 std::string textOf(const Metadata& metadata, const std::string& key) {
     for (const auto& [name, text] : metadata) {
@@ -132,7 +134,7 @@ TEST_CASE("A rendered PNG has the size asked for and says where it comes from") 
 TEST_CASE("Look and sampling in an image's metadata render the same image again") {
     const TemporaryFolder folder;
     const auto first = folder / "first.png", second = folder / "second.png";
-    REQUIRE(runProgram("render " + kStormFile + kQuick +
+    REQUIRE(runProgram("render " + kStormFile + kQuickest +
                        "--set cloud.mixing_scale=0.3 --set sun.elevation=20 --out " +
                        first.string())
                 .status == 0);
@@ -175,9 +177,9 @@ TEST_CASE("An engine is chosen for one image, and the image says which, how fine
 TEST_CASE("A setting changes the image") {
     const TemporaryFolder folder;
     const auto a = folder / "a.png", b = folder / "b.png";
-    REQUIRE(runProgram("render " + kStormFile + kQuick + "--out " + a.string()).status == 0);
+    REQUIRE(runProgram("render " + kStormFile + kQuickest + "--out " + a.string()).status == 0);
     REQUIRE(
-        runProgram("render " + kStormFile + kQuick + "--set view.exposure=2 --out " + b.string())
+        runProgram("render " + kStormFile + kQuickest + "--set view.exposure=2 --out " + b.string())
             .status == 0);
     CHECK(readPng(a).rgba != readPng(b).rgba);
 }
@@ -186,22 +188,22 @@ TEST_CASE("A part of the domain is rendered, and what memory does not hold is av
     const TemporaryFolder folder;
     const std::string out = "--out " + (folder / "a.png").string();
     const Outcome part =
-        runProgram("render " + kStormFile + kQuick + "--region 20:60,30:70 " + out);
+        runProgram("render " + kStormFile + kQuickest + "--region 20:60,30:70 " + out);
     CHECK(part.status == 0);
     CHECK(contains(part.err, "x 20 to 60 km, y 30 to 70 km"));
-    const Outcome coarse = runProgram("render " + kStormFile + kQuick + "--memory 4MiB " + out);
+    const Outcome coarse = runProgram("render " + kStormFile + kQuickest + "--memory 4MiB " + out);
     CHECK(coarse.status == 0);
     CHECK(contains(coarse.err, "Every 2 x 2 columns are averaged"));
     CHECK(contains(runProgram("info " + kStormFile + " --memory 4MiB").out, "2 x 2 columns"));
     const Outcome nowhere =
-        runProgram("render " + kStormFile + kQuick + "--region 900:910,1:2 " + out);
+        runProgram("render " + kStormFile + kQuickest + "--region 900:910,1:2 " + out);
     CHECK(nowhere.status == 1);
     CHECK(contains(nowhere.err, "holds no cell"));
 }
 
 TEST_CASE("Several times are numbered by their index, in EXR as asked for") {
     const TemporaryFolder folder;
-    const Outcome outcome = runProgram("render --time 1:2 --format float" + kQuick + "--out " +
+    const Outcome outcome = runProgram("render --time 1:2 --format float" + kQuickest + "--out " +
                                        (folder / "storm.exr").string());
     REQUIRE(outcome.status == 0);
     CHECK_FALSE(std::filesystem::exists(folder / "storm.exr"));
@@ -217,7 +219,7 @@ TEST_CASE("The camera of another preset is taken alone") {
     const TemporaryFolder folder;
     std::ofstream(folder / "camera.json") << R"({"azimuth_deg": 12, "distance": 2})";
     const auto file = folder / "a.png";
-    REQUIRE(runProgram("render " + kStormFile + kQuick + "--camera " +
+    REQUIRE(runProgram("render " + kStormFile + kQuickest + "--camera " +
                        (folder / "camera.json").string() + " --out " + file.string())
                 .status == 0);
     CHECK(contains(textOf(readPngMetadata(file), "nephoscope.camera"), "distance 2 azimuth 12"));

@@ -19,7 +19,9 @@ using namespace neph;
 
 namespace {
 
-const std::string kQuick = "render cumulus --quality 0.25 --samples 1 ";
+// With light that needs no solution.
+const std::string kQuick =
+    "render cumulus --set light.transport=low_albedo --quality 0.25 --samples 1 ";
 
 std::string quoted(const std::filesystem::path& path) {
     return "'" + path.string() + "'";

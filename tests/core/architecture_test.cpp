@@ -64,6 +64,7 @@ const std::string kImgui = "^imgui";
 using Floors = std::vector<std::vector<std::string>>;
 
 const Floors kCore{{"core/base", "core/grid"},
+                   {"core/sky"},
                    {"core/image", "core/plugin", "core/optics", "core/camera"},
                    {"core/dataset", "core/look", "core/transport"},
                    {"core/volume"},
@@ -79,7 +80,7 @@ std::vector<std::string> engineRooms() {
     return rooms;
 }
 
-const Floors kRender{{"app/render/light"},
+const Floors kRender{{"app/render/light", "app/render/sky"},
                      {"app/render/medium"},
                      {"app/render/frame"},
                      engineRooms(),

@@ -276,10 +276,18 @@ TEST_CASE("What is no parameter of a phase function acts with the engines that i
         for (const Engine engine : {Engine::march, Engine::slicing, Engine::reference}) {
             look.engine = engine;
             const bool acts = (row.engines & bitOf(engine)) != 0;
-            if (!ofPhase || !acts) CHECK(applies(row, look) == acts);
+            if (ofPhase && acts) continue;
+            look.skyModel = SkyModel::gradient;
+            const bool inGradient = applies(row, look);
+            look.skyModel = SkyModel::atmosphere;
+            CHECK((inGradient || applies(row, look)) == acts);
         }
     }
     look.engine = Engine::reference;
+    CHECK_FALSE(applies(parameter("sky.intensity"), look));
+    CHECK(applies(parameter("sky.visibility"), look));
+    look.skyModel = SkyModel::gradient;
+    CHECK_FALSE(applies(parameter("sky.visibility"), look));
     CHECK_FALSE(applies(parameter("sky.skylight"), look));
     CHECK_FALSE(applies(parameter("light.phase_display"), look));
     CHECK(applies(parameter("sky.intensity"), look));

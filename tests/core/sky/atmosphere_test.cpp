@@ -12,10 +12,10 @@ using namespace neph;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
-double sine(double deg) {
-    return std::sin(deg * kPi / 180.0);
+double upOf(double deg) {
+    return std::sin(deg * kHalfTurn / 180.0);
 }
 
 /// Of pure air: no haze, no ozone, black ground.
@@ -30,11 +30,11 @@ double skyIrradiance(const Atmosphere& air, double sunUp) {
     for (int i = 0; i < kUps; ++i) {
         for (int j = 0; j < kAzimuths; ++j) {
             const double up = std::sqrt((i + 0.5) / kUps);
-            const double azimuth = kPi * (j + 0.5) / kAzimuths;
+            const double azimuth = kHalfTurn * (j + 0.5) / kAzimuths;
             sum += static_cast<double>(air.along({0.0, up, azimuth, sunUp}).radiance.at[4]);
         }
     }
-    return kPi * sum / (kUps * kAzimuths);
+    return kHalfTurn * sum / (kUps * kAzimuths);
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ TEST_CASE("Light scattered once in thin air is what the formula of a slab has") 
     // zenith and the eye at 60 degrees from it: P E (mu0 / (mu0 - mu)) (e^-tau/mu0 - e^-tau/mu).
     const Atmosphere air = pureAir();
     const double tau = -std::log(static_cast<double>(air.transmittance(0.0, 1.0).at[7]));
-    const double mu = sine(30.0);
-    const double phase = 3.0 / (16.0 * kPi) * (1.0 + mu * mu);
+    const double mu = upOf(30.0);
+    const double phase = 3.0 / (16.0 * kHalfTurn) * (1.0 + mu * mu);
     const double once = phase / (1.0 - mu) * (std::exp(-tau) - std::exp(-tau / mu));
     const double all = static_cast<double>(air.along({0.0, mu, 0.0, 1.0}).radiance.at[7]);
     CHECK(all > once);
@@ -85,23 +85,23 @@ TEST_CASE("Pure air sends half of what it scatters down") {
 
 TEST_CASE("The horizon hides the sun by and by") {
     const Atmosphere air({});
-    const auto light = [&](double elevation) { return air.sunlight(0.0, sine(elevation)).at[7]; };
+    const auto light = [&](double elevation) { return air.sunlight(0.0, upOf(elevation)).at[7]; };
     CHECK(light(0.3) > light(0.0));
     CHECK(light(0.0) > 0.0f);
     CHECK(light(-0.2) > 0.0f);
     CHECK(light(-0.3) == 0.0f);
     // From 12 km the horizon is 3.5 degrees lower.
-    CHECK(air.sunlight(12e3, sine(-3.0)).at[7] > 0.0f);
-    CHECK(air.sunlight(12e3, sine(-4.0)).at[7] == 0.0f);
+    CHECK(air.sunlight(12e3, upOf(-3.0)).at[7] > 0.0f);
+    CHECK(air.sunlight(12e3, upOf(-4.0)).at[7] == 0.0f);
 }
 
 TEST_CASE("The sky is blue overhead, red towards a setting sun, and dark at night") {
     const Atmosphere air({});
-    const Spectrum zenith = air.along({0.0, 1.0, 0.0, sine(40.0)}).radiance;
+    const Spectrum zenith = air.along({0.0, 1.0, 0.0, upOf(40.0)}).radiance;
     CHECK(zenith.at[1] > 2.0f * zenith.at[7]);
-    const Spectrum sunset = air.along({0.0, sine(2.0), 0.0, sine(-1.0)}).radiance;
+    const Spectrum sunset = air.along({0.0, upOf(2.0), 0.0, upOf(-1.0)}).radiance;
     CHECK(sunset.at[7] > 2.0f * sunset.at[1]);
-    const Spectrum night = air.along({0.0, 1.0, 0.0, sine(-30.0)}).radiance;
+    const Spectrum night = air.along({0.0, 1.0, 0.0, upOf(-30.0)}).radiance;
     CHECK(night.at[1] < 1e-6f * zenith.at[1]);
 }
 

@@ -1,0 +1,123 @@
+// sky_test.cpp: a cloud in the air of the Earth, in every engine.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/look/exposure.h"
+#include "tests/gpu/images.h"
+#include "tests/gpu/scenes.h"
+
+using namespace neph;
+using namespace neph::test;
+
+namespace {
+
+Look airyLook(float sunElevationDeg) {
+    Look look = lookOf(kModes[2]);
+    look.transport = Transport::full;
+    look.skyModel = SkyModel::atmosphere;
+    look.sunElevationDeg = sunElevationDeg;
+    return look;
+}
+
+render::FrameInputs seenBy(Engine engine, const SpeciesVolume& volume, const Look& look,
+                           const CameraPose& pose, glm::ivec2 sizePx) {
+    render::FrameInputs inputs = frame(volume, look, pose, sizePx, 0);
+    inputs.look.engine = engine;
+    return inputs;
+}
+
+double meanLightOf(const ImageF& image) {
+    double sum = 0.0;
+    for (const glm::vec4& p : image.pixels) {
+        sum += glm::dot(glm::dvec3(p), glm::dvec3(0.2126, 0.7152, 0.0722));
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+}  // namespace
+
+TEST_CASE("The sky of every engine is what air sends along each ray") {
+    const SpeciesVolume nothing = uniformVolume({4, 4, 4}, 500.0, 0.0f);
+    for (const float elevationDeg : {35.0f, 2.0f, -4.0f}) {
+        CAPTURE(elevationDeg);
+        const Look look = airyLook(elevationDeg);
+        // Level, from the ground, to the north.
+        CameraPose pose = views()[0].pose;
+        pose.elevationDeg = -20.0f;
+        const render::FrameInputs march = seenBy(Engine::march, nothing, look, pose, {5, 4});
+        const ImageF image = averageOn(nothing, march, 1);
+        const auto air = atmosphereOf(look);
+        const glm::dvec3 towardsSun = sunDirWorld(look);
+        for (int y = 0; y < image.size.y; ++y) {
+            for (int x = 0; x < image.size.x; ++x) {
+                const glm::dvec2 ndc =
+                    (2.0 * glm::dvec2(x, y) + 1.0) / glm::dvec2(image.size) - 1.0;
+                const Camera& camera = march.camera;
+                const glm::dvec3 dir = glm::normalize(
+                    camera.forward + ndc.x * camera.tanHalfFovY * camera.aspect * camera.right -
+                    ndc.y * camera.tanHalfFovY * camera.up);
+                if (dir.z < 0.05) continue;
+                const double azimuth =
+                    std::atan2(dir.y, dir.x) - std::atan2(towardsSun.y, towardsSun.x);
+                const glm::dvec3 expected =
+                    4.0 * std::numbers::pi *
+                    rgbOfSunlight(
+                        air->along({camera.eyeWorld.z, dir.z, azimuth, towardsSun.z}).radiance);
+                const glm::vec4& pixel =
+                    image.pixels[static_cast<std::size_t>(y * image.size.x + x)];
+                for (int c = 0; c < 3; ++c) {
+                    CHECK(pixel[c] == doctest::Approx(expected[c]).epsilon(0.05));
+                }
+            }
+        }
+        for (const Engine engine : {Engine::slicing, Engine::reference}) {
+            const ImageF other = averageOn(nothing, seenBy(engine, nothing, look, pose, {5, 4}), 1);
+            CHECK(meanLightOf(other) == doctest::Approx(meanLightOf(image)).epsilon(1e-4));
+        }
+    }
+}
+
+TEST_CASE("In the air of the Earth full transport has the light of the path tracer") {
+    const SpeciesVolume volume = blobs();
+    struct Scene {
+        float sunElevationDeg;
+        std::size_t view;
+    };
+    for (const auto& [sun, view] :
+         {Scene{40.0f, 0}, Scene{5.0f, 0}, Scene{-1.0f, 0}, Scene{40.0f, 7}, Scene{40.0f, 6}}) {
+        CAPTURE(sun);
+        CAPTURE(views()[view].name);
+        const Look look = airyLook(sun);
+        const CameraPose pose = views()[view].pose;
+        const double march =
+            meanLightOf(averageOn(volume, seenBy(Engine::march, volume, look, pose, {24, 18}), 4));
+        const double traced = meanLightOf(
+            averageOn(volume, seenBy(Engine::reference, volume, look, pose, {24, 18}), 128));
+        CHECK(march == doctest::Approx(traced).epsilon(0.05));
+    }
+}
+
+TEST_CASE("Of a black cloud, haze shows the more the farther it is") {
+    SpeciesVolume volume = blobs();
+    Look look = airyLook(40.0f);
+    look.visibilityM = 30e3f;
+    for (SpeciesLook& field : look.species) {
+        field.albedo = 0.0f;
+        field.mixingScale = 1.0f;
+    }
+    // Of the pixel in the middle: what is left of the difference between the cloud and a sky that
+    // is as bright as air that never ends.
+    const auto middleAt = [&](float distance) {
+        CameraPose pose = views()[0].pose;
+        pose.elevationDeg = 0.0f;
+        pose.distance = distance;
+        const ImageF image =
+            averageOn(volume, seenBy(Engine::march, volume, look, pose, {9, 9}), 1);
+        return image.pixels[40].b;
+    };
+    const float near = middleAt(1.0f), far = middleAt(6.0f), farther = middleAt(20.0f);
+    CHECK(near < 0.5f * far);
+    CHECK(far < 0.9f * farther);
+}
