@@ -12,7 +12,6 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSunRadius = 0.00465;  // radians; half of its mean diameter of 32'
 constexpr double kHazeG = 0.8;          // [Bruneton17]
 constexpr double kHazeAlbedo = 0.9;     // [Bruneton17]
@@ -41,12 +40,12 @@ Spectrum byWavelength(const auto& valueAt) {
 }
 
 double rayleigh(double cosTheta) {
-    return 3.0 / (16.0 * kPi) * (1.0 + cosTheta * cosTheta);
+    return 3.0 / (16.0 * std::numbers::pi) * (1.0 + cosTheta * cosTheta);
 }
 
 double cornetteShanks(double cosTheta, double g) {
     const double g2 = g * g;
-    return 3.0 / (8.0 * kPi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosTheta * cosTheta) /
+    return 3.0 / (8.0 * std::numbers::pi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosTheta * cosTheta) /
            std::pow(1.0 + g2 - 2.0 * g * cosTheta, 1.5);
 }
 
@@ -105,7 +104,7 @@ struct Atmosphere::Place {
 };
 
 struct Atmosphere::Phases {
-    float molecules = static_cast<float>(1.0 / (4.0 * kPi)), haze = molecules;
+    float molecules = static_cast<float>(1.0 / (4.0 * std::numbers::pi)), haze = molecules;
     bool manyTimes = false;  ///< light scattered more often as well
 };
 
@@ -159,7 +158,7 @@ Spectrum Atmosphere::sunlight(double altitudeM, double sunUp) const {
     const double above = (std::asin(std::clamp(sunUp, -1.0, 1.0)) - std::asin(lowest)) / kSunRadius;
     if (above <= -1.0) return Spectrum(0.0f);
     const double x = std::min(above, 1.0);
-    const double visible = 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / kPi;
+    const double visible = 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / std::numbers::pi;
     return static_cast<float>(visible) * transmittance(altitudeM, std::max(sunUp, lowest));
 }
 
@@ -204,8 +203,8 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
     Spectrum light, again;
     for (int i = 0; i < kUps; ++i) {
         for (int j = 0; j < kAzimuths; ++j) {
-            const SkyRay ray{altitudeM, (i + 0.5) / kUps * 2.0 - 1.0, kPi * (j + 0.5) / kAzimuths,
-                             sunUp};
+            const SkyRay ray{altitudeM, (i + 0.5) / kUps * 2.0 - 1.0,
+                             std::numbers::pi * (j + 0.5) / kAzimuths, sunUp};
             const Path path(ray);
             const Reach reach = reachOf(altitudeM, ray.up);
             AirLight sum;
@@ -225,7 +224,8 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
             light += sum.radiance;
             if (!reach.ground) continue;
             const Place below(path, reach.toM);
-            const double perRadiance = spec_.groundAlbedo / kPi * std::max(below.sunUp, 0.0);
+            const double perRadiance =
+                spec_.groundAlbedo / std::numbers::pi * std::max(below.sunUp, 0.0);
             light += static_cast<float>(perRadiance) * (sum.clear * sunlight(0.0, below.sunUp));
         }
     }

@@ -44,6 +44,9 @@ vec3 backdrop(Ray ray, int lastLayer) {
     if (groundM <= 0.0) return eyeSky(ray.dir);
     vec3 positionM = pointAlong(ray, groundM);
     vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
-    if (hasAir()) return throughAir(airRay(ray.dir), groundM, u_.ground.rgb * light, 1.0);
+    if (hasAir()) {
+        vec3 sent = groundSeen(ray, groundM) * u_.ground.rgb * light;
+        return throughAir(airRay(ray.dir), groundM, sent, 1.0);
+    }
     return hazyGround(u_.ground.rgb * light, u_.skyHorizon.rgb, groundM);
 }

@@ -38,6 +38,10 @@ bool reachesSeenGround(inout Path p) {
     return reachesGround(p);
 }
 
+float seenGround(Path p) {
+    return 1.0;
+}
+
 vec3 seenSky(Path p) {
     return skyFrom(p.positionM, p.dir);
 }

@@ -39,6 +39,11 @@ bool reachesSeenGround(inout Path p) {
     return groundM > 0.0;
 }
 
+/// What the ground's albedo is multiplied by where the path meets it.
+float seenGround(Path p) {
+    return groundSeen(rayOf(p), groundDistanceM(rayOf(p)));
+}
+
 vec3 seenSky(Path p) {
     return eyeSky(p.axis);
 }

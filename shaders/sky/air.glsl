@@ -1,5 +1,6 @@
 // air.glsl: sky, sunlight and air as the tables have them. core/sky/sky_tables.h
 #pragma once
+#include "../lib/ground.glsl"
 #include "../lib/sky.glsl"
 #include "../lib/sky_table.glsl"
 #include "../shared/frame.glsl"
@@ -68,6 +69,15 @@ vec3 eyeSky(vec3 dir) {
     vec2 at = vec2(tableCoordinate(azimuthShare(dir, u_.towardsSun.xyz), kEyeSkyAzimuths),
                    tableCoordinate(skyShare(dir.z, u_.sky.y), kEyeSkyElevations));
     return u_.sky.w * textureLod(t_eyeSky, at, 0.0).rgb;
+}
+
+/// What the ground's colour is multiplied by where a ray from the eye meets it.
+float groundSeen(Ray ray, float distanceM) {
+    if (!hasAir()) return 1.0;
+    // A pixel is longer the flatter the ray; what it covers is taken to be as wide as long.
+    float pixelM = distanceM * 2.0 * length(u_.up.xyz) / float(u_.whole.y);
+    vec3 worldM = pointAlong(ray, distanceM);
+    return groundPattern(worldM.xy, pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
 }
 
 /// The sky as it is seen from a point of grid space.
