@@ -4,31 +4,9 @@
 // parallax: within 0.01 degrees of NREL's SPA for the years 1900 to 2100. UTC stands for UT1 and
 // for terrestrial time, which moves the sun by less than 0.005 and 0.001 degrees.
 #pragma once
-#include <chrono>
-#include <optional>
-#include <string>
-#include <string_view>
+#include "core/base/utc_time.h"
 
 namespace neph {
-
-/// A date and time of day in UTC, Gregorian calendar, without leap seconds.
-using UtcTime = std::chrono::sys_time<std::chrono::duration<double>>;
-
-/// "2021-08-14T18:00:00Z", to the nearest second, with tenths where they are not zero.
-std::string utcText(UtcTime time);
-
-/// The inverse: "YYYY-MM-DDThh:mm:ss" with Z, a fraction, or without seconds; nothing for any other
-/// text, such as one with the offset of a time zone.
-std::optional<UtcTime> utcOfText(std::string_view text);
-
-/// Day of the year, 1 to 366, and hour of the day, 0 to below 24, in UTC.
-struct YearTime {
-    int year = 2000;
-    int day = 1;
-    double hour = 0.0;
-};
-YearTime yearTimeOf(UtcTime time);
-UtcTime utcOf(const YearTime& time);
 
 /// Air at the observer, by which light is refracted.
 struct ObserverAir {

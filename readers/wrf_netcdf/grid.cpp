@@ -22,18 +22,6 @@ constexpr double kLeastM = 1e-3, kMostM = 1e6;
 // Distances by latitudes are those of a sphere and of floats.
 constexpr double kSameDistance = 0.1;
 
-/// All values of a variable on the horizontal grid at the first time; none if it is not there.
-std::vector<float> flatField(const Tiles& tiles, const char* name) {
-    const NcVariable* variable = tiles.first().variable(name);
-    if (variable == nullptr || !variable->number) return {};
-    const auto shape = tiles.shapeOf(*variable);
-    if (!shape || !shape->flat || shape->staggered[0] || shape->staggered[1]) return {};
-    const auto columns = tiles.columns();
-    std::vector<float> values(columns[0] * columns[1]);
-    tiles.read(*variable, 0, Box{{0, 0, 0}, {columns[0], columns[1], 1}}, values);
-    return values;
-}
-
 /// Mean, least and greatest width of cells as shares of DX. The mean is that of areas.
 struct Widths {
     double mean = 1.0, least = 1.0, greatest = 1.0;
@@ -219,6 +207,17 @@ std::optional<double> cornerOf(const Tiles& tiles, const char* name, std::size_t
 
 }  // namespace
 
+std::vector<float> flatField(const Tiles& tiles, const char* name) {
+    const NcVariable* variable = tiles.first().variable(name);
+    if (variable == nullptr || !variable->number) return {};
+    const auto shape = tiles.shapeOf(*variable);
+    if (!shape || !shape->flat || shape->staggered[0] || shape->staggered[1]) return {};
+    const auto columns = tiles.columns();
+    std::vector<float> values(columns[0] * columns[1]);
+    tiles.read(*variable, 0, Box{{0, 0, 0}, {columns[0], columns[1], 1}}, values);
+    return values;
+}
+
 std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes) {
     const std::array nominal{nominalSpacing(tiles, 0, notes), nominalSpacing(tiles, 1, notes)};
     std::array<double, 2> spacing{nominal[0].metres, nominal[1].metres};
@@ -243,7 +242,8 @@ std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last) 
         if (before && after && std::abs(*after - *before) > kMovedDegrees) {
             return fmt::format(
                 "The domain moves between the times of the file (its corner from {:.3f} "
-                "to {:.3f} in {}): each time is shown from its own corner.",
+                "to {:.3f} in {}): each time is shown from its own corner, and the "
+                "place on the earth is that of the first.",
                 *before, *after, name);
         }
     }

@@ -113,7 +113,7 @@ TEST_CASE("info on what cannot be read fails with file, found, expected and hint
 TEST_CASE("readers lists the plugin with file, version and ABI, and why another was rejected") {
     const Outcome outcome = runProgram("readers");
     CHECK(outcome.status == 0);
-    for (const char* part : {"wrf_netcdf 1.1", "wrf_netcdf.so", "ABI         1", "Looked for in"}) {
+    for (const char* part : {"wrf_netcdf 1.2", "wrf_netcdf.so", "ABI         2", "Looked for in"}) {
         CHECK(contains(outcome.out, part));
     }
     const Environment path("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE");

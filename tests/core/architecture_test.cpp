@@ -63,7 +63,8 @@ const std::string kImgui = "^imgui";
 /// Floors of a building, the lowest first; the rooms on one floor do not know each other.
 using Floors = std::vector<std::vector<std::string>>;
 
-const Floors kCore{{"core/base", "core/grid", "core/sky"},
+const Floors kCore{{"core/base", "core/grid"},
+                   {"core/geo", "core/sky"},
                    {"core/image", "core/plugin", "core/optics", "core/camera"},
                    {"core/dataset", "core/look", "core/transport"},
                    {"core/volume"},
