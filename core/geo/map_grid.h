@@ -22,6 +22,9 @@ struct GeoPoint {
     bool operator==(const GeoPoint&) const = default;
 };
 
+/// "35.22 N 97.44 W".
+std::string geoText(const GeoPoint& point);
+
 /// A position of the grid on the earth.
 struct PlacePoint {
     GeoPoint geo;

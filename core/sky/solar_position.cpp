@@ -9,7 +9,7 @@ namespace neph {
 namespace {
 
 constexpr double kRad = std::numbers::pi / 180.0;
-constexpr double kDaySeconds = 86400.0;
+constexpr double kSecondsPerDay = 86400.0;
 
 double sinDeg(double degrees) {
     return std::sin(degrees * kRad);
@@ -32,7 +32,7 @@ struct Sun {
 /// [Meeus98] ch. 25, 28; the names of its quantities are those of docs/physics.md.
 Sun sunAt(UtcTime time) {
     constexpr double kJ2000Seconds = 946728000.0;  // 2000-01-01 12:00 from 1970
-    const double t = (time.time_since_epoch().count() - kJ2000Seconds) / (36525.0 * kDaySeconds);
+    const double t = (time.time_since_epoch().count() - kJ2000Seconds) / (36525.0 * kSecondsPerDay);
     const double meanLongitude = turned(280.46646 + t * (36000.76983 + t * 0.0003032));
     const double anomaly = turned(357.52911 + t * (35999.05029 - t * 0.0001537));
     const double eccentricity = 0.016708634 - t * (0.000042037 + t * 1.267e-7);
@@ -58,7 +58,7 @@ Sun sunAt(UtcTime time) {
 
 /// Degrees from the meridian, west positive, -180 to 180.
 double hourAngleDeg(UtcTime time, const Sun& sun, double longitudeDeg) {
-    const double days = time.time_since_epoch().count() / kDaySeconds;
+    const double days = time.time_since_epoch().count() / kSecondsPerDay;
     const double minutes = 1440.0 * (days - std::floor(days)) + sun.equationOfTimeMin;
     return turned(minutes / 4.0 + longitudeDeg) - 180.0;
 }

@@ -12,11 +12,9 @@
 namespace wrf {
 namespace {
 
-constexpr double kEarthRadiusM = 6370000.0;  // reradius of WRF's module_model_constants.F
 constexpr double kMetresPerDegree = kEarthRadiusM * std::numbers::pi / 180.0;
 // Larger spacings in degrees, and smaller ones in metres, do not occur on latitude-longitude grids.
 constexpr double kMostDegrees = 10.0;
-constexpr int kLatitudeLongitude = 6;  // of MAP_PROJ
 // Cells of any model, or of any grid in degrees.
 constexpr double kLeastM = 1e-3, kMostM = 1e6;
 // Distances by latitudes are those of a sphere and of floats.

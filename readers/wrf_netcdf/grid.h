@@ -8,6 +8,9 @@
 
 namespace wrf {
 
+inline constexpr double kEarthRadiusM = 6370000.0;  // reradius of WRF's module_model_constants.F
+inline constexpr int kLatitudeLongitude = 6;        // of MAP_PROJ
+
 /// All values of a variable on the horizontal grid at the first time, x fastest; none if it is not
 /// there.
 std::vector<float> flatField(const Tiles& tiles, const char* name);

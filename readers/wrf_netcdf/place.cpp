@@ -16,8 +16,7 @@
 namespace wrf {
 namespace {
 
-constexpr int kLambert = 1, kPolar = 2, kMercator = 3, kLatitudeLongitude = 6;  // of MAP_PROJ
-constexpr double kEarthRadiusM = 6370000.0;  // reradius of WRF's module_model_constants.F
+constexpr int kLambert = 1, kPolar = 2, kMercator = 3;  // of MAP_PROJ
 
 /// Why a file has no place.
 struct Unplaced {

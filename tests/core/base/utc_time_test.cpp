@@ -7,7 +7,7 @@ using namespace neph;
 
 namespace {
 
-UtcTime at(const char* text) {
+UtcTime parsed(const char* text) {
     const auto time = utcOfText(text);
     REQUIRE(time);
     return *time;
@@ -27,11 +27,11 @@ TEST_CASE("Dates are counted as Julian days are") {
           Row{"1988-06-19T12:00:00Z", 2447332.0}, Row{"1900-01-01T00:00:00Z", 2415020.5},
           Row{"1600-12-31T00:00:00Z", 2305812.5}}) {
         CAPTURE(row.utc);
-        CHECK(at(row.utc).time_since_epoch().count() / 86400.0 + 2440587.5 == row.julianDay);
-        CHECK(utcText(at(row.utc)) == row.utc);
+        CHECK(parsed(row.utc).time_since_epoch().count() / 86400.0 + 2440587.5 == row.julianDay);
+        CHECK(utcText(parsed(row.utc)) == row.utc);
     }
-    CHECK(utcText(at("2021-08-14T18:00:00.25")) == "2021-08-14T18:00:00.3Z");
-    CHECK(utcText(at("2021-08-14 18:00")) == "2021-08-14T18:00:00Z");
+    CHECK(utcText(parsed("2021-08-14T18:00:00.25")) == "2021-08-14T18:00:00.3Z");
+    CHECK(utcText(parsed("2021-08-14 18:00")) == "2021-08-14T18:00:00Z");
 }
 
 TEST_CASE("A text that is no time in UTC is none") {
@@ -45,12 +45,12 @@ TEST_CASE("A text that is no time in UTC is none") {
 }
 
 TEST_CASE("A time is a day of the year and an hour, also in leap years") {
-    const YearTime last = yearTimeOf(at("2020-12-31T18:30:00Z"));
+    const YearTime last = yearTimeOf(parsed("2020-12-31T18:30:00Z"));
     CHECK(last.year == 2020);
     CHECK(last.day == 366);
     CHECK(last.hour == doctest::Approx(18.5));
-    CHECK(yearTimeOf(at("2020-02-29T00:00:00Z")).day == 60);
-    CHECK(yearTimeOf(at("2021-03-01T00:00:00Z")).day == 60);
-    CHECK(yearTimeOf(at("1969-12-31T23:00:00Z")).day == 365);
+    CHECK(yearTimeOf(parsed("2020-02-29T00:00:00Z")).day == 60);
+    CHECK(yearTimeOf(parsed("2021-03-01T00:00:00Z")).day == 60);
+    CHECK(yearTimeOf(parsed("1969-12-31T23:00:00Z")).day == 365);
     CHECK(utcText(utcOf({2021, 226, 18.0})) == "2021-08-14T18:00:00Z");
 }

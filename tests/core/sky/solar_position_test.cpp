@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kToleranceDeg = 0.01;
 
-UtcTime at(const char* text) {
+UtcTime almanacTime(const char* text) {
     const auto time = utcOfText(text);
     REQUIRE(time);
     return *time;
@@ -65,7 +65,7 @@ TEST_CASE("The sun stands where NREL's SPA has it, in both hemispheres, by day a
     for (const Almanac& row : kSpa) {
         CAPTURE(row.utc);
         const SolarPosition sun =
-            solarPosition(at(row.utc), row.latitudeDeg, row.longitudeDeg, air);
+            solarPosition(almanacTime(row.utc), row.latitudeDeg, row.longitudeDeg, air);
         const bool down = row.zenithDeg > 90.9;  // SPA refracts nothing there
         const double elevationDeg = down ? sun.elevationDeg : sun.apparentElevationDeg;
         CHECK(std::abs(90.0 - row.zenithDeg - elevationDeg) < kToleranceDeg);
@@ -75,8 +75,9 @@ TEST_CASE("The sun stands where NREL's SPA has it, in both hemispheres, by day a
 
 TEST_CASE("The example of the SPA report is met: topocentric, refracted and at its distance") {
     // [Reda04] table A5.1: 820 hPa, 11 degrees C; e0 and R by its equations.
-    const SolarPosition sun = solarPosition(at("2003-10-17T19:30:30Z"), 39.742476, -105.1786,
-                                            {.pressurePa = 82000.0, .temperatureK = 284.15});
+    const SolarPosition sun =
+        solarPosition(almanacTime("2003-10-17T19:30:30Z"), 39.742476, -105.1786,
+                      {.pressurePa = 82000.0, .temperatureK = 284.15});
     CHECK(std::abs(sun.elevationDeg - 39.872046) < kToleranceDeg);
     CHECK(std::abs(90.0 - sun.apparentElevationDeg - 50.11162) < kToleranceDeg);
     CHECK(azimuthErrorDeg(sun, 194.34024) < kToleranceDeg);
@@ -89,7 +90,7 @@ TEST_CASE("The example of the SPA report is met: topocentric, refracted and at i
 
 TEST_CASE("Declination, equation of time and distance are those of Meeus's examples") {
     // [Meeus98] examples 25.a and 28.a: 13 October 1992, 0 h.
-    const SolarPosition sun = solarPosition(at("1992-10-13T00:00:00Z"), 0.0, 0.0);
+    const SolarPosition sun = solarPosition(almanacTime("1992-10-13T00:00:00Z"), 0.0, 0.0);
     CHECK(std::abs(sun.declinationDeg - -7.78507) < kToleranceDeg);
     CHECK(std::abs(sun.equationOfTimeMin - 13.70940) < 0.02);
     CHECK(std::abs(sun.distanceAu - 0.99766) < 1e-5);
@@ -97,14 +98,14 @@ TEST_CASE("Declination, equation of time and distance are those of Meeus's examp
 
 TEST_CASE("At the poles the sun is as high as its declination, all day") {
     for (const char* time : {"1992-10-13T00:00:00Z", "1992-10-13T06:00:00Z"}) {
-        const UtcTime when = at(time);
+        const UtcTime when = almanacTime(time);
         CHECK(std::abs(solarPosition(when, 90.0, 0.0).elevationDeg - -7.8) < 0.1);
         CHECK(std::abs(solarPosition(when, -90.0, 0.0).elevationDeg - 7.8) < 0.1);
     }
-    const UtcTime midnight = at("1992-10-13T00:00:00Z");
+    const UtcTime midnight = almanacTime("1992-10-13T00:00:00Z");
     CHECK(std::abs(solarPosition(midnight, -90.0, 0.0).elevationDeg - 7.78507) < kToleranceDeg);
     // Hours turn the sun clockwise at the north pole, the other way at the south pole.
-    const UtcTime morning = at("1992-10-13T06:00:00Z");
+    const UtcTime morning = almanacTime("1992-10-13T06:00:00Z");
     const auto turnDeg = [&](double latitudeDeg) {
         return std::remainder(solarPosition(morning, latitudeDeg, 0.0).azimuthDeg -
                                   solarPosition(midnight, latitudeDeg, 0.0).azimuthDeg,
@@ -118,7 +119,7 @@ TEST_CASE("The sun moves evenly across midnight and across the leap day") {
     for (const char* time : {"2020-02-28T23:59:59Z", "2020-02-29T23:59:59Z", "2021-02-28T23:59:59Z",
                              "2020-12-31T23:59:59Z"}) {
         CAPTURE(time);
-        const UtcTime before = at(time);
+        const UtcTime before = almanacTime(time);
         const auto azimuthDeg = [&](double seconds) {
             return solarPosition(before + std::chrono::duration<double>(seconds), 50.0, 10.0)
                 .azimuthDeg;
@@ -146,7 +147,7 @@ TEST_CASE("Refraction lifts the setting sun by half a degree and fades without a
 TEST_CASE("At noon the sun crosses the meridian, on the side of the equator") {
     for (const double longitudeDeg : {-179.0, -97.5, 0.0, 10.0, 151.2}) {
         CAPTURE(longitudeDeg);
-        const UtcTime start = at("2016-11-03T11:00:00Z");
+        const UtcTime start = almanacTime("2016-11-03T11:00:00Z");
         const UtcTime noon = nearestNoon(start, longitudeDeg);
         CHECK(std::abs((noon - start).count()) < 12.2 * 3600.0);
         const SolarPosition north = solarPosition(noon, 60.0, longitudeDeg);
@@ -155,7 +156,8 @@ TEST_CASE("At noon the sun crosses the meridian, on the side of the equator") {
         CHECK(std::abs(std::remainder(south.azimuthDeg, 360.0)) < 1e-4);
     }
     // NOAA: on 3 November the equation of time is greatest, 16 min 25 s to 16 min 27 s.
-    const double afterMidday =
-        (nearestNoon(at("2016-11-03T11:00:00Z"), 0.0) - at("2016-11-03T12:00:00Z")).count();
+    const double afterMidday = (nearestNoon(almanacTime("2016-11-03T11:00:00Z"), 0.0) -
+                                almanacTime("2016-11-03T12:00:00Z"))
+                                   .count();
     CHECK(afterMidday == doctest::Approx(-986.0).epsilon(0.003));
 }
