@@ -1,7 +1,5 @@
-// look.cpp: the defaults that follow from the species, and where the sun stands.
+// look.cpp: the defaults that follow from the species.
 #include "core/look/look.h"
-
-#include "core/grid/grid.h"
 
 namespace neph {
 
@@ -22,10 +20,6 @@ Look::Look() {
 
 bool scattersOften(const Look& look) {
     return look.transport == Transport::full && traitsOf(look.engine).scattersOften;
-}
-
-glm::dvec3 sunDirWorld(const Look& look) {
-    return compassDirWorld(look.sunAzimuthDeg, look.sunElevationDeg);
 }
 
 }  // namespace neph

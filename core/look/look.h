@@ -26,6 +26,8 @@ enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
+/// What the place of the sun follows from.
+enum class SunSource : int { angles, date };
 enum class ToneMap : int { linear, filmic };
 
 /// Where the size of a field's particles comes from. docs/physics.md §7
@@ -71,8 +73,13 @@ struct Look {
     PhaseSpec uniformPhase;
     float equalExtinctionM2PerKg = 10.0f;
 
+    SunSource sunSource = SunSource::angles;
     float sunAzimuthDeg = 225.0f;
     float sunElevationDeg = 35.0f;
+    /// Where data state no place or date: a spring afternoon over the southern plains.
+    float sunLatitudeDeg = 35.0f, sunLongitudeDeg = -97.5f;
+    int sunDay = 141;       ///< of a leap year: 20 May
+    float sunHour = 22.0f;  ///< UTC
     float sunIntensity = 1.0f;
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
@@ -98,8 +105,5 @@ struct Look {
 /// Whether light is followed through all its scatterings: Transport::full, of an engine that knows
 /// it.
 bool scattersOften(const Look& look);
-
-/// Unit vector towards the sun in world space.
-glm::dvec3 sunDirWorld(const Look& look);
 
 }  // namespace neph

@@ -15,6 +15,7 @@
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/base/resources.h"
+#include "core/look/sun.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
@@ -95,7 +96,7 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     DrawnSide drawn;
     drawn.renderer = &side_->renderer();
     const ParameterSet values = parametersOf(engine, side_->parameters());
-    drawn.inputs.look = values.look;
+    drawn.inputs.look = withSun(values.look, side_->shown().where);
     drawn.inputs.sampling = values.sampling;
     drawn.inputs.sizePx = sizePx_;
     drawn.inputs.camera = camera_;

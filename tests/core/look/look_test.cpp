@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "core/look/sun.h"
+
 using namespace neph;
 
 TEST_CASE("Default radii are those of table 3 of the paper") {
