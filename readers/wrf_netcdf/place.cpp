@@ -89,7 +89,7 @@ std::string projectionOf(const NcFile& file, double middleLongitudeDeg) {
 class Map {
   public:
     explicit Map(const std::string& projection) : context_(proj_context_create()) {
-        proj_log_level(context_, PJ_LOG_NONE);
+        proj_log_func(context_, nullptr, [](void*, int, const char*) {});
         map_ = proj_create(context_, projection.c_str());
         if (map_ == nullptr) {
             proj_context_destroy(context_);

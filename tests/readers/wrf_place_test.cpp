@@ -1,8 +1,10 @@
-// wrf_place_test.cpp: where WRF's domains lie, against WRF's own equations of its maps.
+// wrf_place_test.cpp: where WRF's domains lie, against WRF's own equations of its maps and, if
+// NEPHOSCOPE_MAPPED_RUN names a file of a real run on a map, against what WRF wrote into it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "core/geo/map_place.h"
 #include "tests/readers/reader_host.h"
@@ -12,6 +14,8 @@
 using namespace neph;
 
 namespace {
+
+const char* const kMappedRun = std::getenv("NEPHOSCOPE_MAPPED_RUN");
 
 double rad(double degrees) {
     return glm::radians(degrees);
@@ -24,8 +28,7 @@ struct WrfMap {
     double trueLatitude1 = 0.0, trueLatitude2 = 0.0, standLongitude = 0.0;
     double poleLatitude = 90.0, poleLongitude = 0.0;
     double stepM = 10000.0;
-    /// Cell that lies at the pole, on the map of 1 and 2, or on the equator and the standard
-    /// longitude.
+    /// Cell at the pole, or on the equator and the standard longitude.
     double poleX = 0.0, poleY = 0.0;
 
     static constexpr double kRadiusM = 6370000.0;
@@ -355,10 +358,43 @@ TEST_CASE("Times in a calendar without leap days have no date in UTC") {
     WrfSpec spec = specOf(kDomains[0].map);
     spec.omit = {"Times"};
     spec.xtime = {60.0};
-    const DatasetInfo standard = infoOf(folder, spec);
-    CHECK(utcText(standard.times.at(0).utc.value()) == "2021-08-14T01:00:00Z");
+    CHECK(utcText(infoOf(folder, spec).times.at(0).utc.value()) == "2021-08-14T01:00:00Z");
     spec.calendar = "noleap";
     const DatasetInfo info = infoOf(folder, spec);
     CHECK_FALSE(info.times.at(0).utc);
     CHECK(hasNote(info, "another calendar"));
+}
+
+TEST_CASE(
+    "Cells of a real run lie where its XLAT and XLONG have them, turned and scaled as it says" *
+    doctest::skip(kMappedRun == nullptr)) {
+    const auto dataset = openFiles({kMappedRun});
+    const DatasetInfo& info = dataset->info();
+    REQUIRE(!info.map.projection.empty());
+    const auto field = [&](const char* name) {
+        return info.find(name) == nullptr ? Array3f() : dataset->read(name, 0);
+    };
+    const Array3f latitude = field("XLAT"), longitude = field("XLONG"), factor = field("MAPFAC_M");
+    const Array3f sine = field("SINALPHA"), cosine = field("COSALPHA");
+    const MapPlace place(info.map);
+    double worst = 0.0, worstTurnDeg = 0.0, worstFactor = 0.0;
+    for (int y = 0; y < info.size.y; ++y) {
+        for (int x = 0; x < info.size.x; ++x) {
+            const auto at = [&](const Array3f& of) {
+                return of.empty() ? std::nan("") : static_cast<double>(of.at(x, y, 0));
+            };
+            const auto point = place.at((glm::dvec2(x, y) + 0.5) * info.spacingM);
+            REQUIRE(point);
+            const double alphaDeg = glm::degrees(std::atan2(at(sine), at(cosine)));
+            worst = std::max(worst, distanceM(point->geo, {at(latitude), at(longitude)}));
+            const double turnDeg =
+                std::abs(std::remainder(point->convergenceDeg - alphaDeg, 360.0));
+            worstTurnDeg = std::fmax(worstTurnDeg, turnDeg);
+            worstFactor = std::fmax(worstFactor, std::abs(point->mapFactor.x / at(factor) - 1.0));
+        }
+    }
+    MESSAGE("largest difference ", worst, " m, ", worstTurnDeg, " degrees, factor ", worstFactor);
+    CHECK(worst < 20.0);
+    CHECK(worstTurnDeg < 0.01);
+    CHECK(worstFactor < 1e-4);
 }
