@@ -219,7 +219,7 @@ std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& fil
 std::array<Line, 2> aroundCentre(const Tiles& tiles, std::vector<std::string>& notes) {
     const NcFile& file = tiles.first();
     if (!tiles.partNote().empty()) {
-        throw Unplaced{"XLAT and XLONG are missing, and the file is a part of its domain"};
+        throw Unplaced{"the file is a part of its domain"};
     }
     const double latitude = requiredAngle(file, "CEN_LAT", 90.0);
     const double longitude = requiredAngle(file, "CEN_LON", 360.0);
@@ -231,7 +231,7 @@ std::array<Line, 2> aroundCentre(const Tiles& tiles, std::vector<std::string>& n
             centre[axis] - 0.5 * lines[axis].step * static_cast<double>(tiles.columns()[axis]);
     }
     notes.emplace_back(
-        "XLAT and XLONG are missing: the place on the earth follows from CEN_LAT and CEN_LON.");
+        "XLAT or XLONG is missing: the place on the earth follows from CEN_LAT and CEN_LON.");
     return lines;
 }
 
@@ -242,8 +242,12 @@ Place located(const Tiles& tiles, const std::array<double, 2>& spacingM,
     std::array<Line, 2> lines;
     Place place;
     if (cells.empty()) {
-        place.projection = projectionOf(file, requiredAngle(file, "CEN_LON", 360.0));
-        lines = aroundCentre(tiles, notes);
+        try {
+            place.projection = projectionOf(file, requiredAngle(file, "CEN_LON", 360.0));
+            lines = aroundCentre(tiles, notes);
+        } catch (const Unplaced& unplaced) {
+            throw Unplaced{"XLAT or XLONG is missing, and " + unplaced.reason};
+        }
     } else {
         if (cells.areOne()) throw Unplaced{"XLAT or XLONG has one value in all cells"};
         const auto middle = static_cast<double>(cells.longitudeDeg[cells.middle()]);
