@@ -170,17 +170,22 @@ void forSome(const std::array<std::size_t, 2>& columns, Visit visit) {
     }
 }
 
-/// DX or DY on the map, metres, where there is only one cell to tell.
-double nominalStepM(const NcFile& file, const char* name) {
+/// Steps on the map, metres, by DX and DY; without them those of the grid.
+std::array<double, 2> nominalStepsM(const NcFile& file, std::array<double, 2> stepsM) {
     constexpr double kMostDegrees = 10.0;
-    const double step = file.number(name).value_or(1000.0);
-    const bool degrees =
-        file.number("MAP_PROJ") == kLatitudeLongitude && std::abs(step) < kMostDegrees;
-    return degrees ? step * kEarthRadiusM * std::numbers::pi / 180.0 : step;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto stated = file.number(axis == 0 ? "DX" : "DY");
+        if (!stated || !(*stated > 0.0)) continue;
+        const bool degrees =
+            file.number("MAP_PROJ") == kLatitudeLongitude && *stated < kMostDegrees;
+        stepsM[axis] = degrees ? *stated * kEarthRadiusM * std::numbers::pi / 180.0 : *stated;
+    }
+    return stepsM;
 }
 
 /// Lays the grid through its cells. Throws Unplaced if they do not lie on it.
-std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& file) {
+std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& file,
+                           const std::array<double, 2>& stepsM) {
     constexpr double kMostCells = 0.5, kMostM = 200.0;  // single precision misses by some metres
     const auto onMap = [&](std::size_t x, std::size_t y) {
         const std::size_t cell = y * cells.columns[0] + x;
@@ -198,8 +203,7 @@ std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& fil
         lines[1].add(static_cast<double>(y), at[1]);
     });
     if (lines[0].empty()) throw Unplaced{"XLAT and XLONG have no values on its map"};
-    lines[0].fit(nominalStepM(file, "DX"));
-    lines[1].fit(nominalStepM(file, "DY"));
+    for (std::size_t axis = 0; axis < 2; ++axis) lines[axis].fit(stepsM[axis]);
     double worstM = 0.0;
     forSome(cells.columns, [&](std::size_t x, std::size_t y) {
         const auto at = onMap(x, y);
@@ -216,7 +220,8 @@ std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& fil
 }
 
 /// The grid around CEN_LAT and CEN_LON, for files without XLAT and XLONG.
-std::array<Line, 2> aroundCentre(const Tiles& tiles, std::vector<std::string>& notes) {
+std::array<Line, 2> aroundCentre(const Tiles& tiles, const std::array<double, 2>& stepsM,
+                                 std::vector<std::string>& notes) {
     const NcFile& file = tiles.first();
     if (!tiles.partNote().empty()) {
         throw Unplaced{"the file is a part of its domain"};
@@ -226,7 +231,7 @@ std::array<Line, 2> aroundCentre(const Tiles& tiles, std::vector<std::string>& n
     const auto centre = Map(projectionOf(file, longitude)).metres(latitude, longitude);
     std::array<Line, 2> lines;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        lines[axis].step = nominalStepM(file, axis == 0 ? "DX" : "DY");
+        lines[axis].step = stepsM[axis];
         lines[axis].origin =
             centre[axis] - 0.5 * lines[axis].step * static_cast<double>(tiles.columns()[axis]);
     }
@@ -239,12 +244,13 @@ Place located(const Tiles& tiles, const std::array<double, 2>& spacingM,
               std::vector<std::string>& notes) {
     const NcFile& file = tiles.first();
     const Cells cells{flatField(tiles, "XLAT"), flatField(tiles, "XLONG"), tiles.columns()};
+    const auto stepsM = nominalStepsM(file, spacingM);
     std::array<Line, 2> lines;
     Place place;
     if (cells.empty()) {
         try {
             place.projection = projectionOf(file, requiredAngle(file, "CEN_LON", 360.0));
-            lines = aroundCentre(tiles, notes);
+            lines = aroundCentre(tiles, stepsM, notes);
         } catch (const Unplaced& unplaced) {
             throw Unplaced{"XLAT or XLONG is missing, and " + unplaced.reason};
         }
@@ -252,7 +258,7 @@ Place located(const Tiles& tiles, const std::array<double, 2>& spacingM,
         if (cells.areOne()) throw Unplaced{"XLAT or XLONG has one value in all cells"};
         const auto middle = static_cast<double>(cells.longitudeDeg[cells.middle()]);
         place.projection = projectionOf(file, std::isfinite(middle) ? middle : 0.0);
-        lines = fitted(Map(place.projection), cells, file);
+        lines = fitted(Map(place.projection), cells, file, stepsM);
     }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         place.mapOriginM[axis] = lines[axis].origin;
