@@ -9,6 +9,7 @@
 #include "app/image_io/png.h"
 #include "core/look/sun.h"
 #include "tests/cli/program.h"
+#include "tests/readers/wrf_maker.h"
 
 using namespace neph;
 
@@ -152,10 +153,14 @@ TEST_CASE("Look and sampling in an image's metadata render the same image again"
 TEST_CASE("A sun by date is drawn as the same sun by angles, and the image says where it stood") {
     const TemporaryFolder folder;
     const auto dated = folder / "dated.png", angles = folder / "angles.png";
+    WrfSpec spec;
+    spec.fields["QCLOUD"] = [](int x, int y, int, int) { return x == 1 && y == 1 ? 1e-3f : 0.0f; };
+    writeWrf(folder / "data", spec);
     const auto rendered = [&](const std::string& sets, const std::filesystem::path& file) {
-        REQUIRE(
-            runProgram("render " + kStormFile + kQuick + sets + " --out " + file.string()).status ==
-            0);
+        REQUIRE(runProgram("render '" + (folder / "data").string() +
+                           "' --engine slicing --planes 16 --size 24x16 " + sets +
+                           " --out " + file.string())
+                    .status == 0);
         return readPngMetadata(file);
     };
     // 1 June 2024 at 22:30 UTC over Oklahoma: a sun of the late afternoon.
@@ -178,6 +183,8 @@ TEST_CASE("A sun by date is drawn as the same sun by angles, and the image says 
                  " --set sun.elevation=" + std::to_string(state.elevationDeg),
              angles);
     CHECK(readPng(dated).rgba == readPng(angles).rgba);
+    rendered("--set sun.azimuth=90", angles);
+    CHECK(readPng(dated).rgba != readPng(angles).rgba);
 }
 
 TEST_CASE("An engine is chosen for one image, and the image says which, how fine and how often") {

@@ -123,13 +123,15 @@ TEST_CASE("info tells place, dates and the sun over the middle of the grid, wher
 }
 
 TEST_CASE("info says that an idealised run has no place and no date") {
-    const Outcome outcome = runProgram("info --json " + kStorm);
-    const auto json = nlohmann::json::parse(outcome.out);
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", WrfSpec{});
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const auto json = nlohmann::json::parse(runProgram("info --json " + path).out);
     CHECK(json.at("place").is_null());
     CHECK(json.at("no_place") == "the run is idealised (MAP_PROJ 0)");
     CHECK(json.at("times")[0].at("utc").is_null());
     CHECK(json.at("times")[0].at("sun").is_null());
-    const std::string text = runProgram("info " + kStorm).out;
+    const std::string text = runProgram("info " + path).out;
     CHECK(contains(text, "Place    not known: the run is idealised (MAP_PROJ 0)"));
     CHECK(contains(text, "Date     not known"));
 }
