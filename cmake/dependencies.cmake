@@ -15,6 +15,7 @@ pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 # HDF5 comes with NetCDF; it is named for one call, which keeps it from printing on threads that
 # NetCDF did not start.
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+pkg_check_modules(PROJ REQUIRED IMPORTED_TARGET proj)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
 if(NEPHOSCOPE_TESTS)
   find_package(doctest REQUIRED)

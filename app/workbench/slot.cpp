@@ -5,6 +5,7 @@
 
 #include "app/workbench/profile_text.h"
 #include "core/look/known_error.h"
+#include "core/look/sun.h"
 
 namespace neph {
 namespace {
@@ -86,7 +87,7 @@ Slot::Waiting Slot::waiting(bool moving) const {
 
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
     render::FrameInputs inputs;
-    inputs.look = session.document.look;
+    inputs.look = withSun(session.document.look, session.where());
     inputs.sampling = session.document.sampling;
     inputs.sizePx = draft.sizePx;
     inputs.draftLight = draft.step == 0;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/workbench/slot.h"
+#include "core/look/sun.h"
 
 namespace neph {
 
@@ -31,7 +32,8 @@ bool Slot::updatePreview(bool wanted) {
     bool fresh = false;
     try {
         if (const auto made = preview_.take(DenoisedPreview::Clock::now())) {
-            previewOf_.look = session.document.look;  // its tones may be others by now
+            // Its tones may be others by now.
+            previewOf_.look = withSun(session.document.look, session.where());
             renderer_.showPreview(made->image, previewOf_);
             report.previewSamples = made->of.samples;
             report.gpuBytes = renderer_.gpuBytes();

@@ -1,17 +1,21 @@
 // exposure.cpp: an incident-light meter, which does not depend on what the camera sees.
 #include "core/look/exposure.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <numbers>
 #include <vector>
 
+#include "core/look/sun.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
 namespace {
 
-constexpr double kMeterAltitudeM = 5000.0;  // of the middle of deep clouds
+// Of the lower and the upper part of deep clouds: after sunset the sun shines on one of them.
+constexpr std::array kMeterAltitudesM{4000.0, 12000.0};
 /// Dusk is shown darker than day, by this power of what falls on the cloud.
 constexpr double kFollowed = 0.75;
 constexpr std::size_t kMostKept = 4;  // while sliders change them
@@ -61,7 +65,13 @@ std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look) {
 double meteredLight(const Look& look) {
     const auto air = atmosphereOf(look);
     const double sunUp = sunDirWorld(look).z;
-    return luminanceOf(air->sunlight(kMeterAltitudeM, sunUp)) + skyOf(*air, kMeterAltitudeM, sunUp);
+    double most = 0.0;
+    for (const double altitudeM : kMeterAltitudesM) {
+        const double light =
+            luminanceOf(air->sunlight(altitudeM, sunUp)) + skyOf(*air, altitudeM, sunUp);
+        most = std::max(most, light);
+    }
+    return most;
 }
 
 float exposureGain(const Look& look) {

@@ -10,7 +10,8 @@ namespace neph {
 /// The air of a look whose sky is an atmosphere; made once for looks that share it.
 std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look);
 
-/// Light that falls on a cloud in mid-air, from sun and sky: 1 from a sun without air.
+/// Light that falls on a deep cloud from sun and sky, of its lower and its upper part the
+/// one that has more: 1 from a sun without air.
 double meteredLight(const Look& look);
 
 /// What radiances are multiplied by before tone mapping.

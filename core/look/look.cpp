@@ -1,9 +1,5 @@
-// look.cpp: the defaults that follow from the species, and where the sun stands.
+// look.cpp: the defaults that follow from the species.
 #include "core/look/look.h"
-
-#include <cmath>
-
-#include "core/grid/grid.h"
 
 namespace neph {
 
@@ -33,14 +29,6 @@ glm::vec3 groundAlbedo(const Look& look) {
 
 bool sidesRepeat(const Look& look) {
     return look.lightSides == LightSides::periodic && traitsOf(look.engine).periodicSides;
-}
-
-glm::dvec3 sunDirWorld(const Look& look) {
-    float elevationDeg = look.sunElevationDeg;
-    if (sidesRepeat(look) && std::abs(elevationDeg) < kLowestPeriodicSunDeg) {
-        elevationDeg = elevationDeg < 0.0f ? -kLowestPeriodicSunDeg : kLowestPeriodicSunDeg;
-    }
-    return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
 }
 
 }  // namespace neph

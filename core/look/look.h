@@ -30,6 +30,8 @@ enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
+/// What the place of the sun follows from.
+enum class SunSource : int { angles, date };
 enum class ToneMap : int { linear, filmic, agx };
 
 /// Where the size of a field's particles comes from. docs/physics.md §7
@@ -76,8 +78,13 @@ struct Look {
     PhaseSpec uniformPhase;
     float equalExtinctionM2PerKg = 10.0f;
 
+    SunSource sunSource = SunSource::angles;
     float sunAzimuthDeg = 225.0f;
     float sunElevationDeg = 35.0f;
+    /// Where data state no place or date: a spring afternoon over the southern plains.
+    float sunLatitudeDeg = 35.0f, sunLongitudeDeg = -97.5f;
+    int sunDay = 141;       ///< of a leap year: 20 May
+    float sunHour = 22.0f;  ///< UTC
     float sunIntensity = 1.0f;
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
@@ -119,8 +126,5 @@ bool sidesRepeat(const Look& look);
 /// Between periodic sides light from a sun on the horizon would never leave; it stands at least so
 /// high, or so low. Tuned: clouds of 4 km then have shadows of 230 km.
 inline constexpr float kLowestPeriodicSunDeg = 1.0f;
-
-/// Unit vector towards the sun in world space.
-glm::dvec3 sunDirWorld(const Look& look);
 
 }  // namespace neph

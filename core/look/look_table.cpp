@@ -177,12 +177,42 @@ void addLight(std::vector<Parameter>& table) {
     };
 }
 
+/// Where the sun stands.
+void addSun(LookRows& rows) {
+    const auto bySource = [](Parameter& row, SunSource source) {
+        row.acts = [source](const Look& look) { return look.sunSource == source; };
+    };
+    rows.choice("sun.source", "Sun by", &Look::sunSource, Stage::light,
+                {{"angles", "Angles", "Azimuth and elevation."},
+                 {"date", "Date and place",
+                  "Date, time and place of the data; what they do not state from this look."}},
+                "Where the sun stands: by angles, or where it is at the date and place of the "
+                "data. docs/physics.md §9");
+    bySource(rows.number("sun.azimuth", "Sun azimuth", "deg", &Look::sunAzimuthDeg, {0.0, 360.0},
+                         Stage::light, "Where the sun stands, clockwise from north."),
+             SunSource::angles);
+    bySource(rows.number("sun.elevation", "Sun elevation", "deg", &Look::sunElevationDeg,
+                         {-10.0, 90.0}, Stage::light, "Height of the sun above the horizon."),
+             SunSource::angles);
+    bySource(rows.number("sun.latitude", "Latitude", "deg", &Look::sunLatitudeDeg, {-90.0, 90.0},
+                         Stage::light, "North, of data that state no place; else theirs acts."),
+             SunSource::date);
+    bySource(
+        rows.number("sun.longitude", "Longitude", "deg", &Look::sunLongitudeDeg, {-180.0, 180.0},
+                    Stage::light, "East, of data that state no place; else theirs acts."),
+        SunSource::date);
+    bySource(rows.integer("sun.day", "Day of the year", "1", &Look::sunDay, {1, 366}, Stage::light,
+                          "Of 2024, where data state no date: 80 is 20 March, 172 is 20 June, "
+                          "266 is 22 September, 356 is 21 December."),
+             SunSource::date);
+    bySource(rows.number("sun.hour", "Hour in UTC", "1", &Look::sunHour, {0.0, 24.0}, Stage::light,
+                         "Of the shown time, where data state no date."),
+             SunSource::date);
+}
+
 void addSunAndSky(std::vector<Parameter>& table) {
     LookRows rows(table, {.name = "Sun and sky", .prefix = "", .part = ParameterPart::light});
-    rows.number("sun.azimuth", "Sun azimuth", "deg", &Look::sunAzimuthDeg, {0.0, 360.0},
-                Stage::light, "Where the sun stands, clockwise from north.");
-    rows.number("sun.elevation", "Sun elevation", "deg", &Look::sunElevationDeg, {-10.0, 90.0},
-                Stage::light, "Height of the sun above the horizon.");
+    addSun(rows);
     rows.number("sun.intensity", "Sun intensity", "1", &Look::sunIntensity, {0.0, 20.0, true},
                 Stage::eye,
                 "Irradiance L_lt of Eq. 12; 1 makes isotropic scatter of full light radiance 1. "

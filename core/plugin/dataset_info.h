@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/utc_time.h"
+#include "core/geo/map_grid.h"
 #include "core/grid/species.h"
 
 namespace neph {
@@ -57,6 +59,7 @@ struct TimeInfo {
     double seconds = 0.0;
     std::filesystem::path file;  ///< filled in by the series
     int indexInFile = 0;
+    std::optional<UtcTime> utc = {};  ///< where the data state a date
     bool operator==(const TimeInfo&) const = default;
 };
 
@@ -74,6 +77,8 @@ struct DatasetInfo {
     std::array<std::vector<double>, 2> edgesM;
     std::string domain;                        ///< files with different texts are never one series
     std::vector<std::filesystem::path> parts;  ///< other files that are read with this one
+    MapGrid map;                               ///< where the grid lies on the earth
+    std::string noPlace;          ///< why it has none, such as \"the run is idealised\"; or empty
     std::vector<TimeInfo> times;  ///< sorted by time; of one file: in its order, at least one
     std::vector<VariableInfo> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/plugin/abi_versions.h"
 
 namespace neph {
 namespace {
@@ -24,10 +25,10 @@ std::optional<std::string> checkedText(const char* text) {
 
 /// Why a plugin's table cannot be used; empty if it can.
 std::string faultOf(const NephReader* reader) {
-    if (reader == nullptr) return fmt::format("does not serve ABI {}", NEPH_READER_ABI_VERSION);
-    if (reader->header.abi_version != NEPH_READER_ABI_VERSION) {
-        return fmt::format("ABI {}, this program has ABI {}", reader->header.abi_version,
-                           NEPH_READER_ABI_VERSION);
+    if (reader == nullptr) return "does not serve " + servedAbiText();
+    if (!servesAbi(reader->header.abi_version)) {
+        return fmt::format("ABI {}, this program has {}", reader->header.abi_version,
+                           servedAbiText());
     }
     if (reader->header.struct_size < sizeof(NephReader)) {
         return fmt::format("NephReader has {} bytes, at least {} are needed",
@@ -41,11 +42,16 @@ std::string faultOf(const NephReader* reader) {
     return {};
 }
 
-/// Calls the entry function, which may be foreign C++ and may throw all the same.
+/// Calls the entry function, which may be foreign C++ and may throw all the same; with older
+/// versions too, because a reader may answer to the one that it was built for alone.
 const NephReader* entered(void* symbol) {
     const auto entry = reinterpret_cast<NephReaderEntry>(symbol);
     try {
-        return entry(NEPH_READER_ABI_VERSION);
+        for (std::uint32_t version = NEPH_READER_ABI_VERSION; version >= kOldestReaderAbi;
+             --version) {
+            if (const NephReader* reader = entry(version); reader != nullptr) return reader;
+        }
+        return nullptr;
     } catch (const std::exception& problem) {
         throw Error({.what = fmt::format("threw an exception: {}", problem.what())});
     } catch (...) {

@@ -18,8 +18,10 @@
 extern "C" {
 #endif
 
-/* Changes whenever a struct or a meaning changes in a way that older readers cannot follow. */
-#define NEPH_READER_ABI_VERSION 1u
+/* Increases with every addition. The host serves readers of all versions so far: structs only grow
+ * at their ends, and what a smaller struct_size does not cover is as if zero.
+ * 1: the first. 2: place and date (from projection on). */
+#define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
 #define NEPH_READER_EXPORT __declspec(dllexport)
@@ -147,6 +149,21 @@ typedef struct NephDescription {
      * ranks: the host does not open them again. */
     uint32_t part_count;
     const char* const* parts;
+    /* Since version 2. */
+
+    /* Where the grid lies on the earth: a PROJ string of one projection to metres, without files or
+     * pipelines, such as "+proj=lcc +lat_1=30 +lat_2=60 +lat_0=35 +lon_0=-98 +R=6370000". Null or
+     * empty: unknown. */
+    const char* projection;
+    double map_origin_m[2]; /* the grid's south-west corner on that map, in x and y */
+    /* Metres on the map per metre of the grid, as spacing_m and edges_m have it; 0 is 1. */
+    double map_per_grid[2];
+    /* Date and time in UTC at which `seconds` of NephTime are 0, "YYYY-MM-DDThh:mm:ssZ" in the
+     * Gregorian calendar. Null or empty: unknown. */
+    const char* utc_of_zero;
+    /* Why there is no place, where that is as it should be: "the run is idealised". What should be
+     * there and cannot be used is a note instead. Null or empty: no reason. */
+    const char* no_place;
 } NephDescription;
 
 /* Returns 0 to cancel. `fraction` lies in [0, 1]. */
@@ -191,7 +208,9 @@ typedef struct NephReader {
     void (*close)(NephFile* file);
 } NephReader;
 
-/* The one exported symbol. Returns null when the reader cannot serve a host of that ABI version. */
+/* The one exported symbol. The host asks with its own version first, then with each older one that
+ * it serves. Returns null when the reader cannot serve a host of that version: one older than it
+ * was built for. */
 typedef const NephReader* (*NephReaderEntry)(uint32_t host_abi_version);
 #define NEPH_READER_ENTRY_NAME "nephReader"
 NEPH_READER_EXPORT const NephReader* nephReader(uint32_t host_abi_version);

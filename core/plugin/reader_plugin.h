@@ -53,8 +53,13 @@ struct Description {
     std::array<double, 2> spacingM{};
     /// Faces of cells in x and y where these are not even, from 0; empty otherwise. reader_abi.h
     std::array<std::vector<double>, 2> edgesM{};
-    std::string domain;              ///< files with different texts never form one series
-    std::vector<std::string> parts;  ///< paths of other files that are read as well
+    std::string domain;                      ///< files with different texts never form one series
+    std::vector<std::string> parts;          ///< paths of other files that are read as well
+    std::string projection;                  ///< PROJ string to metres; empty: place unknown
+    std::array<double, 2> mapOriginM{};      ///< the grid's south-west corner on that map
+    std::array<double, 2> mapPerGrid{1, 1};  ///< metres on the map per metre of the grid
+    std::string utcOfZero;  ///< when `seconds` are 0, "YYYY-MM-DDThh:mm:ssZ"; empty: unknown
+    std::string noPlace;    ///< why there is none, where that is as it should be
     std::vector<Time> times;
     std::vector<Variable> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
@@ -155,6 +160,13 @@ class Layout {
         description_.domain = from.domain.c_str();
         description_.part_count = static_cast<std::uint32_t>(parts_.size());
         description_.parts = parts_.data();
+        description_.projection = from.projection.c_str();
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            description_.map_origin_m[axis] = from.mapOriginM[axis];
+            description_.map_per_grid[axis] = from.mapPerGrid[axis];
+        }
+        description_.utc_of_zero = from.utcOfZero.c_str();
+        description_.no_place = from.noPlace.c_str();
         description_.time_count = static_cast<std::uint32_t>(timePointers_.size());
         description_.times = timePointers_.data();
         description_.variable_count = static_cast<std::uint32_t>(variablePointers_.size());
@@ -287,7 +299,7 @@ struct Calls {
                                        &describe,
                                        &read,
                                        &close};
-        return hostAbiVersion == NEPH_READER_ABI_VERSION ? &reader : nullptr;
+        return hostAbiVersion >= NEPH_READER_ABI_VERSION ? &reader : nullptr;
     }
 };
 

@@ -4,6 +4,8 @@
 #include <sys/socket.h>
 
 #include <cerrno>
+#include <cmath>
+#include <limits>
 
 namespace neph::wire {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr std::uint64_t kLongestMessage = std::uint64_t{1} << 28U;
 
 constexpr std::int32_t kNoSpecies = -1;
+constexpr double kNoDate = std::numeric_limits<double>::quiet_NaN();
 
 /// A number from `first` to below `end`: of an enumeration.
 int unpackChoice(Unpacker& from, std::int32_t first, std::int32_t end) {
@@ -107,15 +110,20 @@ ErrorParts unpackError(Unpacker& from) {
 
 void packTimes(Packer& to, const std::vector<TimeInfo>& times) {
     to.number(static_cast<std::uint64_t>(times.size()));
-    for (const TimeInfo& time : times) to.text(time.label).number(time.seconds);
+    for (const TimeInfo& time : times) {
+        to.text(time.label).number(time.seconds);
+        to.number(time.utc ? time.utc->time_since_epoch().count() : kNoDate);
+    }
 }
 
 std::vector<TimeInfo> unpackTimes(Unpacker& from) {
-    std::vector<TimeInfo> times(from.count(2 * sizeof(std::uint64_t)));
+    std::vector<TimeInfo> times(from.count(3 * sizeof(std::uint64_t)));
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i].label = from.text();
         times[i].seconds = from.number<double>();
         times[i].indexInFile = static_cast<int>(i);
+        const auto utc = from.number<double>();
+        if (!std::isnan(utc)) times[i].utc = UtcTime(UtcTime::duration(utc));
     }
     return times;
 }
@@ -124,6 +132,8 @@ void packBesidesTimes(Packer& to, const DatasetInfo& info) {
     to.text(info.model).text(info.scheme);
     to.number(static_cast<std::int32_t>(info.microphysics)).number(info.cloudDropletsPerM3);
     to.number(info.size).number(info.spacingM).text(info.domain);
+    to.text(info.map.projection).number(info.map.originM).number(info.map.mapPerGrid);
+    to.text(info.noPlace);
     for (const std::vector<double>& edges : info.edgesM) {
         to.number(static_cast<std::uint64_t>(edges.size()));
         for (const double edge : edges) to.number(edge);
@@ -151,6 +161,10 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
     info.size = from.number<glm::ivec3>();
     info.spacingM = from.number<glm::dvec2>();
     info.domain = from.text();
+    info.map.projection = from.text();
+    info.map.originM = from.number<glm::dvec2>();
+    info.map.mapPerGrid = from.number<glm::dvec2>();
+    info.noPlace = from.text();
     for (std::size_t axis = 0; axis < info.edgesM.size(); ++axis) {
         unpackEdges(from, info.size[static_cast<int>(axis)], info.edgesM[axis]);
     }

@@ -122,6 +122,8 @@ class Session {
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
     /// What is shown; nullptr before the first.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
+    /// Where and when that is, as far as the data state it.
+    Whereabouts where() const { return shown_ ? shown_->summary.where : Whereabouts{}; }
     /// The same with its volume.
     const std::shared_ptr<const HeldVolume>& held() const { return shown_; }
     const VolumeCache& cache() const { return cache_; }

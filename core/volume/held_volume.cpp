@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/dataset/whereabouts.h"
 #include "core/volume/framing.h"
 #include "core/volume/resample.h"
 
@@ -125,6 +126,7 @@ HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
     held.summary = summarise(held.volume);
     held.summary.plan = plan;
     held.summary.domainHeightsM = heights;
+    held.summary.where = whereaboutsOf(dataset.info(), time, held.summary.grid);
     return held;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/dataset/dataset.h"
+#include "core/geo/map_grid.h"
 #include "core/grid/boxes.h"
 #include "core/grid/species.h"
 #include "core/volume/radius_plan.h"
@@ -54,6 +55,7 @@ struct VolumeSummary {
     std::optional<BoxM> clouds;  ///< bounding box of what is dense enough to be seen
     std::vector<BoxM> seen;      ///< as seenParts(); empty: nothing
     std::string timeLabel;
+    Whereabouts where;   ///< the middle of the grid, at this time
     bool empty() const;  ///< no hydrometeor anywhere
 };
 

@@ -193,6 +193,13 @@ Contents describe(const Sidecar& sidecar, const fs::path& folder) {
     d.spacingM = sidecar.spacingM;
     d.edgesM = sidecar.edgesM;
     d.times = sidecar.times;
+    d.projection = sidecar.projection;
+    d.utcOfZero = sidecar.utcOfZero;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::vector<double>& edges = sidecar.edgesM[axis];
+        const double extentM = edges.empty() ? sidecar.spacingM[axis] * d.size[axis] : edges.back();
+        d.mapOriginM[axis] = -0.5 * extentM;
+    }
     d.notes = sidecar.notes;
     contents.interfacesM = sidecar.interfacesM;
     for (const BrickVariable& variable : sidecar.variables) {

@@ -68,7 +68,7 @@ std::unique_ptr<plugin::File> open(const char* path) {
 
 constexpr plugin::Reader kReader{
     "raw_les",
-    "1.0",
+    "1.1",
     "raw LES output (CM1 and other GrADS .ctl, MicroHH case, nephoscope-brick)",
     "ctl ini json",
     &score,

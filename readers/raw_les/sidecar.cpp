@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "readers/raw_les/levels.h"
+#include "readers/shared/calendar.h"
 
 namespace raw {
 namespace {
@@ -207,6 +208,30 @@ void parseGrid(const Object& object, const Json& json, Sidecar& sidecar) {
     parseLevels(object, spacing, sidecar);
 }
 
+/// The middle of the grid, on a map that is true in all directions from there.
+void parsePlace(const Object& object, Sidecar& sidecar) {
+    if (!object.has("latitude") && !object.has("longitude")) return;
+    for (const char* key : {"latitude", "longitude"}) object.require(key, "both or neither");
+    const double latitude = object.number("latitude", 0.0);
+    const double longitude = object.number("longitude", 0.0);
+    if (std::abs(latitude) > 90.0) object.fail("latitude", "degrees north, from -90 to 90");
+    if (std::abs(longitude) > 360.0) object.fail("longitude", "degrees east, from -360 to 360");
+    sidecar.projection =
+        fmt::format("+proj=aeqd +lat_0={:.9g} +lon_0={:.9g} +ellps=WGS84", latitude, longitude);
+}
+
+/// The date is written as for a time of a model, with a Z that says UTC.
+void parseDate(const Object& object, Sidecar& sidecar) {
+    if (!object.has("start_utc")) return;
+    const std::string text = object.text("start_utc");
+    const auto seconds = shared::secondsOfDate(text);
+    if (!seconds || !text.ends_with('Z') || text.size() < 16) {
+        object.fail("start_utc", "a time in UTC such as \"2021-08-14T18:00:00Z\"");
+    }
+    sidecar.utcOfZero = shared::dateOfSeconds(*seconds) + "Z";
+    sidecar.utcOfZero[10] = 'T';
+}
+
 void parseTimes(const Object& object, Sidecar& sidecar) {
     constexpr const char* kExpected = "a list of { \"label\": \"540 s\", \"seconds\": 540 }";
     const Json& list = object.require("times", kExpected);
@@ -342,11 +367,13 @@ Sidecar parseSidecar(std::string_view text) {
     } catch (const Json::exception& problem) {
         throw Error{"is not JSON", problem.what(), "a nephoscope-brick sidecar", {}};
     }
-    const Object object(
-        json, "",
-        {"type", "version", "model", "scheme", "microphysics", "cloud_droplets_per_m3", "shape",
-         "spacing_m", "edges_m", "bottom_m", "level_heights_m", "interface_heights_m", "byte_order",
-         "numbers", "times", "variables", "notes"});
+    const Object object(json, "", {"type",       "version",         "model",
+                                   "scheme",     "microphysics",    "cloud_droplets_per_m3",
+                                   "shape",      "spacing_m",       "edges_m",
+                                   "bottom_m",   "level_heights_m", "interface_heights_m",
+                                   "byte_order", "numbers",         "times",
+                                   "variables",  "notes",           "latitude",
+                                   "longitude",  "start_utc"});
     if (object.text("type") != "nephoscope-brick") {
         throw Error{"is JSON of another type",
                     inQuotes(object.text("type")),
@@ -358,6 +385,8 @@ Sidecar parseSidecar(std::string_view text) {
     Sidecar sidecar;
     parseRun(object, json, sidecar);
     parseGrid(object, json, sidecar);
+    parsePlace(object, sidecar);
+    parseDate(object, sidecar);
     parseTimes(object, sidecar);
     parseVariables(object, sidecar);
     return sidecar;

@@ -50,6 +50,8 @@ struct Sidecar {
     std::array<std::vector<double>, 2> edgesM{};  ///< faces of uneven cells, the first at 0
     std::vector<double> interfacesM;
     bool bigEndian = false;
+    std::string projection;  ///< PROJ string that shows the middle of the grid at 0, 0; or empty
+    std::string utcOfZero;   ///< when `seconds` are 0; or empty
     std::vector<neph::plugin::Time> times;
     std::vector<BrickVariable> variables;
     std::vector<std::string> notes;

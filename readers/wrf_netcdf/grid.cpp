@@ -12,27 +12,13 @@
 namespace wrf {
 namespace {
 
-constexpr double kEarthRadiusM = 6370000.0;  // reradius of WRF's module_model_constants.F
 constexpr double kMetresPerDegree = kEarthRadiusM * std::numbers::pi / 180.0;
 // Larger spacings in degrees, and smaller ones in metres, do not occur on latitude-longitude grids.
 constexpr double kMostDegrees = 10.0;
-constexpr int kLatitudeLongitude = 6;  // of MAP_PROJ
 // Cells of any model, or of any grid in degrees.
 constexpr double kLeastM = 1e-3, kMostM = 1e6;
 // Distances by latitudes are those of a sphere and of floats.
 constexpr double kSameDistance = 0.1;
-
-/// All values of a variable on the horizontal grid at the first time; none if it is not there.
-std::vector<float> flatField(const Tiles& tiles, const char* name) {
-    const NcVariable* variable = tiles.first().variable(name);
-    if (variable == nullptr || !variable->number) return {};
-    const auto shape = tiles.shapeOf(*variable);
-    if (!shape || !shape->flat || shape->staggered[0] || shape->staggered[1]) return {};
-    const auto columns = tiles.columns();
-    std::vector<float> values(columns[0] * columns[1]);
-    tiles.read(*variable, 0, Box{{0, 0, 0}, {columns[0], columns[1], 1}}, values);
-    return values;
-}
 
 /// Mean, least and greatest width of cells as shares of DX. The mean is that of areas.
 struct Widths {
@@ -219,6 +205,17 @@ std::optional<double> cornerOf(const Tiles& tiles, const char* name, std::size_t
 
 }  // namespace
 
+std::vector<float> flatField(const Tiles& tiles, const char* name) {
+    const NcVariable* variable = tiles.first().variable(name);
+    if (variable == nullptr || !variable->number) return {};
+    const auto shape = tiles.shapeOf(*variable);
+    if (!shape || !shape->flat || shape->staggered[0] || shape->staggered[1]) return {};
+    const auto columns = tiles.columns();
+    std::vector<float> values(columns[0] * columns[1]);
+    tiles.read(*variable, 0, Box{{0, 0, 0}, {columns[0], columns[1], 1}}, values);
+    return values;
+}
+
 std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes) {
     const std::array nominal{nominalSpacing(tiles, 0, notes), nominalSpacing(tiles, 1, notes)};
     std::array<double, 2> spacing{nominal[0].metres, nominal[1].metres};
@@ -243,7 +240,8 @@ std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last) 
         if (before && after && std::abs(*after - *before) > kMovedDegrees) {
             return fmt::format(
                 "The domain moves between the times of the file (its corner from {:.3f} "
-                "to {:.3f} in {}): each time is shown from its own corner.",
+                "to {:.3f} in {}): each time is shown from its own corner, and the "
+                "place on the earth is that of the first.",
                 *before, *after, name);
         }
     }

@@ -8,6 +8,13 @@
 
 namespace wrf {
 
+inline constexpr double kEarthRadiusM = 6370000.0;  // reradius of WRF's module_model_constants.F
+inline constexpr int kLatitudeLongitude = 6;        // of MAP_PROJ
+
+/// All values of a variable on the horizontal grid at the first time, x fastest; none if it is not
+/// there.
+std::vector<float> flatField(const Tiles& tiles, const char* name);
+
 /// Widths in x and y, metres: DX and DY (degrees, for latitude-longitude grids) divided by the mean
 /// map scale factor; without DX, from coordinates. Notes say what was applied. Throws Failure.
 std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes);

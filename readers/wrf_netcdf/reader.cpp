@@ -35,7 +35,7 @@ int score(const char* path) {
 }
 
 constexpr plugin::Reader kReader{
-    "wrf_netcdf", "1.1",  "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)",
+    "wrf_netcdf", "1.2",  "WRF output (NetCDF-3, 64-bit offset, NetCDF-4)",
     "nc",         &score, &plugin::openAs<File>};
 
 }  // namespace

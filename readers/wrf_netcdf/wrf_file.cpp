@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "readers/shared/calendar.h"
 #include "readers/shared/writing.h"
 #include "readers/wrf_netcdf/advice.h"
 #include "readers/wrf_netcdf/grid.h"
+#include "readers/wrf_netcdf/place.h"
 
 namespace wrf {
 namespace {
@@ -86,6 +88,7 @@ void WrfFile::describeGrid() {
     }
     description_.spacingM = spacingOf(tiles_, description_.notes);
     description_.domain = domainOf(tiles_);
+    describePlaceAndDate();
     const std::string motion = motionNote(tiles_, times_.records.front(), times_.records.back());
     if (!motion.empty()) description_.notes.push_back(motion);
     if (!tiles_.partNote().empty()) description_.notes.push_back(tiles_.partNote());
@@ -94,6 +97,26 @@ void WrfFile::describeGrid() {
     description_.parts = paths;
     description_.notes.push_back(
         fmt::format("The domain is read from the {} tiles that MPI ranks wrote.", paths.size()));
+}
+
+/// Times count from year 1. The Gregorian calendar began in 1582: years before it are the clocks of
+/// idealised runs.
+void WrfFile::describePlaceAndDate() {
+    if (const auto place = placeOf(tiles_, description_.spacingM, description_.notes)) {
+        description_.projection = place->projection;
+        description_.mapOriginM = place->mapOriginM;
+        description_.mapPerGrid = place->mapPerGrid;
+    }
+    const bool dated = times_.times.front().seconds >= *shared::secondsOfDate("1583-01-01");
+    if (dated && times_.gregorian) {
+        description_.utcOfZero = "0001-01-01T00:00:00Z";
+    } else if (dated) {
+        description_.notes.push_back(
+            "Times are in another calendar than the Gregorian: dates in UTC are not known.");
+    }
+    if (isIdealised(tiles_.first())) {
+        description_.noPlace = "the run is idealised (MAP_PROJ 0)";
+    }
 }
 
 /// Version, scheme, notes and global attributes.

@@ -1,7 +1,7 @@
 // wrf_file.h: one WRF output file, or the tiles of one: its description, and its fields in SI.
 //
-// Opening reads the header, Times, map scale factors and one corner. Boxes are x, y, z, half-open;
-// values are x fastest. Failures are thrown as Failure or Cancelled.
+// Opening reads the header, Times, map scale factors, latitudes and longitudes. Boxes are x, y, z,
+// half-open; values are x fastest. Failures are thrown as Failure or Cancelled.
 #pragma once
 #include <array>
 #include <functional>
@@ -37,6 +37,7 @@ class WrfFile {
   private:
     void requireCells() const;
     void describeGrid();
+    void describePlaceAndDate();
     void describeModel();
     void addFields();
     void requireUpward() const;

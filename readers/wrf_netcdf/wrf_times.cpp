@@ -148,7 +148,9 @@ FileTimes fromNumbers(const NcFile& file, const NcVariable& variable) {
         entries.add(i, known ? shared::dateOfSeconds(seconds, *calendar) : std::string(),
                     known ? std::optional(seconds) : std::nullopt, fmt::format("{}", numbers[i]));
     }
-    return entries.take(variable.name, file.path());
+    FileTimes times = entries.take(variable.name, file.path());
+    times.gregorian = *calendar == shared::Calendar::gregorian;
+    return times;
 }
 
 /// Times of a file that states none: counted, where the attributes do not help.

@@ -14,6 +14,7 @@ struct FileTimes {
     std::vector<neph::plugin::Time> times;  ///< seconds from 0001-01-01 in the calendar of the file
     std::vector<std::size_t> records;       ///< indices along the axis of time, one for each time
     std::vector<std::string> notes;
+    bool gregorian = true;  ///< the calendar of the file
 };
 
 /// Reads Times (characters or strings; a blank, T or _ before the hour), or a CF time such as XTIME

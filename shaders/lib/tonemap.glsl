@@ -29,9 +29,9 @@ vec3 agx(vec3 radiance) {
     vec3 x4 = x2 * x2;
     vec3 y = 15.5f * x4 * x2 - 40.14f * x4 * x + 31.96f * x4 - 6.868f * x2 * x + 0.4298f * x2 +
              0.1191f * x - 0.00232f;
-    // More contrast and colour than the base has: its look called "punchy".
+    // More contrast and colour than the base has, near its look called "punchy".
     y = pow(max(y, vec3(0.0f)), vec3(1.35f));
-    y = mix(vec3(dot(y, kLuminance)), y, 1.4f);
+    y = mix(vec3(dot(y, kLuminance)), y, 1.25f);
     vec3 encoded = clamp(outwards * y, vec3(0.0f), vec3(1.0f));
     return pow(encoded, vec3(2.2f));
 }

@@ -7,7 +7,9 @@
 
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
+#include "core/look/sun.h"
 #include "tests/cli/program.h"
+#include "tests/readers/wrf_maker.h"
 
 using namespace neph;
 
@@ -148,6 +150,43 @@ TEST_CASE("Look and sampling in an image's metadata render the same image again"
                        (folder / "look.json").string() + sampling + " --out " + second.string())
                 .status == 0);
     CHECK(readPng(first).rgba == readPng(second).rgba);
+}
+
+TEST_CASE("A sun by date is drawn as the same sun by angles, and the image says where it stood") {
+    const TemporaryFolder folder;
+    const auto dated = folder / "dated.png", angles = folder / "angles.png";
+    WrfSpec spec;
+    spec.fields["QCLOUD"] = [](int x, int y, int, int) { return x == 1 && y == 1 ? 1e-3f : 0.0f; };
+    writeWrf(folder / "data", spec);
+    const auto rendered = [&](const std::string& sets, const std::filesystem::path& file) {
+        REQUIRE(runProgram("render '" + (folder / "data").string() +
+                           "' --engine slicing --planes 16 --size 24x16 " + sets +
+                           " --out " + file.string())
+                    .status == 0);
+        return readPngMetadata(file);
+    };
+    // 1 June 2024 at 22:30 UTC over Oklahoma: a sun of the late afternoon.
+    const std::string sun =
+        textOf(rendered("--set sun.source=date --set sun.latitude=35 --set sun.longitude=-97 "
+                        "--set sun.day=153 --set sun.hour=22.5",
+                        dated),
+               "nephoscope.sun");
+    CHECK(contains(sun, "2024-06-01T22:30:00Z, 35.00 N 97.00 W"));
+    Look look;
+    look.sunSource = SunSource::date;
+    look.sunLatitudeDeg = 35.0f;
+    look.sunLongitudeDeg = -97.0f;
+    look.sunDay = 153;
+    look.sunHour = 22.5f;
+    const SunState state = sunStateOf(look, {});
+    CHECK(state.elevationDeg > 30.0f);
+    CHECK(state.azimuthDeg > 260.0f);
+    rendered("--set sun.azimuth=" + std::to_string(state.azimuthDeg) +
+                 " --set sun.elevation=" + std::to_string(state.elevationDeg),
+             angles);
+    CHECK(readPng(dated).rgba == readPng(angles).rgba);
+    rendered("--set sun.azimuth=90", angles);
+    CHECK(readPng(dated).rgba != readPng(angles).rgba);
 }
 
 TEST_CASE("An engine is chosen for one image, and the image says which, how fine and how often") {

@@ -1,6 +1,7 @@
 // info_test.cpp: `nephoscope info` and `nephoscope readers`, run as a user runs them.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -74,6 +75,67 @@ TEST_CASE("info gives cloud base and top and the heaviest columns as an independ
     CHECK(contains(outcome.out, "\"cloud_threshold_g_per_kg\": 0.01,"));
 }
 
+TEST_CASE("info tells place, dates and the sun over the middle of the grid, where the data do") {
+    // Brasilia at 2010-03-15 12:30 UTC: azimuth 76.249630, zenith angle 44.139862 degrees by NREL's
+    // SPA [Reda04] (spa_reference_testdata.csv of github.com/klausbrunner/solarpositioning).
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mapProjection = 6;
+    spec.dx = spec.dy = 1111.775f;  // 0.01 degrees on WRF's sphere
+    spec.times = {"2010-03-15_12:30:00"};
+    spec.attributes = {{"POLE_LAT", 90.0}, {"POLE_LON", 0.0}, {"STAND_LON", 0.0}};
+    spec.flat["XLAT"] = [](int, int y, int, int) {
+        return static_cast<float>(-15.793889 + 0.01 * (y - 1));
+    };
+    spec.flat["XLONG"] = [](int x, int, int, int) {
+        return static_cast<float>(-47.882778 + 0.01 * (x - 1.5));
+    };
+    writeWrf(folder / "a", spec);
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const Outcome outcome = runProgram("info --json " + path);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    const auto number = [&](const char* pointer) {
+        return json.at(nlohmann::json::json_pointer(pointer)).get<double>();
+    };
+    const auto near = [&](const char* pointer, double expected, double tolerance) {
+        CAPTURE(pointer);
+        CAPTURE(number(pointer));
+        CHECK(std::abs(number(pointer) - expected) < tolerance);
+    };
+    CHECK(contains(json.at("place").at("projection").get<std::string>(), "+proj=eqc"));
+    near("/place/middle/latitude_deg", -15.793889, 1e-4);
+    near("/place/middle/longitude_deg", -47.882778, 1e-4);
+    near("/place/corners/south_west/latitude_deg", -15.793889 - 0.015, 1e-4);
+    near("/place/corners/north_east/longitude_deg", -47.882778 + 0.02, 1e-4);
+    near("/place/convergence_deg", 0.0, 1e-4);
+    near("/place/map_factor/least", 1.0, 1e-4);
+    near("/place/map_factor/greatest", 1.0 / std::cos(15.8 * 3.14159265 / 180.0), 1e-3);
+    CHECK(json.at("times")[0].at("utc") == "2010-03-15T12:30:00Z");
+    near("/times/0/sun/apparent_elevation_deg", 90.0 - 44.139862, 0.01);
+    near("/times/0/sun/azimuth_deg", 76.249630, 0.01);
+    const std::string text = runProgram("info " + path).out;
+    for (const char* part : {"15.79 S 47.88 W in the middle", "Date     2010-03-15T12:30:00Z",
+                             "true north 0.00 deg", "45.86", "76.25"}) {
+        CAPTURE(part);
+        CHECK(contains(text, part));
+    }
+}
+
+TEST_CASE("info says that an idealised run has no place and no date") {
+    const TemporaryFolder folder;
+    writeWrf(folder / "a", WrfSpec{});
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const auto json = nlohmann::json::parse(runProgram("info --json " + path).out);
+    CHECK(json.at("place").is_null());
+    CHECK(json.at("no_place") == "the run is idealised (MAP_PROJ 0)");
+    CHECK(json.at("times")[0].at("utc").is_null());
+    CHECK(json.at("times")[0].at("sun").is_null());
+    const std::string text = runProgram("info " + path).out;
+    CHECK(contains(text, "Place    not known: the run is idealised (MAP_PROJ 0)"));
+    CHECK(contains(text, "Date     not known"));
+}
+
 TEST_CASE("info --time reads the times asked for and says how many that were") {
     const Outcome outcome = runProgram("info --json --time 1 " + kStorm);
     REQUIRE(outcome.status == 0);
@@ -113,7 +175,7 @@ TEST_CASE("info on what cannot be read fails with file, found, expected and hint
 TEST_CASE("readers lists the plugin with file, version and ABI, and why another was rejected") {
     const Outcome outcome = runProgram("readers");
     CHECK(outcome.status == 0);
-    for (const char* part : {"wrf_netcdf 1.1", "wrf_netcdf.so", "ABI         1", "Looked for in"}) {
+    for (const char* part : {"wrf_netcdf 1.2", "wrf_netcdf.so", "ABI         2", "Looked for in"}) {
         CHECK(contains(outcome.out, part));
     }
     const Environment path("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE");

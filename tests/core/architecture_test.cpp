@@ -64,7 +64,7 @@ const std::string kImgui = "^imgui";
 using Floors = std::vector<std::vector<std::string>>;
 
 const Floors kCore{{"core/base", "core/grid"},
-                   {"core/sky"},
+                   {"core/geo", "core/sky"},
                    {"core/image", "core/plugin", "core/optics", "core/camera"},
                    {"core/dataset", "core/look", "core/transport"},
                    {"core/volume"},

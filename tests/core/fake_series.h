@@ -17,6 +17,8 @@ struct FakeSeries {
     std::atomic<int> times = 6;
     std::atomic<int> failing = -1;  ///< a time that cannot be read
     std::atomic<int> slowMs = 0;    ///< that a read of cloud takes at least
+    neph::MapGrid map{};            ///< where the grid lies
+    std::optional<neph::UtcTime> firstUtc{};
     std::mutex mutex;
     std::map<int, int> cloudReads;  ///< time to number of reads of its cloud
 
@@ -37,7 +39,10 @@ class FakeDataset : public neph::Dataset {
         info_.spacingM = {1000.0, 1000.0};
         for (int t = 0; t < series_->times; ++t) {
             info_.times.push_back({"time " + std::to_string(t), 600.0 * t, file, t});
+            if (!series_->firstUtc) continue;
+            info_.times.back().utc = *series_->firstUtc + std::chrono::seconds(600 * t);
         }
+        info_.map = series_->map;
         add("z", VariableRole::interfaceHeight, {}, {8, 8, 5});
         add("rho", VariableRole::dryAirDensity, {}, {8, 8, 4});
         add("qc", VariableRole::mixingRatio, neph::Species::cloud, {8, 8, 4});

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -85,17 +86,24 @@ struct Shown {
     Look look;
 };
 
-/// A look as it is, and where all scatterings are followed also with the sun high, and low in front
-/// of the camera.
+/// A look as it is; where it is not about one light, with all scatterings followed, also with the
+/// sun high, and low in front of the camera; and the default low behind it and after sunset.
 std::vector<Shown> lightsOf(const std::string& name, const Preset& preset) {
     std::vector<Shown> shown{{name, preset.look}};
-    if (!scattersOften(preset.look)) return shown;
+    constexpr std::array<std::string_view, 3> kOfAnyLight{"default", "cumulus", "model-radii"};
+    if (std::ranges::find(kOfAnyLight, name) == kOfAnyLight.end()) return shown;
     Look look = preset.look;
     look.sunElevationDeg = 70.0f;
     shown.push_back({name + "-noon", look});
     look.sunElevationDeg = 8.0f;
     look.sunAzimuthDeg = std::fmod(preset.camera->azimuthDeg + 180.0f + 20.0f, 360.0f);
     shown.push_back({name + "-low-sun", look});
+    if (name != kOfAnyLight.front()) return shown;
+    look.sunElevationDeg = 4.0f;
+    look.sunAzimuthDeg = std::fmod(preset.camera->azimuthDeg + 340.0f, 360.0f);
+    shown.push_back({name + "-evening", look});
+    look.sunElevationDeg = -3.0f;
+    shown.push_back({name + "-dusk", look});
     return shown;
 }
 
@@ -145,7 +153,8 @@ TEST_CASE("Every bundled preset shows its bundled sample as it did when it was l
         // it.
         if (loaded.preset.look.engine == Engine::reference) continue;
         REQUIRE(loaded.preset.camera.has_value());
-        Volumes& volumes = name.ends_with("cumulus") ? cumulus : storm;
+        Volumes& volumes =
+            name.ends_with("cumulus") || name.ends_with("congestus") ? cumulus : storm;
         const bool fresh = volumes.load(loaded.preset.look);
         if (fresh || shown != &volumes) renderer.setVolume(volumes.volume());
         shown = &volumes;

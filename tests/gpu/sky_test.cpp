@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/look/exposure.h"
+#include "core/look/exposure.h"
+#include "core/look/sun.h"
 #include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 

@@ -138,6 +138,50 @@ TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the re
     CHECK(contains(faulty([](auto&) { behaviour.nullDescription = true; }), "null"));
 }
 
+TEST_CASE("A place or a date that cannot be used is left out with a note, and the rest is taken") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto described = [](auto&& change) {
+        resetToValid();
+        NephDescription& d = behaviour.description;
+        d.projection = "+proj=merc +lon_0=10 +R=6370000";
+        d.utc_of_zero = "2021-08-14T18:00:00Z";
+        change(d);
+        return open().description();
+    };
+    const DatasetInfo good = described([](auto& d) { d.map_origin_m[1] = 5e6; });
+    CHECK(good.map.projection == "+proj=merc +lon_0=10 +R=6370000");
+    CHECK(good.map.originM.y == 5e6);
+    CHECK(good.map.mapPerGrid == glm::dvec2(1.0));  // 0 stands for 1
+    CHECK(utcText(good.times.at(0).utc.value()) == "2021-08-14T18:00:00Z");
+    CHECK(good.notes.empty());
+    const auto refused = [&](auto&& change) {
+        const DatasetInfo info = described(change);
+        CHECK(info.map.projection.empty());
+        CHECK(info.size == glm::ivec3(2));
+        REQUIRE(info.notes.size() == 1);
+        CHECK(contains(info.notes[0], "The place on the earth is not known"));
+        return info.notes[0];
+    };
+    CHECK(contains(refused([](auto& d) { d.projection = "+proj=nonsense"; }), "+proj=nonsense"));
+    CHECK(contains(refused([](auto& d) { d.projection = "EPSG:4326"; }), "EPSG:4326"));
+    refused([&](auto& d) { d.map_origin_m[0] = nan; });
+    refused([](auto& d) { d.map_per_grid[0] = -1.0; });
+    refused([](auto& d) { d.projection = "+proj=merc +nadgrids=@null"; });
+    const DatasetInfo undated = described([](auto& d) { d.utc_of_zero = "last Tuesday"; });
+    CHECK_FALSE(undated.times.at(0).utc);
+    CHECK(contains(undated.notes.at(0), "last Tuesday is no time in UTC"));
+    // A time that is beyond any calendar has no date, and is no fault.
+    theTime.seconds = 0.0;
+    const DatasetInfo far = described([](auto&) { theTime.seconds = 1e300; });
+    CHECK_FALSE(far.times.at(0).utc);
+    const DatasetInfo ideal = described([](auto& d) {
+        d.projection = nullptr;
+        d.no_place = "the run is idealised";
+    });
+    CHECK(ideal.noPlace == "the run is idealised");
+    CHECK(ideal.notes.empty());
+}
+
 TEST_CASE("Calls that throw, give no handle or fail without a reason are errors") {
     resetToValid();
     behaviour.throws = true;

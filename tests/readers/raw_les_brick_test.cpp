@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "core/geo/map_place.h"
 #include "core/plugin/reader_file.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/reader_host.h"
@@ -227,4 +228,35 @@ TEST_CASE("Variables of a sidecar with the same species are added up") {
     const auto* cloud = dataset->info().find(VariableRole::mixingRatio, Species::cloud);
     REQUIRE(cloud->name == "qc+qc2");
     CHECK(dataset->read(cloud->name, 0).values[0] == doctest::Approx(1e-3 + 2e-3));
+}
+
+TEST_CASE("A brick may state the place of its middle and the date of its zero") {
+    const TemporaryFolder folder;
+    Json sidecar = small();
+    CHECK(openFiles({write(folder, sidecar)})->info().map.projection.empty());
+    sidecar["latitude"] = 52.5;
+    sidecar["longitude"] = -1.25;
+    sidecar["start_utc"] = "2019-06-20T11:59:30Z";
+    const DatasetInfo info = openFiles({write(folder, sidecar)})->info();
+    const MapPlace place(info.map);
+    const auto middle = place.at(0.5 * info.extentM());
+    REQUIRE(middle);
+    CHECK(middle->geo.latitudeDeg == doctest::Approx(52.5));
+    CHECK(middle->geo.longitudeDeg == doctest::Approx(-1.25));
+    CHECK(std::abs(middle->convergenceDeg) < 1e-6);
+    CHECK(middle->mapFactor.x == doctest::Approx(1.0));
+    CHECK(utcText(info.times.at(0).utc.value()) == "2019-06-20T12:00:30Z");
+}
+
+TEST_CASE("A place or a date of a brick that is none is refused by its key") {
+    CHECK(contains(errorWith([](Json& s) { s["latitude"] = 1; }).what, "longitude is missing"));
+    CHECK(contains(errorWith([](Json& s) { s["latitude"] = 91, s["longitude"] = 0; }).what,
+                   "latitude"));
+    for (const char* text : {"2019-06-20", "2019-06-20T12:00", "2019-06-20T12:00:00+02:00",
+                             "2019-02-29T12:00:00Z", "noon"}) {
+        CAPTURE(text);
+        const ErrorParts error = errorWith([&](Json& s) { s["start_utc"] = text; });
+        CHECK(contains(error.what, "start_utc"));
+        CHECK(contains(error.expected, "2021-08-14T18:00:00Z"));
+    }
 }

@@ -18,7 +18,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
+#include "core/dataset/whereabouts.h"
 #include "core/look/old_metres.h"
+#include "core/look/sun.h"
 #include "core/plugin/plugin_host.h"
 #include "core/volume/framing.h"
 #include "core/volume/memory_setting.h"
@@ -129,6 +131,9 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene
     Opened opened = openData(request, scene.document.look, rendererBytes(gl::deviceMemory()));
     renderer.setVolume(opened.volume);
     scene.document.camera = poseFor(request, scene, opened.volume);
+    scene.document.look =
+        withSun(scene.document.look,
+                whereaboutsOf(opened.dataset->info(), opened.time, opened.volume.grid));
     render::FrameInputs inputs;
     static_cast<ParameterSet&>(inputs) = scene.document;
     inputs.sizePx = kFirstImagePx;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/cli/info/info_findings.h"
+#include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 
 namespace neph {
@@ -102,11 +103,47 @@ Json summaryJson(const TimeSummary& summary) {
     return json;
 }
 
-Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
+Json geoJson(const std::optional<GeoPoint>& geo) {
+    if (!geo) return nullptr;
+    return {{"latitude_deg", geo->latitudeDeg}, {"longitude_deg", geo->longitudeDeg}};
+}
+
+/// Null where it is not known.
+Json placeJson(const DatasetInfo& info, const std::optional<PlaceSummary>& place) {
+    if (!place) return nullptr;
+    constexpr std::array kCorners{"south_west", "south_east", "north_east", "north_west"};
+    Json corners;
+    for (std::size_t i = 0; i < kCorners.size(); ++i) {
+        corners[kCorners[i]] = geoJson(place->corners[i]);
+    }
+    const MapGrid& map = info.map;
+    return {
+        {"projection", map.projection},
+        {"map_origin_m", {map.originM.x, map.originM.y}},
+        {"map_per_grid", {map.mapPerGrid.x, map.mapPerGrid.y}},
+        {"middle", geoJson(place->middle.geo)},
+        {"corners", corners},
+        {"convergence_deg", place->middle.convergenceDeg},
+        {"map_factor", {{"least", place->leastMapFactor}, {"greatest", place->greatestMapFactor}}}};
+}
+
+/// Null where place or date is not known.
+Json sunJson(const TimeInfo& time, const std::optional<PlaceSummary>& place) {
+    const auto sun = sunAt(time, place);
+    if (!sun) return nullptr;
+    return {{"elevation_deg", sun->elevationDeg},
+            {"apparent_elevation_deg", sun->apparentElevationDeg},
+            {"azimuth_deg", sun->azimuthDeg}};
+}
+
+Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries,
+               const std::optional<PlaceSummary>& place) {
     Json times = Json::array();
     for (const TimeInfo& time : info.times) {
         times.push_back({{"label", time.label},
                          {"seconds", time.seconds},
+                         {"utc", time.utc ? Json(utcText(*time.utc)) : Json(nullptr)},
+                         {"sun", sunJson(time, place)},
                          {"file", time.file.string()},
                          {"index_in_file", time.indexInFile}});
     }
@@ -163,22 +200,25 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
     const DatasetInfo& info = dataset.info();
     const TimeSummaries found = summariseTimes(dataset, times);
     const std::vector<TimeSummary>& summaries = found.read;
+    const std::optional<PlaceSummary> place = summarisePlace(info);
     Json json{{"type", "nephoscope-info"},
               {"version", 1},
               {"reader", info.reader},
               {"model", info.model},
               {"scheme", info.scheme},
               {"grid", gridJson(info, summaries.back().layers)},
+              {"place", placeJson(info, place)},
               {"shown", shownHere(dataset, summaries.back().time, budget)},
               {"cloud_threshold_g_per_kg", kCloudRatioGPerKg},
               {"cloud", cloudJson(summaries)},
               {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
               {"species", speciesJson(info, summaries)},
-              {"times", timesJson(info, summaries)},
+              {"times", timesJson(info, summaries, place)},
               {"variables", variablesJson(info)},
               {"attributes", info.attributes},
               {"notes", allNotes(info, found)}};
     if (summaries.front().hasColumns) json["condensate"] = condensateJson(info, summaries);
+    if (!info.noPlace.empty()) json["no_place"] = info.noPlace;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

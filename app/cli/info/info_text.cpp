@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "app/cli/info/info_findings.h"
+#include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/grid_text.h"
 
@@ -144,10 +145,10 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
-    text += timeLine(info);
+    text += timeLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
-    text += seriesLines(info, summaries);
+    text += seriesLines(info, summaries) + sunLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, found);
     if (!notes.empty()) text += fmt::format("\nNotes\n  {}\n", fmt::join(notes, "\n  "));
     return text;

@@ -176,7 +176,7 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     printAll("note", side.newNotes());
     DrawnSide drawn;
     drawn.renderer = &side.renderer();
-    drawn.inputs.look = side.parameters().look;
+    drawn.inputs.look = side.drawnLook();
     drawn.inputs.sampling = side.parameters().sampling;
     const SamplePlan plan = planSamples(request_.sampling, side.parameters());
     drawn.samples = plan.samples;
@@ -285,7 +285,7 @@ void Run::say(const Bands& bands, const std::filesystem::path& file) {
         return;
     }
     render::FrameInputs inputs;
-    inputs.look = first.parameters().look;
+    inputs.look = first.drawnLook();
     inputs.sampling = first.parameters().sampling;
     inputs.sizePx = sizePx_;
     ui::Profile profile = profileOf(bands.stats(), inputs, sides_.front()->renderer());

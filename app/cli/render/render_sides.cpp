@@ -125,6 +125,7 @@ Metadata Side::describe(const CameraPose& pose, const std::string& work) const {
                                pose.target.x, pose.target.y, pose.target.z, pose.distance,
                                pose.azimuthDeg, pose.elevationDeg, pose.fovDeg)},
         {"look", formatPreset(Preset{name, "", parameters().look, pose})},
+        {"sun", sunText(sunStateOf(parameters().look, shown_.where))},
         {"sampling", formatAssignments(samplingTable(), parameters())},
         {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,
                              time.file.filename().string(), shown_.timeLabel, info().reader)},

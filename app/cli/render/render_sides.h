@@ -11,6 +11,7 @@
 #include "app/image_io/metadata.h"
 #include "app/render/renderer.h"
 #include "core/dataset/dataset.h"
+#include "core/look/sun.h"
 #include "core/session/session_state.h"
 #include "core/volume/held_volume.h"
 
@@ -46,6 +47,8 @@ class Side {
     /// As typed, as the session says, or the default one; none but those there are.
     std::vector<int> times() const;
     const ParameterSet& parameters() const { return what_.scene.document; }
+    /// The look that is drawn of the time that is shown.
+    Look drawnLook() const { return withSun(parameters().look, shown_.where); }
     const SideScene& what() const { return what_; }
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }

@@ -17,6 +17,7 @@
 #include "app/render/renderer.h"
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
+#include "core/look/sun.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_files.h"
 #include "core/session/session.h"
@@ -75,6 +76,7 @@ class Storm {
     render::Renderer renderer_;
     std::optional<VolumeRequest> held_;
     RegularGrid grid_;
+    Whereabouts where_;
 };
 
 Image8 Storm::imageOf(const Preset& preset, glm::ivec2 sizePx) {
@@ -88,10 +90,11 @@ Image8 Storm::imageOf(const Preset& preset, glm::ivec2 sizePx) {
             readVolume(*dataset_, defaultTime(dataset_->info()), request, goesOn_);
         renderer_.setVolume(held.volume);
         grid_ = held.summary.grid;
+        where_ = held.summary.where;
         held_ = request;
     }
     render::FrameInputs inputs;
-    inputs.look = preset.look;
+    inputs.look = withSun(preset.look, where_);
     inputs.sampling.lightVoxels = kLightVoxels;
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,

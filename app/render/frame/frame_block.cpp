@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/look/sun.h"
+
 namespace neph::render {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/look/exposure.h"
+#include "core/look/sun.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph::render {

@@ -10,6 +10,7 @@
 
 #include "app/ui/camera/camera_lists.h"
 #include "app/ui/camera/camera_view.h"
+#include "app/ui/panel/action_button.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/number_slider.h"
 #include "app/ui/widgets/places.h"
@@ -53,18 +54,6 @@ bool degreesRow(const char* id, const char* label, double lo, double hi, const c
     if (!numberRow({id, label, {lo, hi}, "°", 1, help}, shown)) return false;
     value = static_cast<float>(shown);
     return true;
-}
-
-/// A button that runs an action; `last` of its line.
-void actionButton(const ActionLookup& actions, const char* id, const char* label, float width,
-                  bool last) {
-    const ActionFace face = actions.face(id);
-    ImGui::BeginDisabled(!face.enabled);
-    if (ImGui::Button(label, {width, 0.0f})) actions.run(id);
-    ImGui::EndDisabled();
-    place(id);
-    tooltip(face.tooltip);
-    if (!last) ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
 void drawViews(const ActionLookup& actions) {

@@ -12,6 +12,7 @@
 #include "app/ui/fields/fields_plots.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/number_text.h"
+#include "core/look/sun.h"
 #include "core/optics/phase_functions.h"
 
 namespace neph::ui {
@@ -161,8 +162,8 @@ PhaseCurve::Made makeCurve(const PhaseSpec& spec) {
 
 }  // namespace
 
-double scatteringAngle(const Document& document) {
-    const glm::dvec3 towardsSun = sunDirWorld(document.look);
+double scatteringAngle(const Document& document, const Whereabouts& where) {
+    const glm::dvec3 towardsSun = sunDirWorld(withSun(document.look, where));
     const glm::dvec3 forward =
         -compassDirWorld(document.camera.azimuthDeg, document.camera.elevationDeg);
     return std::acos(std::clamp(glm::dot(towardsSun, forward), -1.0, 1.0));
@@ -206,7 +207,7 @@ void drawPhasePlot(const PanelContext& context, FieldsState& state, Species spec
     list->PushClipRect(frame.lower, frame.upper, true);
     drawGrid(list, frame);
     drawCurve(list, frame, curve->table);
-    const auto theta = static_cast<float>(scatteringAngle(document));
+    const auto theta = static_cast<float>(scatteringAngle(document, context.session().where()));
     drawMark(list, frame, curve->table, theta);
     list->PopClipRect();
     ImGui::SameLine();

@@ -8,7 +8,7 @@ namespace neph::ui {
 
 /// Angle by which sunlight is turned towards the eye at the middle of the image, radians: 0 looks
 /// into the sun.
-double scatteringAngle(const Document& document);
+double scatteringAngle(const Document& document, const Whereabouts& where);
 
 /// The curve of a field, as last computed; another is begun where its phase function is another,
 /// and taken over when it is done.

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/ui/fields/fields_link.h"
+#include "app/ui/fields/sun_tools.h"
 #include "app/ui/widgets/parameter_widget.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/words.h"
@@ -78,6 +79,7 @@ void drawGroups(const PanelContext& context) {
         if (row.group != group) {
             group = row.group;
             open = beginGroup(group);
+            if (open && row.id == "sun.source") drawSunTools(context);
         }
         if (open) parameterWidget(row, session.document, session.presetLook);
     }

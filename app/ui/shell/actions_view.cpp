@@ -5,6 +5,7 @@
 
 #include "app/ui/data/data_panel.h"
 #include "app/ui/shell/actions.h"
+#include "core/look/sun.h"
 
 namespace neph::ui {
 namespace {
@@ -36,6 +37,10 @@ bool isOpen(const Ui& ui, bool left) {
 
 void toggleColumn(Ui& ui, bool left) {
     openColumn(ui.settings, ui.columns, left, !isOpen(ui, left));
+}
+
+Look& lookOf(Ui& ui) {
+    return ui.session().document.look;
 }
 
 const std::array kActions{
@@ -115,6 +120,26 @@ const std::array kActions{
            .help = "Shows the whole domain again",
            .run = [](Ui& ui) { ui.session().setRegion({}); },
            .enabled = [](const Ui& ui) { return ui.session().region().has_value(); }},
+    Action{.id = "sun.golden_hour",
+           .label = "Golden hour",
+           .menu = Menu::view,
+           .chord = {},
+           .help = "Puts the sun at 6 degrees, where it stands",
+           .run = [](Ui& ui) { setGoldenHour(lookOf(ui), ui.session().where()); },
+           .separated = true},
+    Action{.id = "sun.noon",
+           .label = "Noon",
+           .menu = Menu::view,
+           .chord = {},
+           .help = "Puts the sun where it is at noon: by date on the meridian, by angles in the "
+                   "south at 60 degrees",
+           .run = [](Ui& ui) { setNoon(lookOf(ui), ui.session().where()); }},
+    Action{.id = "sun.backlit",
+           .label = "Backlit",
+           .menu = Menu::view,
+           .chord = {},
+           .help = "Puts the sun at 10 degrees behind what the camera sees",
+           .run = [](Ui& ui) { setBacklit(lookOf(ui), ui.session().document.camera.azimuthDeg); }},
     Action{.id = "view.full_screen",
            .label = "Full screen",
            .menu = Menu::view,

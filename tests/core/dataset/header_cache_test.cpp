@@ -21,7 +21,10 @@ DatasetInfo described(double seconds) {
     description.cloudDropletsPerM3 = 1.0 / 3.0;
     description.size = {3, 4, 5};
     description.spacingM = {1000.0, 0.1};
+    description.map = {"+proj=merc", {-1.0 / 3.0, 2e6}, {1.5, 2.0}};
+    description.noPlace = "none";
     description.times = {{"t\xC3\xA9", seconds, {}, 0}};
+    if (seconds > 0.0) description.times[0].utc = UtcTime(UtcTime::duration(seconds / 3.0));
     description.variables = {{"QCLOUD",
                               "cloud",
                               "kg kg-1",
@@ -41,9 +44,12 @@ void checkSame(const DatasetInfo& a, const DatasetInfo& b) {
     CHECK(a.cloudDropletsPerM3 == b.cloudDropletsPerM3);
     CHECK(a.size == b.size);
     CHECK(a.spacingM == b.spacingM);
+    CHECK(a.map == b.map);
+    CHECK(a.noPlace == b.noPlace);
     REQUIRE(a.times.size() == 1);
     CHECK(a.times[0].label == b.times[0].label);
     CHECK(a.times[0].seconds == b.times[0].seconds);
+    CHECK(a.times[0].utc == b.times[0].utc);
     REQUIRE(a.variables.size() == 1);
     CHECK(a.variables[0].name == b.variables[0].name);
     CHECK(a.variables[0].standardName == b.variables[0].standardName);

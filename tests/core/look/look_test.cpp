@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include "core/look/sun.h"
 
 using namespace neph;
 

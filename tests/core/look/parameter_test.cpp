@@ -272,6 +272,8 @@ TEST_CASE("What is no parameter of a phase function acts with the engines that i
         const bool ofPhase = row.id.find("phase_") != std::string::npos &&
                              row.id.find(".phase_truncation") == std::string::npos &&
                              row.id.find(".phase_display") == std::string::npos;
+        const std::set<std::string> ofDate{"sun.latitude", "sun.longitude", "sun.day", "sun.hour"};
+        look.sunSource = ofDate.contains(row.id) ? SunSource::date : SunSource::angles;
         CAPTURE(row.id);
         for (const Engine engine : {Engine::march, Engine::slicing, Engine::reference}) {
             look.engine = engine;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "core/transport/scattered_radiance.h"
@@ -116,6 +117,51 @@ TEST_CASE("transport: a warm start ends where a cold one does" * doctest::skip(!
         const LightSolver cold = solvedAfter(medium, sunScene(moved), settings, 60);
         CHECK(difference(cold, warm) < 0.01);
     }
+}
+
+TEST_CASE("transport: a sun that is dimmer by a third in every layer gives a third less light") {
+    const LightMedium medium = transportClouds({8, 8, 9});
+    LightScene dim = sunScene();
+    dim.sunByLayer.assign(9, 2.0f / 3.0f);
+    const LightSolver whole = solvedAfter(medium, sunScene(), {}, 6);
+    const LightSolver less = solvedAfter(medium, dim, {}, 6);
+    for (std::size_t i = 0; i < whole.field().moments.size(); ++i) {
+        const double expected = 2.0 / 3.0 * static_cast<double>(whole.field().moments[i]);
+        CHECK(less.field().moments[i] == doctest::Approx(expected).epsilon(1e-3).scale(1e-3));
+    }
+}
+
+TEST_CASE("transport: sunlight that the air keeps from lower layers does not reach the ground") {
+    LightScene scene = sunScene();
+    scene.groundAlbedo = 1.0;
+    scene.sunByLayer.assign(9, 1.0f);
+    scene.sunByLayer[0] = 0.0f;
+    const LightMedium nothing = [] {
+        LightMedium medium = transportClouds({8, 8, 9});
+        for (LightClass& light : medium.classes) {
+            std::ranges::fill(light.extinctionPerM.values, 0.0f);
+        }
+        // A little at the top, where the ground would be seen.
+        medium.classes[0].extinctionPerM.at(4, 4, 7) = 1e-6f;
+        return medium;
+    }();
+    const LightSolver solver = solvedAfter(nothing, scene, {}, 4);
+    for (const float moment : solver.field().moments) CHECK(std::abs(moment) < 1e-3f);
+}
+
+TEST_CASE("transport: a dome of one radiance is a sky of one radiance") {
+    auto dome = std::make_shared<SkyDome>();
+    for (SkyPattern& pattern : dome->patterns) {
+        pattern.radiance.assign(static_cast<std::size_t>(24 * 24), 1.0f);
+    }
+    LightScene plain = furnaceScene(false), domed = furnaceScene(false);
+    plain.groundAlbedo = domed.groundAlbedo = 0.3;
+    domed.sky.dome = dome;
+    domed.sky.pattern = 1;
+    const LightMedium medium = transportClouds({8, 8, 9});
+    const LightSolver a = solvedAfter(medium, plain, {}, 6), b = solvedAfter(medium, domed, {}, 6);
+    CHECK(difference(a, b) < 1e-4);
+    CHECK(domed.sky.irradiance() == doctest::Approx(plain.sky.irradiance()).epsilon(1e-4));
 }
 
 TEST_CASE("transport: multigrid ends where sweeps alone do") {

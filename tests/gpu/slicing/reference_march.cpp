@@ -9,6 +9,7 @@
 
 #include "app/render/light/slice_plan.h"
 #include "core/look/medium.h"
+#include "core/look/sun.h"
 #include "core/optics/noise.h"
 #include "shaders/lib/glsl_cpp.h"
 

@@ -176,7 +176,7 @@ TEST_CASE("The angle on the phase plot is 0 looking into the sun and 180 degrees
     const auto angleDeg = [&](float azimuth, float elevation) {
         document.look.sunAzimuthDeg = azimuth;
         document.look.sunElevationDeg = elevation;
-        return glm::degrees(ui::scatteringAngle(document));
+        return glm::degrees(ui::scatteringAngle(document, {}));
     };
     CHECK(angleDeg(0.0f, 0.0f) == Approx(0.0));
     CHECK(angleDeg(180.0f, 0.0f) == Approx(180.0));

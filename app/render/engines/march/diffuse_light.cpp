@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/look/sun.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph::render {

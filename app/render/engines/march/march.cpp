@@ -15,6 +15,7 @@
 #include "app/render/frame/frame_block.h"
 #include "app/render/medium/detail_kinds.h"
 #include "app/render/medium/noise_texture.h"
+#include "core/look/sun.h"
 #include "core/optics/blue_noise.h"
 
 namespace neph::render {

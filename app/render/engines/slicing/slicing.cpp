@@ -14,6 +14,7 @@
 
 namespace neph::render {
 
+#include "core/look/sun.h"
 #include "shaders/shared/display_layout.glsl"
 #include "shaders/shared/slicing_layout.glsl"
 

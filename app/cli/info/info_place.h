@@ -1,0 +1,32 @@
+// info_place.h: where on the earth and when a series is, and where the sun stands there.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/info/info_findings.h"
+#include "core/geo/map_grid.h"
+#include "core/sky/solar_position.h"
+
+namespace neph {
+
+/// Place of a grid: its middle, its corners and its map.
+struct PlaceSummary {
+    PlacePoint middle;
+    std::array<std::optional<GeoPoint>, 4>
+        corners{};  ///< south-west, south-east, north-east, -west
+    double leastMapFactor = 1.0, greatestMapFactor = 1.0;  ///< in x or y
+};
+/// Nothing where the place is not known.
+std::optional<PlaceSummary> summarisePlace(const DatasetInfo& info);
+
+/// The sun over the middle of the grid; nothing without a place and a date.
+std::optional<SolarPosition> sunAt(const TimeInfo& time, const std::optional<PlaceSummary>& place);
+
+/// Lines for people: place, map and date.
+std::string placeLines(const DatasetInfo& info);
+/// Elevation and azimuth of the sun at each time that was read; empty if none is known.
+std::string sunLines(const DatasetInfo& info, const std::vector<TimeSummary>& summaries);
+
+}  // namespace neph

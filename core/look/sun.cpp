@@ -1,0 +1,107 @@
+// sun.cpp: date and place to the angles that engines draw by.
+#include "core/look/sun.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+
+#include "core/grid/grid.h"
+#include "core/sky/solar_position.h"
+
+namespace neph {
+namespace {
+
+/// Of the day and hour of a look, where data have no date: a leap year, so that all 366 days exist.
+constexpr int kLookYear = 2024;
+
+/// In [0, 360).
+float azimuthFrom(double degrees) {
+    const double rest = std::fmod(degrees, 360.0);
+    const auto azimuth = static_cast<float>(rest < 0.0 ? rest + 360.0 : rest);
+    return azimuth < 360.0f ? azimuth : 0.0f;
+}
+
+void setAngles(Look& look, float azimuthDeg, float elevationDeg) {
+    look.sunSource = SunSource::angles;
+    look.sunAzimuthDeg = azimuthDeg;
+    look.sunElevationDeg = elevationDeg;
+}
+
+}  // namespace
+
+SunState sunStateOf(const Look& look, const Whereabouts& where) {
+    SunState state{.azimuthDeg = look.sunAzimuthDeg, .elevationDeg = look.sunElevationDeg};
+    if (look.sunSource == SunSource::angles) return state;
+    state.byDate = true;
+    state.placeOfData = where.place.has_value();
+    state.dateOfData = where.utc.has_value();
+    state.place = {static_cast<double>(look.sunLatitudeDeg),
+                   static_cast<double>(look.sunLongitudeDeg)};
+    if (where.place) {
+        state.place = where.place->geo;
+        state.convergenceDeg = where.place->convergenceDeg;
+    }
+    state.utc = where.utc.value_or(
+        utcOf({.year = kLookYear, .day = look.sunDay, .hour = static_cast<double>(look.sunHour)}));
+    const SolarPosition sun =
+        solarPosition(state.utc, state.place.latitudeDeg, state.place.longitudeDeg);
+    state.azimuthDeg = azimuthFrom(sun.azimuthDeg + state.convergenceDeg);
+    state.elevationDeg = static_cast<float>(sun.apparentElevationDeg);
+    return state;
+}
+
+Look withSun(const Look& look, const Whereabouts& where) {
+    Look drawn = look;
+    const SunState state = sunStateOf(look, where);
+    setAngles(drawn, state.azimuthDeg, state.elevationDeg);
+    // What no longer acts must not make images differ.
+    const Look standard;
+    drawn.sunLatitudeDeg = standard.sunLatitudeDeg;
+    drawn.sunLongitudeDeg = standard.sunLongitudeDeg;
+    drawn.sunDay = standard.sunDay;
+    drawn.sunHour = standard.sunHour;
+    return drawn;
+}
+
+std::string sunText(const SunState& state) {
+    const std::string angles =
+        fmt::format("azimuth {:.1f}, elevation {:.1f} deg", state.azimuthDeg, state.elevationDeg);
+    if (!state.byDate) return angles;
+    return fmt::format("{} at {}, {}", angles, utcText(state.utc), geoText(state.place));
+}
+
+glm::dvec3 sunDirWorld(const Look& look) {
+    assert(look.sunSource == SunSource::angles && "withSun() makes the look that is drawn");
+    float elevationDeg = look.sunElevationDeg;
+    if (sidesRepeat(look) && std::abs(elevationDeg) < kLowestPeriodicSunDeg) {
+        elevationDeg = elevationDeg < 0.0f ? -kLowestPeriodicSunDeg : kLowestPeriodicSunDeg;
+    }
+    return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
+}
+
+void setGoldenHour(Look& look, const Whereabouts& where) {
+    setAngles(look, sunStateOf(look, where).azimuthDeg, 6.0f);
+}
+
+void setNoon(Look& look, const Whereabouts& where) {
+    if (look.sunSource == SunSource::angles) return setAngles(look, 180.0f, 60.0f);
+    const SunState state = sunStateOf(look, where);
+    const UtcTime noon = nearestNoon(state.utc, state.place.longitudeDeg);
+    if (!state.dateOfData) {
+        const YearTime time = yearTimeOf(noon);
+        look.sunDay = time.day;
+        look.sunHour = static_cast<float>(time.hour);
+        return;
+    }
+    Whereabouts then = where;
+    then.utc = noon;
+    const SunState passage = sunStateOf(look, then);
+    setAngles(look, passage.azimuthDeg, passage.elevationDeg);
+}
+
+void setBacklit(Look& look, float cameraAzimuthDeg) {
+    setAngles(look, azimuthFrom(static_cast<double>(cameraAzimuthDeg) + 180.0), 10.0f);
+}
+
+}  // namespace neph

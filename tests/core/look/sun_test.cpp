@@ -1,0 +1,163 @@
+// sun_test.cpp: the sun of a look by date and place, and its three buttons.
+#include "core/look/sun.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "core/look/parameter.h"
+
+using namespace neph;
+
+namespace {
+
+/// 2010-03-15 06:30 UTC at Longyearbyen: azimuth 110.910237, zenith angle 87.669511 degrees by
+/// NREL's SPA [Reda04] (spa_reference_testdata.csv of github.com/klausbrunner/solarpositioning).
+Whereabouts longyearbyen(double convergenceDeg = 0.0) {
+    return {.place = PlacePoint{.geo = {78.22, 15.65}, .convergenceDeg = convergenceDeg},
+            .utc = utcOfText("2010-03-15T06:30:00Z")};
+}
+
+Look byDate() {
+    Look look;
+    look.sunSource = SunSource::date;
+    return look;
+}
+
+}  // namespace
+
+TEST_CASE("A sun by date stands where the almanac has it for the place and date of the data") {
+    const SunState state = sunStateOf(byDate(), longyearbyen());
+    CHECK(state.placeOfData);
+    CHECK(state.dateOfData);
+    CHECK(std::abs(state.azimuthDeg - 110.910f) < 0.01f);
+    CHECK(std::abs(state.elevationDeg - (90.0f - 87.670f)) < 0.01f);
+}
+
+TEST_CASE("A grid that is turned against true north has the sun in its own frame") {
+    // True north 20 degrees west of the grid's north: all azimuths are 20 degrees less.
+    CHECK(std::abs(sunStateOf(byDate(), longyearbyen(-20.0)).azimuthDeg - 90.910f) < 0.01f);
+    CHECK(std::abs(sunStateOf(byDate(), longyearbyen(250.0)).azimuthDeg - 0.910f) < 0.01f);
+}
+
+TEST_CASE("What the data do not state comes from the look, each part by itself") {
+    Look look = byDate();
+    look.sunLatitudeDeg = 78.22f;
+    look.sunLongitudeDeg = 15.65f;
+    look.sunDay = 75;  // 15 March of a leap year
+    look.sunHour = 6.5f;
+    Whereabouts where = longyearbyen();
+    where.place.reset();
+    SunState state = sunStateOf(look, where);
+    CHECK_FALSE(state.placeOfData);
+    CHECK(std::abs(state.azimuthDeg - 110.910f) < 0.01f);
+    where = longyearbyen();
+    where.utc.reset();
+    state = sunStateOf(look, where);
+    CHECK_FALSE(state.dateOfData);
+    // Another year: the sun has moved by up to half a day of its yearly path.
+    CHECK(utcText(state.utc).substr(4) == "-03-15T06:30:00Z");
+    CHECK(std::abs(state.elevationDeg - (90.0f - 87.670f)) < 0.25f);
+    look.sunDay = 366;
+    CHECK(utcText(sunStateOf(look, {}).utc).substr(4) == "-12-31T06:30:00Z");
+}
+
+TEST_CASE("A look by angles is drawn as it is, whatever the data state") {
+    Look look;
+    look.sunAzimuthDeg = 123.0f;
+    look.sunElevationDeg = 4.0f;
+    CHECK(withSun(look, longyearbyen(30.0)) == look);
+}
+
+TEST_CASE("The look that is drawn has the sun by angles, and the rest unchanged") {
+    Look look = byDate();
+    look.sunIntensity = 3.0f;
+    const Look drawn = withSun(look, longyearbyen());
+    CHECK(drawn.sunSource == SunSource::angles);
+    CHECK(drawn.sunIntensity == 3.0f);
+    CHECK(withSun(drawn, {}) == drawn);
+    const glm::dvec3 towards = sunDirWorld(drawn);
+    CHECK(glm::degrees(std::asin(towards.z)) == doctest::Approx(90.0 - 87.669511).epsilon(0.005));
+    CHECK(glm::degrees(std::atan2(towards.x, towards.y)) ==
+          doctest::Approx(110.910237).epsilon(1e-4));
+}
+
+TEST_CASE("Looks whose suns stand alike are drawn alike, whatever does not act") {
+    Look other;
+    other.sunLatitudeDeg = 10.0f;
+    other.sunDay = 3;
+    CHECK(withSun(other, {}) == withSun(Look(), {}));
+    Look dated = byDate();
+    dated.sunHour = 3.0f;
+    CHECK(withSun(dated, longyearbyen()) == withSun(byDate(), longyearbyen()));
+}
+
+TEST_CASE("The sun is written with the date and place that it follows from, where it does") {
+    CHECK(sunText(sunStateOf(byDate(), longyearbyen())) ==
+          "azimuth 110.9, elevation 2.3 deg at 2010-03-15T06:30:00Z, 78.22 N 15.65 E");
+    CHECK(sunText(sunStateOf(Look(), {})) == "azimuth 225.0, elevation 35.0 deg");
+}
+
+TEST_CASE("Golden hour keeps the azimuth of the sun and puts it at 6 degrees") {
+    Look look;
+    look.sunAzimuthDeg = 77.0f;
+    setGoldenHour(look, {});
+    CHECK(look.sunAzimuthDeg == 77.0f);
+    CHECK(look.sunElevationDeg == 6.0f);
+    Look dated = byDate();
+    setGoldenHour(dated, longyearbyen());
+    CHECK(dated.sunSource == SunSource::angles);
+    CHECK(std::abs(dated.sunAzimuthDeg - 110.910f) < 0.01f);
+    CHECK(dated.sunElevationDeg == 6.0f);
+}
+
+TEST_CASE("Noon is the passage of the meridian by date, and a high sun in the south by angles") {
+    Look look;
+    setNoon(look, {});
+    CHECK(look.sunAzimuthDeg == 180.0f);
+    CHECK(look.sunElevationDeg == 60.0f);
+    // Brasilia in June: noon in the north, some 50 degrees high (90 - 15.8 - 23.3).
+    Look chosen = byDate();
+    chosen.sunLatitudeDeg = -15.79f;
+    chosen.sunLongitudeDeg = -47.88f;
+    chosen.sunDay = 167;
+    chosen.sunHour = 20.0f;
+    setNoon(chosen, {});
+    CHECK(chosen.sunSource == SunSource::date);
+    CHECK(chosen.sunDay == 167);
+    const SunState noon = sunStateOf(chosen, {});
+    CHECK(std::abs(std::remainder(noon.azimuthDeg, 360.0f)) < 0.05f);
+    CHECK(noon.elevationDeg == doctest::Approx(50.9).epsilon(0.01));
+    // A date of the data stays: the sun is put where it was or will be at noon.
+    Look dated = byDate();
+    setNoon(dated, longyearbyen(-5.0));
+    CHECK(dated.sunSource == SunSource::angles);
+    CHECK(std::abs(dated.sunAzimuthDeg - 175.0f) < 0.01f);
+    CHECK(dated.sunElevationDeg == doctest::Approx(90.0 - 78.22 - 2.1).epsilon(0.03));
+}
+
+TEST_CASE("Backlit puts the sun beyond the target, opposite to the camera") {
+    Look look = byDate();
+    setBacklit(look, 30.0f);
+    CHECK(look.sunSource == SunSource::angles);
+    CHECK(look.sunAzimuthDeg == 210.0f);
+    CHECK(look.sunElevationDeg == 10.0f);
+    setBacklit(look, 300.0f);
+    CHECK(look.sunAzimuthDeg == 120.0f);
+}
+
+TEST_CASE("Rows of angles act by angles, rows of date and place by date") {
+    const auto acts = [](const char* id, SunSource source) {
+        Look look;
+        look.sunSource = source;
+        return applies(parameter(id), look);
+    };
+    for (const char* id : {"sun.azimuth", "sun.elevation"}) {
+        CHECK(acts(id, SunSource::angles));
+        CHECK_FALSE(acts(id, SunSource::date));
+    }
+    for (const char* id : {"sun.latitude", "sun.longitude", "sun.day", "sun.hour"}) {
+        CHECK(acts(id, SunSource::date));
+        CHECK_FALSE(acts(id, SunSource::angles));
+    }
+}
