@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -159,6 +158,9 @@ std::optional<Stage> Renderer::Impl::changeTo(const FrameInputs& inputs, int sam
 /// Draws into `linear`.
 void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
                           RenderContext& context) {
+    context.timer.pass("sky");
+    sky.update(inputs.look, inputs.camera.eyeWorld.z);
+    sky.bind();
     fit(linear, GL_RGBA32F, inputs.sizePx);
     if (inputs.supersample == 1) {
         rays = {};
@@ -197,9 +199,6 @@ FrameStats Renderer::Impl::frame(const FrameInputs& inputs, int sample, Stage st
     timer.start(inputs.profile);
     if (stage <= Stage::medium) integrator->prepare(inputs.look, working);
     if (stage <= Stage::eye) {
-        timer.pass("sky");
-        sky.update(inputs.look, inputs.camera.eyeWorld.z);
-        sky.bind();
         draw(inputs, sample, stage, working);
         stats.marchedEye = true;
     }
@@ -374,7 +373,7 @@ std::vector<MemoryUse> Renderer::memory() const {
             {"medium", impl_->medium.bytes(), true},
             {"light", engine ? engine->lightBytes() : 0, true},
             {"noise", shares ? 0 : impl_->noise->bytes()},
-            {"sky", impl_->sky.bytes()},
+            {"air", impl_->sky.bytes()},
             {"images", impl_->imageBytes() + (engine ? engine->otherBytes() : 0)}};
 }
 

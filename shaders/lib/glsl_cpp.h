@@ -15,6 +15,7 @@ using namespace glm;
 
 #include "shaders/lib/constants.glsl"
 #include "shaders/lib/directions.glsl"
+#include "shaders/lib/ground.glsl"
 #include "shaders/lib/harmonics.glsl"
 #include "shaders/lib/noise.glsl"
 #include "shaders/lib/optics.glsl"
@@ -27,7 +28,6 @@ using namespace glm;
 #include "shaders/lib/phase_rayleigh.glsl"
 #include "shaders/lib/phase_table.glsl"
 #include "shaders/lib/random.glsl"
-#include "shaders/lib/ground.glsl"
 #include "shaders/lib/ray_box.glsl"
 #include "shaders/lib/scattering_table.glsl"
 #include "shaders/lib/sky.glsl"

@@ -160,8 +160,8 @@ TEST_CASE("A sun by date is drawn as the same sun by angles, and the image says 
     writeWrf(folder / "data", spec);
     const auto rendered = [&](const std::string& sets, const std::filesystem::path& file) {
         REQUIRE(runProgram("render '" + (folder / "data").string() +
-                           "' --engine slicing --planes 16 --size 24x16 " + sets +
-                           " --out " + file.string())
+                           "' --engine slicing --planes 16 --size 24x16 " + sets + " --out " +
+                           file.string())
                     .status == 0);
         return readPngMetadata(file);
     };

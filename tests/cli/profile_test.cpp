@@ -64,7 +64,7 @@ TEST_CASE("A profile of the march: passes within the frame, samples, memory by p
     CHECK(number(lines["terminated"]) <= rays);
     const double memory = number(lines["GPU memory"]);
     double parts = 0.0;
-    for (const char* part : {"species", "medium", "light", "noise", "images"}) {
+    for (const char* part : {"species", "medium", "light", "noise", "air", "images"}) {
         parts += number(lines[part]);
     }
     CHECK(memory > 0.0);

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/look/exposure.h"
-#include "core/look/exposure.h"
 #include "core/look/sun.h"
 #include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
@@ -87,8 +86,10 @@ TEST_CASE("In the air of the Earth full transport has the light of the path trac
         float sunElevationDeg;
         std::size_t view;
     };
-    for (const auto& [sun, view] :
+    for (const Scene& scene :
          {Scene{40.0f, 0}, Scene{5.0f, 0}, Scene{-1.0f, 0}, Scene{40.0f, 7}, Scene{40.0f, 6}}) {
+        const float sun = scene.sunElevationDeg;
+        const std::size_t view = scene.view;
         CAPTURE(sun);
         CAPTURE(views()[view].name);
         const Look look = airyLook(sun);

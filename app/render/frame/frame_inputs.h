@@ -51,7 +51,7 @@ struct PassTime {
 
 /// Bytes of one part on the GPU.
 struct MemoryUse {
-    std::string_view name;  ///< a literal: "species", "medium", "light", "images", "noise"
+    std::string_view name;  ///< a literal: "species", "medium", "light", "air", "images", "noise"
     std::size_t bytes = 0;
     bool ofVoxels = false;  ///< grows with the grid
 };

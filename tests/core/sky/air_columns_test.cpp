@@ -25,7 +25,8 @@ TEST_CASE("Relative optical air mass is that of the published table") {
     constexpr std::array<std::array<double, 2>, 5> kPublished{
         {{90.0, 1.0}, {60.0, 1.1540}, {20.0, 2.9032}, {5.0, 10.306}, {1.0, 26.31}}};
     const double vertical = integratedColumnsM(0.0, 1.0).x;
-    for (const auto& [elevation, mass] : kPublished) {
+    for (const auto& row : kPublished) {
+        const double elevation = row[0], mass = row[1];
         CAPTURE(elevation);
         const double tolerance = elevation > 10.0 ? 0.005 : elevation > 2.0 ? 0.03 : 0.08;
         CHECK(integratedColumnsM(0.0, sine(elevation)).x / vertical ==
