@@ -192,7 +192,7 @@ void addSun(LookRows& rows) {
                          Stage::light, "Where the sun stands, clockwise from north."),
              SunSource::angles);
     bySource(rows.number("sun.elevation", "Sun elevation", "deg", &Look::sunElevationDeg,
-                         {-10.0, 90.0}, Stage::light, "Height of the sun above the horizon."),
+                         {-12.0, 90.0}, Stage::light, "Height of the sun above the horizon."),
              SunSource::angles);
     bySource(rows.number("sun.latitude", "Latitude", "deg", &Look::sunLatitudeDeg, {-90.0, 90.0},
                          Stage::light, "North, of data that state no place; else theirs acts."),

@@ -55,6 +55,11 @@ Look withSun(const Look& look, const Whereabouts& where) {
     Look drawn = look;
     const SunState state = sunStateOf(look, where);
     setAngles(drawn, state.azimuthDeg, state.elevationDeg);
+    // No air keeps the sun of a gradient from shining through the Earth.
+    constexpr float kNightDeg = -12.0f;
+    if (look.skyModel == SkyModel::gradient && state.elevationDeg < kNightDeg) {
+        drawn.sunIntensity = 0.0f;
+    }
     // What no longer acts must not make images differ.
     const Look standard;
     drawn.sunLatitudeDeg = standard.sunLatitudeDeg;

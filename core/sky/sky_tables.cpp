@@ -16,6 +16,7 @@ namespace {
 using glm::dvec3, glm::vec3, glm::vec4;
 
 constexpr std::size_t kMostThreads = 16;
+static_assert(glsl::kAltitudeRows == glsl::kFirstPatternRow + static_cast<int>(kSkyPatterns));
 /// Of the sky that the patterns are of: in the middle of deep clouds.
 constexpr double kPatternAltitudeM = 5000.0;
 
@@ -170,7 +171,7 @@ void fillAltitudes(const Atmosphere& air, double sunUp, const std::vector<Around
     std::vector<std::array<dvec3, kSkyPatterns>> colours;
     for (const Around& level : levels) colours.push_back(coloursOf(level, tables.dome->patterns));
     const auto count = size(glsl::kAltitudes);
-    tables.byAltitude.resize((1 + kSkyPatterns) * count);
+    tables.byAltitude.resize(size(glsl::kAltitudeRows) * count);
     for (std::size_t i = 0; i < count; ++i) {
         const float altitudeM = glsl::lengthOfShare(shareOf(i, glsl::kAltitudes), glsl::kHighestM);
         const Spectrum sun = air.sunlight(static_cast<double>(altitudeM), sunUp);

@@ -16,6 +16,8 @@ const int kEyeSkyAzimuths = 64, kEyeSkyElevations = 80;
 const int kAirAzimuths = 24, kAirElevations = 48, kAirDistances = 24;
 const int kAroundAzimuths = 24, kAroundElevations = 24, kAroundAltitudes = 6;
 const int kAltitudes = 64;
+/// Of the table by altitude: the sun, and the two patterns of the sky.
+const int kSunRow = 0, kFirstPatternRow = 1, kAltitudeRows = 3;
 
 /// Texture coordinate of a share of a table of `count` texels.
 float tableCoordinate(float share, int count) {

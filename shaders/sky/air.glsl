@@ -12,9 +12,6 @@ layout(binding = kClearAirUnit) uniform sampler2D t_clearAir;
 layout(binding = kAroundUnit) uniform sampler3D t_around;
 layout(binding = kByAltitudeUnit) uniform sampler2D t_byAltitude;
 
-/// Of the colours by altitude.
-const int kSunRow = 0, kFirstPatternRow = 1, kAltitudeRows = 3;
-
 bool hasAir() {
     return u_.sky.x > 0.5;
 }

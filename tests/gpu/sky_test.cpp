@@ -124,3 +124,13 @@ TEST_CASE("Of a black cloud, haze shows the more the farther it is") {
     CHECK(near < 0.5f * far);
     CHECK(far < 0.9f * farther);
 }
+
+TEST_CASE("A sun in another azimuth is lit as by a renderer that saw no other") {
+    const SpeciesVolume volume = blobs();
+    Look look = airyLook(20.0f);
+    const CameraPose pose = views()[0].pose;
+    renderOn(volume, seenBy(Engine::march, volume, look, pose, {12, 9}));
+    look.sunAzimuthDeg = 100.0f;
+    const render::FrameInputs turned = seenBy(Engine::march, volume, look, pose, {12, 9});
+    CHECK(worstDifference(renderOn(volume, turned), renderAfresh(volume, turned)) < 1e-4f);
+}

@@ -23,6 +23,12 @@ void fill(gl::Texture& texture, glm::ivec3 size, const std::vector<glm::vec4>& v
     texture.upload(GL_RGBA, GL_FLOAT, values.data());
 }
 
+/// The same sky with the sun in another azimuth, from which its tables count.
+std::shared_ptr<const SkyDome> turned(SkyDome dome, const glm::dvec3& towardsSun) {
+    dome.towardsSun = towardsSun;
+    return std::make_shared<const SkyDome>(std::move(dome));
+}
+
 }  // namespace
 
 void SkyTextures::update(const Look& look, double eyeAltitudeM) {
@@ -35,15 +41,17 @@ void SkyTextures::update(const Look& look, double eyeAltitudeM) {
     const double altitudeM = std::max(eyeAltitudeM, 0.0);
     const bool sameAir = air_ == air;
     air_ = std::move(air);
-    if (!sameAir || towardsSun_ != towardsSun) {
+    const bool sameSky = sameAir && towardsSun_.z == towardsSun.z;  // turned at the most
+    if (!sameSky) {
         tables_ = makeSkyTables(*air_, towardsSun, altitudeM);
         uploadSky();
-    } else if (eyeAltitudeM_ != altitudeM) {
-        fillEyeTables(altitudeM, *air_, towardsSun, tables_);
-    } else {
-        return;
+    } else if (towardsSun_ != towardsSun) {
+        tables_.dome = turned(*tables_.dome, towardsSun);
     }
-    uploadEye();
+    if (sameSky && eyeAltitudeM_ != altitudeM) {
+        fillEyeTables(altitudeM, *air_, towardsSun, tables_);
+    }
+    if (!sameSky || eyeAltitudeM_ != altitudeM) uploadEye();
     towardsSun_ = towardsSun;
     eyeAltitudeM_ = altitudeM;
 }
@@ -51,7 +59,7 @@ void SkyTextures::update(const Look& look, double eyeAltitudeM) {
 void SkyTextures::uploadSky() {
     using namespace glsl;
     fill(around_, {kAroundAzimuths, kAroundElevations, kAroundAltitudes}, tables_.around);
-    fill(byAltitude_, {kAltitudes, 1 + static_cast<int>(kSkyPatterns), 1}, tables_.byAltitude);
+    fill(byAltitude_, {kAltitudes, kAltitudeRows, 1}, tables_.byAltitude);
 }
 
 void SkyTextures::uploadEye() {

@@ -161,3 +161,18 @@ TEST_CASE("Rows of angles act by angles, rows of date and place by date") {
         CHECK_FALSE(acts(id, SunSource::angles));
     }
 }
+
+TEST_CASE("At night by date a gradient has no sun, and an atmosphere keeps it below the horizon") {
+    Look look;
+    look.sunSource = SunSource::date;
+    look.sunLatitudeDeg = look.sunLongitudeDeg = 0.0f;
+    look.sunDay = 172;
+    look.sunHour = 0.0f;  // midnight in Greenwich
+    CHECK(withSun(look, {}).sunElevationDeg < -60.0f);
+    CHECK(withSun(look, {}).sunIntensity == 0.0f);
+    look.skyModel = SkyModel::atmosphere;
+    CHECK(withSun(look, {}).sunIntensity == look.sunIntensity);
+    look.skyModel = SkyModel::gradient;
+    look.sunHour = 12.0f;
+    CHECK(withSun(look, {}).sunIntensity == look.sunIntensity);
+}
