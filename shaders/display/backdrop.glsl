@@ -42,7 +42,7 @@ vec3 backdrop(Ray ray, int lastLayer) {
     if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
     if (groundM <= 0.0) return eyeSky(ray.dir);
-    vec3 positionM = pointAlong(ray, groundM);
+    vec3 positionM = groundPoint(ray, groundM);
     vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
     if (hasAir()) {
         vec3 sent = groundSeen(ray, groundM) * u_.ground.rgb * light;

@@ -35,7 +35,7 @@ Ray rayOf(Path p) {
 
 bool reachesSeenGround(inout Path p) {
     float groundM = groundDistanceM(rayOf(p));
-    if (groundM > 0.0) p.positionM = pointAlong(rayOf(p), groundM);
+    if (groundM > 0.0) p.positionM = groundPoint(rayOf(p), groundM);
     return groundM > 0.0;
 }
 

@@ -41,11 +41,21 @@ vec3 repeated(vec3 positionM) {
     return positionM;
 }
 
-/// Distance at which a ray from the eye meets the ground, if there is one and the eye is above it;
-/// else -1.
+/// Distance at which a ray from the eye meets the ground, if there is one; else -1. An eye below it
+/// sees it with an atmosphere as if it stood on it, so that there is a horizon; else not at all.
 float groundDistanceM(Ray ray) {
+    const float kStandingM = 2.0;
     if (u_.ground.w < 0.5) return -1.0;
-    return groundAlongM(u_.eyeM.w + ray.originM.z, ray.dir, u_.sky.z);
+    float heightM = u_.eyeM.w + ray.originM.z;
+    if (u_.sky.x > 0.5) heightM = max(heightM, kStandingM);
+    return groundAlongM(heightM, ray.dir, u_.sky.z);
+}
+
+/// Where a ray from the eye meets the ground, at that distance.
+vec3 groundPoint(Ray ray, float distanceM) {
+    vec3 positionM = pointAlong(ray, distanceM);
+    positionM.z = -u_.eyeM.w;
+    return positionM;
 }
 
 /// Place of a point of grid space in the light buffer, in [0, 1] where the buffer covers it.

@@ -73,8 +73,7 @@ float groundSeen(Ray ray, float distanceM) {
     if (!hasAir()) return 1.0;
     // A pixel is longer the flatter the ray; what it covers is taken to be as wide as long.
     float pixelM = distanceM * 2.0 * length(u_.up.xyz) / float(u_.whole.y);
-    vec3 worldM = pointAlong(ray, distanceM);
-    return groundPattern(worldM.xy, pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
+    return groundPattern(groundPoint(ray, distanceM).xy, pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
 }
 
 /// The sky as it is seen from a point of grid space.

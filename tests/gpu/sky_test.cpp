@@ -134,3 +134,22 @@ TEST_CASE("A sun in another azimuth is lit as by a renderer that saw no other") 
     const render::FrameInputs turned = seenBy(Engine::march, volume, look, pose, {12, 9});
     CHECK(worstDifference(renderOn(volume, turned), renderAfresh(volume, turned)) < 1e-4f);
 }
+
+TEST_CASE("An eye below the ground has the horizon of one that stands on it") {
+    const SpeciesVolume nothing = uniformVolume({4, 4, 4}, 500.0, 0.0f);
+    render::FrameInputs inputs =
+        seenBy(Engine::march, nothing, airyLook(35.0f), views()[0].pose, {6, 6});
+    inputs.camera.forward = {0.0, 1.0, 0.0};
+    inputs.camera.right = {1.0, 0.0, 0.0};
+    inputs.camera.up = {0.0, 0.0, 1.0};
+    inputs.camera.eyeWorld.z = 2.0;
+    const ImageF standing = averageOn(nothing, inputs, 1);
+    inputs.camera.eyeWorld.z = -1500.0;
+    for (const Engine engine : {Engine::march, Engine::slicing}) {
+        inputs.look.engine = engine;
+        CHECK(worstDifference(averageOn(nothing, inputs, 1), standing) < 0.01f);
+    }
+    inputs.camera.eyeWorld.z = 2.0;
+    inputs.look.groundVisible = false;
+    CHECK(worstDifference(averageOn(nothing, inputs, 1), standing) > 0.02f);
+}
