@@ -33,6 +33,12 @@ class Program {
     void dispatchGroups(int count, int first = 0) const;
     void setInt(int location, int value) const { glProgramUniform1i(name_, location, value); }
     void setFloat(int location, float value) const { glProgramUniform1f(name_, location, value); }
+    void setMat3(int location, const glm::mat3& value) const {
+        glProgramUniformMatrix3fv(name_, location, 1, GL_FALSE, &value[0][0]);
+    }
+    void setIvec2(int location, glm::ivec2 value) const {
+        glProgramUniform2i(name_, location, value.x, value.y);
+    }
     void setIvec3(int location, glm::ivec3 value) const {
         glProgramUniform3i(name_, location, value.x, value.y, value.z);
     }

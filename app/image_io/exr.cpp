@@ -7,6 +7,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 #include <half.h>
@@ -14,11 +15,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/sky/spectrum.h"
 
 namespace neph {
 namespace {
@@ -27,8 +30,20 @@ constexpr std::array<const char*, 4> kChannels{"R", "G", "B", "A"};
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // 4 GiB of RGBA
 constexpr float kHalfMax = 65504.0f;  // largest finite half, IEEE 754 binary16
 
+/// Linear sRGB whose luminance is radiance as the eye weighs it: a white of 1 W m⁻² sr⁻¹ has 683
+/// cd/m².
+void addUnits(Imf::Header& header) {
+    header.insert(kRadianceUnitsKey, Imf::StringAttribute(kRadianceUnits));
+    Imf::addWhiteLuminance(header, static_cast<float>(kLumensPerW));
+    Imf::addChromaticities(header, Imf::Chromaticities());  // those of Rec. 709
+}
+
+float radianceScale() {
+    return static_cast<float>(imageUnitWPerM2Sr());
+}
+
 Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelType type,
-                       const std::vector<std::string>& layers) {
+                       bool radiance, const std::vector<std::string>& layers) {
     Imf::Header header(sizePx.x, sizePx.y);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : kChannels) header.channels().insert(name, Imf::Channel(type));
@@ -38,6 +53,7 @@ Imf::Header makeHeader(glm::ivec2 sizePx, const Metadata& metadata, Imf::PixelTy
     for (const auto& [key, text] : metadata) {
         header.insert(key.c_str(), Imf::StringAttribute(text));
     }
+    if (radiance) addUnits(header);
     return header;
 }
 
@@ -64,16 +80,27 @@ Imf::FrameBuffer interleaved(T* first, glm::ivec2 size, glm::ivec2 lower, Imf::P
     return frame;
 }
 
-/// Clips instead of overflowing to infinity.
-std::vector<half> toHalf(const ImageF& image) {
+/// Clips instead of overflowing to infinity, and counts how often.
+std::vector<half> toHalf(const ImageF& image, std::size_t& clipped) {
     std::vector<half> values;
     values.reserve(image.pixels.size() * 4);
     for (const glm::vec4& pixel : image.pixels) {
         for (int c = 0; c < 4; ++c) {
+            if (std::abs(pixel[c]) > kHalfMax) ++clipped;
             values.emplace_back(std::clamp(pixel[c], -kHalfMax, kHalfMax));
         }
     }
     return values;
+}
+
+/// All that is radiance, to the units of the file.
+void toUnits(LayeredImage& band) {
+    const float scale = radianceScale();
+    for (glm::vec4& pixel : band.colours.pixels) pixel *= glm::vec4(scale, scale, scale, 1.0f);
+    for (ImageLayer& layer : band.layers) {
+        const float factor = std::pow(scale, static_cast<float>(layer.radiancePower));
+        for (float& value : layer.values) value *= factor;
+    }
 }
 
 /// Adds slices over the layers of a band that begins at row `row`.
@@ -85,13 +112,15 @@ void addLayers(Imf::FrameBuffer& frame, LayeredImage& band, int row) {
     }
 }
 
-/// Writes a band of rows that begins at row `row`.
-void writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrPixels pixels) {
+/// Writes a band of rows that begins at row `row`; returns how many values were clipped.
+std::size_t writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrFormat format) {
+    if (format.radiance) toUnits(band);
     ImageF& colours = band.colours;
     std::vector<half> halves;
+    std::size_t clipped = 0;
     Imf::FrameBuffer frame;
-    if (pixels == ExrPixels::half) {
-        halves = toHalf(colours);
+    if (format.pixels == ExrPixels::half) {
+        halves = toHalf(colours, clipped);
         frame = interleaved(halves.data(), colours.size, {0, row}, Imf::HALF);
     } else {
         frame = interleaved(&colours.pixels.data()->x, colours.size, {0, row}, Imf::FLOAT);
@@ -99,22 +128,25 @@ void writeBand(Imf::OutputFile& out, LayeredImage band, int row, ExrPixels pixel
     addLayers(frame, band, row);
     out.setFrameBuffer(frame);
     out.writePixels(colours.size.y);
+    return clipped;
 }
 
 /// Writes all bands; at most one is held in memory.
-void writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
-             ExrPixels pixels, const std::vector<std::string>& layers,
-             const std::function<LayeredImage()>& next) {
-    const Imf::PixelType type = pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT;
-    Imf::OutputFile out(file.c_str(), makeHeader(sizePx, metadata, type, layers));
+std::size_t writeTo(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
+                    ExrFormat format, const std::vector<std::string>& layers,
+                    const std::function<LayeredImage()>& next) {
+    const Imf::PixelType type = format.pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT;
+    Imf::OutputFile out(file.c_str(), makeHeader(sizePx, metadata, type, format.radiance, layers));
+    std::size_t clipped = 0;
     for (int row = 0; row < sizePx.y;) {
         LayeredImage band = next();
         const int rows = band.colours.size.y;
         assert(band.colours.size.x == sizePx.x && rows >= 1);
         assert(std::ranges::equal(band.layers, layers, {}, &ImageLayer::name));
-        writeBand(out, std::move(band), row, pixels);
+        clipped += writeBand(out, std::move(band), row, format);
         row += rows;
     }
+    return clipped;
 }
 
 /// Size of the data window. Throws if the image is too large to be held in memory.
@@ -136,13 +168,16 @@ ImageF readFrom(const std::filesystem::path& file, Metadata* metadata) {
     in.setFrameBuffer(
         interleaved(&image.pixels.data()->x, image.size, {window.min.x, window.min.y}, Imf::FLOAT));
     in.readPixels(window.min.y, window.max.y);
-    if (metadata != nullptr) {
-        for (auto at = in.header().begin(); at != in.header().end(); ++at) {
-            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&at.attribute())) {
-                metadata->emplace_back(at.name(), text->value());
-            }
+    Metadata texts;
+    for (auto at = in.header().begin(); at != in.header().end(); ++at) {
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&at.attribute())) {
+            texts.emplace_back(at.name(), text->value());
         }
     }
+    if (const float scale = imageUnitOfExr(texts); scale != 1.0f) {
+        for (glm::vec4& pixel : image.pixels) pixel *= glm::vec4(scale, scale, scale, 1.0f);
+    }
+    if (metadata != nullptr) metadata->insert(metadata->end(), texts.begin(), texts.end());
     return image;
 }
 
@@ -166,6 +201,13 @@ std::vector<std::vector<float>> layersFrom(const std::filesystem::path& file,
 
 }  // namespace
 
+float imageUnitOfExr(const Metadata& metadata) {
+    const auto stated =
+        std::ranges::find(metadata, kRadianceUnitsKey, &std::pair<std::string, std::string>::first);
+    return stated != metadata.end() && stated->second == kRadianceUnits ? 1.0f / radianceScale()
+                                                                        : 1.0f;
+}
+
 void append(LayeredImage& image, const LayeredImage& band) {
     const auto add = [](auto& to, const auto& from) {
         to.insert(to.end(), from.begin(), from.end());
@@ -178,21 +220,25 @@ void append(LayeredImage& image, const LayeredImage& band) {
     }
 }
 
-void writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
-              ExrPixels pixels, const std::vector<std::string>& layers,
-              const std::function<LayeredImage()>& next) {
+std::size_t writeExr(const std::filesystem::path& file, glm::ivec2 sizePx, const Metadata& metadata,
+                     ExrFormat format, const std::vector<std::string>& layers,
+                     const std::function<LayeredImage()>& next) {
+    std::size_t clipped = 0;
     replaceFile(file, [&](const std::filesystem::path& temporary) {
         try {
-            writeTo(temporary, sizePx, metadata, pixels, layers, next);
+            clipped = writeTo(temporary, sizePx, metadata, format, layers, next);
         } catch (const Iex::BaseExc& fault) {
             throw Error({file.string(), "cannot be written as OpenEXR", fault.what(), "", ""});
         }
     });
+    return clipped;
 }
 
-void writeExr(const std::filesystem::path& file, const ImageF& image, const Metadata& metadata,
-              ExrPixels pixels) {
-    writeExr(file, image.size, metadata, pixels, {}, [&] { return LayeredImage{image, {}}; });
+std::size_t writeExr(const std::filesystem::path& file, const ImageF& image,
+                     const Metadata& metadata, ExrFormat format) {
+    return writeExr(file, image.size, metadata, format, {}, [&] {
+        return LayeredImage{image, {}};
+    });
 }
 
 ImageF readExr(const std::filesystem::path& file, Metadata* metadata) {

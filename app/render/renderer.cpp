@@ -49,6 +49,7 @@ struct Renderer::Impl {
     bool shares = false;  ///< what is above, with the renderer that it was made from
     gl::Texture rays;     ///< where pixels are the mean of several
     gl::Texture linear, display;
+    gl::Texture sunShown = gl::Texture::make2D(GL_R32F, {1, 1});
     Engine engine{};
     std::unique_ptr<Integrator> integrator;  ///< of `engine`; made when it is first wanted
     gl::PassTimer timer;
@@ -59,7 +60,8 @@ struct Renderer::Impl {
     std::function<void()> wake;
 
     RenderContext context(const Progress& progress, FrameStats& stats) {
-        return {*volume, medium, *noise, sky, *programs, timer, progress, stats, messages, wake};
+        return {*volume, medium,   *noise, sky,      sunShown, *programs,
+                timer,   progress, stats,  messages, wake};
     }
     void use(Engine wanted);
     std::optional<Stage> changeTo(const FrameInputs& inputs, int sample) const;
@@ -118,12 +120,8 @@ int limitOf(GLenum name) {
     return limit;
 }
 
-int largestSide() {
-    return limitOf(GL_MAX_TEXTURE_SIZE);
-}
-
 void checkSize(glm::ivec2 sizePx) {
-    const int most = largestSide();
+    const int most = limitOf(GL_MAX_TEXTURE_SIZE);
     if (sizePx.x >= 1 && sizePx.y >= 1 && sizePx.x <= most && sizePx.y <= most) return;
     throw Error({.what = "an image of this size cannot be rendered",
                  .found = fmt::format("{} x {} px", sizePx.x, sizePx.y),
@@ -180,11 +178,11 @@ void Renderer::Impl::draw(const FrameInputs& inputs, int sample, Stage stage,
 
 /// A preview stays until there is an image of something else.
 void Renderer::Impl::resolveAll(const FrameInputs& inputs, bool sameVolume) {
-    resolve(linear, inputs, *programs, display);
+    resolve(linear, sunShown, inputs, *programs, display);
     if (preview && !(sameVolume && sameScene(preview->of, inputs))) preview.reset();
     if (preview && !(preview->of.look == inputs.look)) {
         preview->of.look = inputs.look;
-        resolve(preview->linear, preview->of, *programs, preview->display);
+        resolve(preview->linear, sunShown, preview->of, *programs, preview->display);
     }
 }
 
@@ -318,7 +316,7 @@ void Renderer::showPreview(const ImageF& image, const FrameInputs& of) {
     const auto width = static_cast<std::size_t>(image.size.x);
     preview.linear.upload(GL_RGBA, GL_FLOAT, fromTop(image.pixels, width).data());
     const gl::KeptImages kept(kResolveImages);  // a frame may be under way, of another renderer too
-    resolve(preview.linear, of, *impl_->programs, preview.display);
+    resolve(preview.linear, impl_->sunShown, of, *impl_->programs, preview.display);
 }
 
 void Renderer::hidePreview() {
@@ -343,7 +341,7 @@ std::array<ImageF, 2> Renderer::readHalves() const {
 }
 
 int Renderer::largestSidePx() const {
-    return largestSide();
+    return limitOf(GL_MAX_TEXTURE_SIZE);
 }
 
 std::string Renderer::deviceName() const {

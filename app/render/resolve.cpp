@@ -3,13 +3,33 @@
 
 #include "app/render/frame/rows.h"
 #include "core/look/exposure.h"
+#include "core/look/sun.h"
 
 namespace neph::render {
 
 #include "shaders/shared/display_layout.glsl"
 
-void resolve(const gl::Texture& linear, const FrameInputs& inputs, gl::ProgramCache& programs,
-             gl::Texture& display) {
+namespace {
+
+/// The glare is of the screen alone: there is none over what is transparent.
+void setGlare(const FrameInputs& inputs, const gl::Program& program) {
+    const Camera& camera = inputs.camera;
+    const glm::ivec2 wholePx = inputs.part ? inputs.part->wholePx : inputs.sizePx;
+    const glm::vec3 glare =
+        inputs.backdrop ? glareOf(inputs.look, camera.eyeWorld.z) : glm::vec3(0.0f);
+    program.setVec3(kResolveGlareLocation, glare);
+    program.setVec3(kResolveForwardLocation, glm::vec3(camera.forward));
+    program.setVec3(kResolveRightLocation,
+                    glm::vec3(camera.right * camera.tanHalfFovY * camera.aspect));
+    program.setVec3(kResolveUpLocation, glm::vec3(camera.up * camera.tanHalfFovY));
+    program.setVec3(kResolveTowardsSunLocation, glm::vec3(sunDirWorld(inputs.look)));
+    program.setIvec2(kResolveWholeLocation, wholePx);
+}
+
+}  // namespace
+
+void resolve(const gl::Texture& linear, const gl::Texture& sunShown, const FrameInputs& inputs,
+             gl::ProgramCache& programs, gl::Texture& display) {
     if (display.size() != linear.size()) {
         display = gl::Texture::make2D(GL_RGBA8, glm::ivec2(linear.size()));
         display.setLinear();
@@ -19,8 +39,11 @@ void resolve(const gl::Texture& linear, const FrameInputs& inputs, gl::ProgramCa
     program.setInt(kResolveLeftLocation, lowerPx.x);
     program.setInt(kResolveLowerLocation, lowerPx.y);
     program.setInt(kResolveTransparentLocation, inputs.backdrop ? 0 : 1);
-    program.setFloat(kResolveGainLocation, exposureGain(inputs.look));
-    program.setInt(kResolveCurveLocation, static_cast<int>(inputs.look.toneMap));
+    const DisplayTones tones = displayTones(inputs.look);
+    program.setMat3(kResolveExposureLocation, tones.exposure);
+    program.setInt(kResolveCurveLocation, tones.curve);
+    setGlare(inputs, program);
+    sunShown.bindImage(kResolveSunShownImage, GL_READ_ONLY);
     linear.bindImage(kResolveLinearImage, GL_READ_ONLY);
     display.bindImage(kResolveDisplayImage, GL_WRITE_ONLY);
     program.dispatch(display.size());

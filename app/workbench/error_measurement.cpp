@@ -2,11 +2,15 @@
 // become more.
 #include "app/workbench/error_measurement.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/gl/context.h"
 #include "core/image/box_average.h"
+#include "core/look/sun.h"
+#include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
 namespace {
@@ -17,6 +21,27 @@ constexpr int kPixelsInSoftware = 64 * 36, kPixelsOnGpu = 192 * 108;
 constexpr int kFewestPaths = 4;
 constexpr int kFewestToEnd = 16;    // and too little to be sure of it
 constexpr double kMorePaths = 1.1;  // times as many give a new figure
+
+/// Pixels that may have some of the sun's disc: it outshines the image, and paths do not carry it.
+std::vector<std::size_t> pixelsOfDisc(const render::FrameInputs& inputs) {
+    std::vector<std::size_t> pixels;
+    if (inputs.look.skyModel != SkyModel::atmosphere || !inputs.look.sunDisc) return pixels;
+    const Camera& camera = inputs.camera;
+    const glm::dvec3 towardsSun = sunDirWorld(inputs.look);
+    const glm::dvec2 size(inputs.sizePx);
+    const double pixel = 2.0 * camera.tanHalfFovY * std::max(1.0 / size.y, camera.aspect / size.x);
+    const double nearest = std::cos(static_cast<double>(glsl::kSunRadius) + 1.5 * pixel);
+    for (int y = 0; y < inputs.sizePx.y; ++y) {
+        for (int x = 0; x < inputs.sizePx.x; ++x) {
+            const glm::dvec2 ndc(2.0 * (x + 0.5) / size.x - 1.0, 1.0 - 2.0 * (y + 0.5) / size.y);
+            if (glm::dot(camera.rayDir(ndc), towardsSun) < nearest) continue;
+            pixels.push_back(static_cast<std::size_t>(y) *
+                                 static_cast<std::size_t>(inputs.sizePx.x) +
+                             static_cast<std::size_t>(x));
+        }
+    }
+    return pixels;
+}
 
 }  // namespace
 
@@ -33,6 +58,7 @@ ErrorMeasurement::ErrorMeasurement(const render::Renderer& of, const render::Fra
     inputs_.supersample = 1;  // its paths are spread over the pixel
     inputs_.planes = 0;
     inputs_.draftLight = inputs_.profile = false;
+    disc_ = pixelsOfDisc(inputs_);
 }
 
 bool ErrorMeasurement::trace(const Progress& progress) {
@@ -43,6 +69,9 @@ bool ErrorMeasurement::trace(const Progress& progress) {
     const bool last = stats.reference.seconds >= seconds_;
     if (result_ && !last && paths < kMorePaths * result_->paths) return false;
     const std::array<ImageF, 2> halves = reference_->readHalves();
+    for (const std::size_t i : disc_) {
+        image_.pixels[i] = 0.5f * (halves[0].pixels[i] + halves[1].pixels[i]);
+    }
     result_ = measureError(image_, halves, paths);
     map_ = errorsBeyondNoise(image_, halves);
     if ((paths >= kFewestToEnd && isKnownWell(*result_)) || last) reference_.reset();

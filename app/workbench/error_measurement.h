@@ -38,6 +38,7 @@ class ErrorMeasurement {
     render::FrameInputs inputs_;  // of the reference
     render::Accumulation paths_;
     ImageF image_;
+    std::vector<std::size_t> disc_;  ///< pixels with the sun's disc, which is not measured
     double seconds_ = 0.0;
     std::optional<MeasuredError> result_;
     std::vector<float> map_;

@@ -14,7 +14,28 @@ std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look);
 /// one that has more: 1 from a sun without air.
 double meteredLight(const Look& look);
 
+/// The same with its colour, linear sRGB; of the sun, also where the moon stands in its place.
+glm::dvec3 meteredColour(const Look& look);
+
 /// What radiances are multiplied by before tone mapping.
 float exposureGain(const Look& look);
+
+/// Exposure value at ISO 100 of a camera that shows them so.
+double exposureValue(const Look& look);
+
+/// Irradiance of the sun outside clouds at an altitude, linear sRGB in the units of images; 0 with
+/// a sky of two colours.
+glm::dvec3 sunIrradiance(const Look& look, double altitudeM);
+
+/// Of the glare of the sun in the lens by shaders/lib/sun_disc.glsl: what glareAt() is multiplied
+/// by where all of the disc is seen from an altitude.
+glm::vec3 glareOf(const Look& look, double altitudeM);
+
+/// From radiance to display.
+struct DisplayTones {
+    glm::mat3 exposure{1.0f};  ///< gain and white balance
+    int curve = 0;             ///< of shaders/lib/tonemap.glsl
+};
+DisplayTones displayTones(const Look& look);
 
 }  // namespace neph

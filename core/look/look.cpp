@@ -22,9 +22,22 @@ bool scattersOften(const Look& look) {
     return look.transport == Transport::full && traitsOf(look.engine).scattersOften;
 }
 
+bool showsRadiance(const Look& look) {
+    return scattersOften(look) || look.phaseDisplay == PhaseDisplay::physical;
+}
+
+glm::vec3 shownGroundColour(const Look& look) {
+    // An albedo of 0.04, as of a high sun [Jin04], most of it in blue; four times as in
+    // groundAlbedo.
+    constexpr glm::vec3 kSea{0.12f, 0.16f, 0.24f};
+    const bool sea =
+        look.skyModel == SkyModel::atmosphere && look.groundSurface == GroundSurface::sea;
+    return sea ? kSea : look.groundColour;
+}
+
 glm::vec3 groundAlbedo(const Look& look) {
     // Full light is an irradiance of 4 pi.
-    return glm::clamp(0.25f * look.groundColour, 0.0f, 1.0f);
+    return glm::clamp(0.25f * shownGroundColour(look), 0.0f, 1.0f);
 }
 
 bool sidesRepeat(const Look& look) {

@@ -30,9 +30,15 @@ enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
+/// What lights the scene: the sun, or the moon in its place.
+enum class LightBody : int { sun, moon };
 /// What the place of the sun follows from.
 enum class SunSource : int { angles, date };
-enum class ToneMap : int { linear, filmic, agx };
+enum class ToneMap : int { linear, filmic, agx, reflectance };
+/// What the ground is: of one colour, or a pattern upon it; or the sea, whose colour is known.
+enum class GroundSurface : int { plain, fields, sea };
+/// What light shows as white: daylight, or what falls on the clouds.
+enum class WhiteBalance : int { daylight, sun };
 
 /// Where the size of a field's particles comes from. docs/physics.md §7
 enum class RadiusSource : int { constant, file, number, scheme };
@@ -55,6 +61,10 @@ struct SpeciesLook {
 /// Native cell of the storm that looks are tuned on; parameters that adapt to the cell size are
 /// the same there either way.
 inline constexpr double kLookCellM = 1000.0;
+
+/// The exposure value at ISO 100 that shows the radiance of isotropic scatter in full sunlight as
+/// white, 1: a luminance of 1.2 cd/m² times 2^EV100 is white [Lagarde14].
+inline constexpr float kUnitEv100 = 13.1f;
 
 /// The defaults written here are the defaults everywhere: tuned by eye on the bundled storm where
 /// no source is named. What the rows' help cites is not repeated here.
@@ -85,7 +95,10 @@ struct Look {
     float sunLatitudeDeg = 35.0f, sunLongitudeDeg = -97.5f;
     int sunDay = 141;       ///< of a leap year: 20 May
     float sunHour = 22.0f;  ///< UTC
+    LightBody sunBody = LightBody::sun;
+    float moonPhaseDeg = 0.0f, moonLimbDeg = 90.0f;
     float sunIntensity = 1.0f;
+    bool sunDisc = true;
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
     SkyModel skyModel = SkyModel::gradient;
@@ -96,12 +109,16 @@ struct Look {
     float skyIntensity = 1.0f;
     float skylight = 0.25f;
     bool groundVisible = true;
+    GroundSurface groundSurface = GroundSurface::fields;
     glm::vec3 groundColour{0.13f, 0.12f, 0.065f};
 
     Engine engine{};
     int planes = 256;  ///< of the slicing engine; they decide the brightness of its printed form
     float exposureEv = 0.4f;
     bool autoExposure = true;
+    float ev100 = kUnitEv100;  ///< where exposure does not follow the light
+    WhiteBalance whiteBalance = WhiteBalance::daylight;
+    float glare = 0.01f;  ///< share of light that strays in the lens
     ToneMap toneMap = ToneMap::filmic;
 
     std::array<SpeciesLook, kSpeciesCount> species;
@@ -114,6 +131,12 @@ struct Look {
 /// Whether light is followed through all its scatterings: Transport::full, of an engine that knows
 /// it.
 bool scattersOften(const Look& look);
+
+/// Whether an image of it is a radiance, not a display of phase functions by another scale.
+bool showsRadiance(const Look& look);
+
+/// Radiance of the ground in full light, linear RGB: that of the look, or of the sea.
+glm::vec3 shownGroundColour(const Look& look);
 
 /// Albedo of the ground, linear RGB: of a Lambert surface with the radiance that the look gives it
 /// in full light.

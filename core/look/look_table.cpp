@@ -22,6 +22,11 @@ Parameter& ofOneScattering(Parameter& row) {
     return row;
 }
 
+bool hasGlare(const Look& look) {
+    return look.skyModel == SkyModel::atmosphere && look.sunDisc &&
+           look.toneMap != ToneMap::reflectance;
+}
+
 std::vector<Choice> engineChoices() {
     std::vector<Choice> choices;
     for (const EngineTraits& engine : kEngines) {
@@ -188,6 +193,23 @@ void addSun(LookRows& rows) {
                   "Date, time and place of the data; what they do not state from this look."}},
                 "Where the sun stands: by angles, or where it is at the date and place of the "
                 "data. docs/physics.md §9");
+    rows.choice("sun.body", "Light of", &Look::sunBody, Stage::light,
+                {{"sun", "The sun", "By day and in twilight."},
+                 {"moon", "The moon",
+                  "In the place of the sun: 400,000 times fainter when full, by its phase."}},
+                "What lights the scene under an atmosphere. What is said of the sun holds for the "
+                "moon in its place; by a date it stands where the moon does.")
+        .acts = [](const Look& look) { return look.skyModel == SkyModel::atmosphere; };
+    const auto ofMoon = [](Parameter& row) {
+        row.acts = [](const Look& look) {
+            return look.skyModel == SkyModel::atmosphere && look.sunBody == LightBody::moon &&
+                   look.sunSource == SunSource::angles;
+        };
+    };
+    ofMoon(rows.number("sun.moon_phase", "Phase angle", "deg", &Look::moonPhaseDeg, {0.0, 170.0},
+                       Stage::light, "Of the moon: 0 is full, 90 a quarter."));
+    ofMoon(rows.number("sun.moon_limb", "Bright limb", "deg", &Look::moonLimbDeg, {0.0, 360.0},
+                       Stage::eye, "Side that is lit, clockwise from the vertical: 90 is right."));
     bySource(rows.number("sun.azimuth", "Sun azimuth", "deg", &Look::sunAzimuthDeg, {0.0, 360.0},
                          Stage::light, "Where the sun stands, clockwise from north."),
              SunSource::angles);
@@ -236,6 +258,9 @@ void addSunAndSky(std::vector<Parameter>& table) {
     visibility.displayUnit = "km";
     visibility.displayScale = 1e-3;
     ofAtmosphere(visibility);
+    ofAtmosphere(rows.toggle("sun.disc", "Sun's disc", &Look::sunDisc, Stage::eye,
+                             "Whether the disc itself is seen; off for measurements of an image, "
+                             "whose errors it would outshine."));
     ofAtmosphere(rows.number("sky.ozone", "Ozone", "DU", &Look::ozoneDobson, {0.0, 600.0},
                              Stage::light, "Dobson units; ozone keeps the sky of twilight blue."));
     ofGradient(rows.colour("sun.colour", "Sun colour", &Look::sunColour, Stage::eye,
@@ -253,8 +278,17 @@ void addSunAndSky(std::vector<Parameter>& table) {
                     "and below. Not in [Riley03]. docs/physics.md §5"));
     rows.toggle("ground.visible", "Ground", &Look::groundVisible, Stage::eye,
                 "A plane at height 0; off shows the sky below the horizon too.");
+    ofAtmosphere(rows.choice(
+        "ground.surface", "Surface", &Look::groundSurface, Stage::light,
+        {{"plain", "Plain", "One colour."},
+         {"fields", "Fields", "Farmland in square miles, creeks and pasture, for a scale."},
+         {"sea", "Sea", "Of its own colour, with patches of wind; no glint of the sun."}},
+        "What the ground is under an atmosphere. It lights clouds by its mean."));
     rows.colour("ground.colour", "Ground colour", &Look::groundColour, Stage::eye,
-                "Linear RGB radiance of the ground in full light.");
+                "Linear RGB radiance of the ground in full light; of fields the mean.")
+        .acts = [](const Look& look) {
+        return look.skyModel != SkyModel::atmosphere || look.groundSurface != GroundSurface::sea;
+    };
 }
 
 void addView(std::vector<Parameter>& table) {
@@ -270,18 +304,38 @@ void addView(std::vector<Parameter>& table) {
     planes.engines = enginesWith(&EngineTraits::fineness, Fineness::planes);
     planes.alias = {"--planes", "N", "Slices, slicing; instead of view.planes"};
     rows.number("exposure", "Exposure", "EV", &Look::exposureEv, {-10.0, 10.0}, Stage::resolve,
-                "Scene-referred gain, 2^EV, before tone mapping.");
+                "More or less than it is by the rows below, in stops.");
     rows.toggle("auto_exposure", "Exposure follows the light", &Look::autoExposure, Stage::resolve,
                 "As a meter held at the cloud shows it: more exposure when the sun is low, "
                 "whatever the camera looks at.")
         .acts = [](const Look& look) { return look.skyModel == SkyModel::atmosphere; };
+    rows.number("ev100", "Exposure value", "EV", &Look::ev100, {-6.0, 20.0}, Stage::resolve,
+                "At ISO 100, where exposure does not follow the light: 15 for sunlit land, 8 at "
+                "sunset, 13.1 shows isotropic scatter of full sunlight as white.")
+        .acts = [](const Look& look) {
+        return look.skyModel != SkyModel::atmosphere || !look.autoExposure;
+    };
+    rows.choice("white_balance", "White balance", &Look::whiteBalance, Stage::resolve,
+                {{"daylight", "Daylight", "As a camera set to daylight has it: a low sun is red."},
+                 {"sun", "By sun", "What the sun and the sky throw on the clouds is white."}},
+                "Which light is shown as white.");
+    Parameter& glare = rows.number(
+        "glare", "Lens glare", "1", &Look::glare, {0.0, 0.1}, Stage::resolve,
+        "Share of the light of the sun's disc that strays in the lens and veils the image around "
+        "it. What is measured and EXR files are without. docs/sky.md");
+    glare.displayUnit = "%";
+    glare.displayScale = 100.0;
+    glare.acts = hasGlare;
     rows.choice(
         "tone_map", "Tone mapping", &Look::toneMap, Stage::resolve,
         {{"linear", "Linear", "Clipped where it is too bright."},
          {"filmic", "Filmic", "A toe and a shoulder, as on photographs. [Narkowicz15]"},
          {"agx", "AgX",
-          "Sixteen stops; what is bright loses its colour, as on photographs. [Sobotka22]"}},
-        "Filmic shoulder and toe, AgX, or linear with clipping.");
+          "Sixteen stops; what is bright loses its colour, as on photographs. [Sobotka22]"},
+         {"reflectance", "Reflectance factor",
+          "As satellites report it: pi L over the irradiance of the sun outside the air, 0 to 1, "
+          "whatever the exposure; the sun counts as at least 5 degrees high."}},
+        "Filmic shoulder and toe, AgX, linear with clipping, or the reflectance factor.");
 }
 
 void addSampling(std::vector<Parameter>& table) {

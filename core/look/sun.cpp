@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/grid/grid.h"
+#include "core/sky/lunar_position.h"
 #include "core/sky/solar_position.h"
 
 namespace neph {
@@ -31,7 +32,11 @@ void setAngles(Look& look, float azimuthDeg, float elevationDeg) {
 }  // namespace
 
 SunState sunStateOf(const Look& look, const Whereabouts& where) {
-    SunState state{.azimuthDeg = look.sunAzimuthDeg, .elevationDeg = look.sunElevationDeg};
+    SunState state{.azimuthDeg = look.sunAzimuthDeg,
+                   .elevationDeg = look.sunElevationDeg,
+                   .moon = showsMoon(look),
+                   .moonPhaseDeg = look.moonPhaseDeg,
+                   .moonLimbDeg = look.moonLimbDeg};
     if (look.sunSource == SunSource::angles) return state;
     state.byDate = true;
     state.placeOfData = where.place.has_value();
@@ -44,6 +49,15 @@ SunState sunStateOf(const Look& look, const Whereabouts& where) {
     }
     state.utc = where.utc.value_or(
         utcOf({.year = kLookYear, .day = look.sunDay, .hour = static_cast<double>(look.sunHour)}));
+    if (state.moon) {
+        const LunarPosition moon =
+            lunarPosition(state.utc, state.place.latitudeDeg, state.place.longitudeDeg);
+        state.azimuthDeg = azimuthFrom(moon.azimuthDeg + state.convergenceDeg);
+        state.elevationDeg = static_cast<float>(moon.apparentElevationDeg);
+        state.moonPhaseDeg = static_cast<float>(moon.phaseDeg);
+        state.moonLimbDeg = azimuthFrom(moon.limbDeg);
+        return state;
+    }
     const SolarPosition sun =
         solarPosition(state.utc, state.place.latitudeDeg, state.place.longitudeDeg);
     state.azimuthDeg = azimuthFrom(sun.azimuthDeg + state.convergenceDeg);
@@ -55,6 +69,8 @@ Look withSun(const Look& look, const Whereabouts& where) {
     Look drawn = look;
     const SunState state = sunStateOf(look, where);
     setAngles(drawn, state.azimuthDeg, state.elevationDeg);
+    drawn.moonPhaseDeg = state.moonPhaseDeg;
+    drawn.moonLimbDeg = state.moonLimbDeg;
     // No air keeps the sun of a gradient from shining through the Earth.
     constexpr float kNightDeg = -12.0f;
     if (look.skyModel == SkyModel::gradient && state.elevationDeg < kNightDeg) {
@@ -70,10 +86,32 @@ Look withSun(const Look& look, const Whereabouts& where) {
 }
 
 std::string sunText(const SunState& state) {
-    const std::string angles =
+    std::string angles =
         fmt::format("azimuth {:.1f}, elevation {:.1f} deg", state.azimuthDeg, state.elevationDeg);
+    if (state.moon) angles += fmt::format(", moon, phase angle {:.0f} deg", state.moonPhaseDeg);
     if (!state.byDate) return angles;
     return fmt::format("{} at {}, {}", angles, utcText(state.utc), geoText(state.place));
+}
+
+bool showsMoon(const Look& look) {
+    return look.sunBody == LightBody::moon && look.skyModel == SkyModel::atmosphere;
+}
+
+float shownIntensity(const Look& look) {
+    if (!showsMoon(look)) return look.sunIntensity;
+    return look.sunIntensity *
+           static_cast<float>(moonShare(static_cast<double>(look.moonPhaseDeg)));
+}
+
+glm::dvec3 sunOfMoonWorld(const Look& look) {
+    const glm::dvec3 moon = sunDirWorld(look);
+    const glm::dvec3 above =
+        glm::normalize(std::abs(moon.z) < 0.9999 ? glm::dvec3(0.0, 0.0, 1.0) - moon.z * moon
+                                                 : glm::dvec3(0.0, 1.0, 0.0) - moon.y * moon);
+    const double limb = glm::radians(static_cast<double>(look.moonLimbDeg));
+    const double phase = glm::radians(static_cast<double>(look.moonPhaseDeg));
+    const glm::dvec3 side = std::cos(limb) * above + std::sin(limb) * glm::cross(moon, above);
+    return std::sin(phase) * side - std::cos(phase) * moon;
 }
 
 glm::dvec3 sunDirWorld(const Look& look) {

@@ -16,6 +16,8 @@ namespace neph {
 struct SunState {
     float azimuthDeg = 0.0f;    ///< in the frame of the grid, clockwise from its y axis, 0 to 360
     float elevationDeg = 0.0f;  ///< as seen, with refraction where it follows from a date
+    bool moon = false;          ///< the moon in the sun's place
+    float moonPhaseDeg = 0.0f, moonLimbDeg = 0.0f;
     // Where it follows from a date: what it follows from.
     bool byDate = false;
     GeoPoint place{};
@@ -36,6 +38,15 @@ Look withSun(const Look& look, const Whereabouts& where);
 /// "azimuth 110.9, elevation 2.3 deg at 2010-03-15T06:30:00Z, 78.22 N 15.65 E"; the angles alone of
 /// a sun by angles.
 std::string sunText(const SunState& state);
+
+/// Whether the moon stands in the sun's place; a sky of two colours is one of day.
+bool showsMoon(const Look& look);
+
+/// Of the sun, or of the moon in its place: irradiance outside the air over 4 pi.
+float shownIntensity(const Look& look);
+
+/// From the moon, in world space, where the sun stands that lights it.
+glm::dvec3 sunOfMoonWorld(const Look& look);
 
 /// Unit vector towards the sun in world space, of a look whose sun stands by angles.
 glm::dvec3 sunDirWorld(const Look& look);

@@ -2,6 +2,7 @@
 #include "core/sky/spectrum.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace neph {
 namespace {
@@ -88,6 +89,10 @@ dvec3 withinGamut(const dvec3& rgb) {
 
 double solarIrradianceWPerM2() {
     return solarLuminance();
+}
+
+double imageUnitWPerM2Sr() {
+    return solarIrradianceWPerM2() / (4.0 * std::numbers::pi);
 }
 
 dvec3 rgbOfSunlight(const Spectrum& share) {

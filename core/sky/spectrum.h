@@ -73,6 +73,11 @@ inline Spectrum expMinus(const Spectrum& x) {
 /// this are lux. [Bruneton17] has the spectrum.
 double solarIrradianceWPerM2();
 
+/// What a value of 1 of an image stands for: the radiance that isotropic scatter has in the light
+/// of the sun outside the atmosphere, weighed likewise, W m⁻² sr⁻¹; 683 times this are cd/m².
+double imageUnitWPerM2Sr();
+inline constexpr double kLumensPerW = 683.0;
+
 /// Linear sRGB (IEC 61966-2-1, white D65) of light whose spectrum is that of the sun times `share`,
 /// by the CIE 1931 matching functions [Wyman13]. Its luminance is 1 for a share of 1. Colours that
 /// sRGB lacks are brought to its edge.

@@ -38,10 +38,7 @@ vec3 groundLight(vec3 positionM, float sun) {
 }
 #endif
 
-vec3 backdrop(Ray ray, int lastLayer) {
-    if (u_.sampling.y == 0) return vec3(0.0);
-    float groundM = groundDistanceM(ray);
-    if (groundM <= 0.0) return eyeSky(ray.dir);
+vec3 groundBehind(Ray ray, float groundM, int lastLayer) {
     vec3 positionM = groundPoint(ray, groundM);
     vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
     if (hasAir()) {
@@ -49,4 +46,21 @@ vec3 backdrop(Ray ray, int lastLayer) {
         return throughAir(airRay(ray.dir), groundM, sent, 1.0);
     }
     return hazyGround(u_.ground.rgb * light, u_.skyHorizon.rgb, groundM);
+}
+
+/// What is behind the medium; `discShown`: of the sun's disc, what is left besides.
+vec3 backdrop(Ray ray, int lastLayer, float discShown) {
+    if (u_.sampling.y == 0) return vec3(0.0);
+    float groundM = groundDistanceM(ray);
+    if (hasAir() && u_.ground.w > 0.5 && altitudeM(u_.eyeM.xyz) > 0.0) {
+        float above = pixelsAboveHorizon(ray.dir);
+        if (abs(above) < 0.5) {  // the pixel has some of both
+            Ray lower = Ray(ray.originM, besideHorizon(ray.dir, -1.0));
+            vec3 ground = groundBehind(lower, groundDistanceM(lower), lastLayer);
+            return mix(ground, eyeSky(besideHorizon(ray.dir, 1.0)), above + 0.5) +
+                   (groundM <= 0.0 ? discShown * sunDisc(ray.dir) : vec3(0.0));
+        }
+    }
+    if (groundM <= 0.0) return eyeSky(ray.dir) + discShown * sunDisc(ray.dir);
+    return groundBehind(ray, groundM, lastLayer);
 }

@@ -11,7 +11,7 @@ layout(location = kBackgroundLayerLocation) uniform int lastLayer;
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, u_.image.xy))) return;
-    vec3 behind = backdrop(rayThrough(pixel), lastLayer);
+    vec3 behind = backdrop(rayThrough(pixel), lastLayer, 1.0);
     vec4 eye = imageLoad(i_eye, pixel);
     imageStore(o_linear, pixel, vec4(eye.rgb + eye.a * behind, 1.0 - eye.a));
 }

@@ -32,6 +32,7 @@ using namespace glm;
 #include "shaders/lib/scattering_table.glsl"
 #include "shaders/lib/sky.glsl"
 #include "shaders/lib/sky_table.glsl"
+#include "shaders/lib/sun_disc.glsl"
 #include "shaders/lib/tonemap.glsl"
 
 }  // namespace

@@ -36,24 +36,24 @@ vec3 agx(vec3 radiance) {
     return pow(encoded, vec3(2.2f));
 }
 
-/// Linear display value, 1 for white, of a linear radiance. `curve` is 0 for linear, 1 for filmic,
-/// 2 for AgX.
-vec3 displayShare(vec3 radiance, float gain, int curve) {
-    vec3 exposed = max(radiance * gain, vec3(0.0f));
+/// Linear display value, 1 for white, of a linear radiance as it is exposed and balanced. `curve`
+/// is 0 for linear, 1 for filmic, 2 for AgX.
+vec3 displayShare(vec3 radiance, int curve) {
+    vec3 exposed = max(radiance, vec3(0.0f));
     if (curve == 2) return agx(exposed);
     return curve == 1 ? filmic(exposed) : clamp(exposed, vec3(0.0f), vec3(1.0f));
 }
 
-/// Encoded display value of a linear radiance.
-vec3 displayValue(vec3 radiance, float gain, int curve) {
-    vec3 share = displayShare(radiance, gain, curve);
+/// Encoded display value of the same.
+vec3 displayValue(vec3 radiance, int curve) {
+    vec3 share = displayShare(radiance, curve);
     return vec3(srgbEncode(share.r), srgbEncode(share.g), srgbEncode(share.b));
 }
 
 /// Colour that looks the same when it is composited over black with `opacity` in linear light, as
 /// far as that is possible: no colour is brighter than white.
-vec3 straightValue(vec3 radiance, float gain, int curve, float opacity) {
-    vec3 share = displayShare(radiance, gain, curve);
+vec3 straightValue(vec3 radiance, int curve, float opacity) {
+    vec3 share = displayShare(radiance, curve);
     share = min(share / max(opacity, 1e-6f), vec3(1.0f));
     return vec3(srgbEncode(share.r), srgbEncode(share.g), srgbEncode(share.b));
 }

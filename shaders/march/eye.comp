@@ -46,7 +46,8 @@ layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
 #endif
 
 const int kRun = 4;
-const float kOpaque = 0.005;                       // transmittance below which a ray ends
+// Transmittance below which a ray ends, and one towards the sun's disc, which outshines clouds.
+const float kOpaque = 0.005, kOpaqueToSun = 1e-7;
 const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
 
 /// A ray in the units in which it is used.
@@ -60,6 +61,7 @@ struct Path {
     float stepM;         // the shortest
     bool sunwards;       // what is scattered forward is seen
     float place;         // of the samples on the ray, in shortest steps, less than the longest
+    float opaque;        // transmittance below which it ends
 };
 
 /// A sample: where it is on the ray, and what is there.
@@ -104,6 +106,7 @@ Path pathOf(ivec2 pixel, Ray ray, vec2 insideM) {
     path.stepM = 1.0 / length(ray.dir * u_.march.xyz);
     path.sunwards = dot(u_.towardsSun.xyz, ray.dir) > kPeakEndCos;
     path.place = kLongest * placeInStep(pixel);
+    path.opaque = sunDisc(ray.dir).g > 0.0 ? kOpaqueToSun : kOpaque;
     return path;
 }
 
@@ -331,7 +334,7 @@ Eye march(Path path, uint most) {
     float stride = kLongest;
     float index = stationBefore(path, path.startM);
     Station last = stationAt(path, index);
-    while (last.atM < path.endM && eye.through > kOpaque && eye.taken < most) {
+    while (last.atM < path.endM && eye.through > path.opaque && eye.taken < most) {
         float atM = leap(path, last.atM, eye.skipped);
         if (atM >= path.endM) break;
         float before = stationBefore(path, atM);
@@ -352,8 +355,8 @@ Eye march(Path path, uint most) {
 }
 
 /// What lies behind a ray that ended early is taken to be like what lies before.
-void closeRay(inout Eye eye) {
-    if (eye.through > kOpaque) return;
+void closeRay(Path path, inout Eye eye) {
+    if (eye.through > path.opaque) return;
     eye.radiance /= 1.0 - eye.through;
     eye.through = 0.0;
 }
@@ -374,9 +377,11 @@ void main() {
 #if FLOOR
     most = imageLoad(i_taken, pixel).r;
 #endif
-    Eye eye = march(pathOf(pixel, ray, insideM), most);
-    closeRay(eye);
-    vec4 seen = vec4(eye.radiance + eye.through * backdrop(ray, u_.slices.z), 1.0 - eye.through);
+    Path path = pathOf(pixel, ray, insideM);
+    Eye eye = march(path, most);
+    closeRay(path, eye);
+    vec3 behind = backdrop(ray, u_.slices.z, exp(-eye.forward));
+    vec4 seen = vec4(eye.radiance + eye.through * behind, 1.0 - eye.through);
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);
     imageStore(io_linear, pixel, seen);
 #if PROFILE

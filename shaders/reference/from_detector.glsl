@@ -38,7 +38,7 @@ bool reachesSeenGround(inout Path p) {
     return reachesGround(p);
 }
 
-float seenGround(Path p) {
+vec3 seenGround(Path p) {
     return 1.0;
 }
 

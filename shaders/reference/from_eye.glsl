@@ -33,14 +33,23 @@ Ray rayOf(Path p) {
     return Ray(u_.eyeM.xyz, p.axis);
 }
 
+/// A pixel at the horizon has some of both, as in backdrop.glsl.
+void takeSideOfHorizon(inout Path p) {
+    if (!hasAir() || u_.ground.w < 0.5 || altitudeM(u_.eyeM.xyz) <= 0.0) return;
+    float above = pixelsAboveHorizon(p.axis);
+    if (abs(above) >= 0.5) return;
+    p.axis = besideHorizon(p.axis, draw(p).x < above + 0.5 ? 1.0 : -1.0);
+}
+
 bool reachesSeenGround(inout Path p) {
+    takeSideOfHorizon(p);
     float groundM = groundDistanceM(rayOf(p));
     if (groundM > 0.0) p.positionM = groundPoint(rayOf(p), groundM);
     return groundM > 0.0;
 }
 
 /// What the ground's albedo is multiplied by where the path meets it.
-float seenGround(Path p) {
+vec3 seenGround(Path p) {
     return groundSeen(rayOf(p), groundDistanceM(rayOf(p)));
 }
 

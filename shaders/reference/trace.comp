@@ -340,7 +340,7 @@ void arrive(inout Path p) {
     if (seen) passHaze(p);
     p.positionM = repeated(p.positionM);
     ++p.scatterings;
-    p.throughput *= u_.ground.rgb * (seen ? seenGround(p) : 1.0);
+    p.throughput *= u_.ground.rgb * (seen ? seenGround(p) : vec3(1.0));
     p.axis = vec3(0.0, 0.0, 1.0);
     p.kind = kSurface;
     p.stage = kMet;

@@ -44,8 +44,10 @@ struct FrameBlock {
     vec4 farGround;    ///< rgb: diffuse light, as a share of full light, of ground far away
     vec4 sky;          ///< x: 1 where the tables have it, else a gradient; y: sine of the
                        ///< horizon's elevation; z: how rays bend, 1/m; w: intensity of the sun
-    vec4 sunRadiance;  ///< rgb: colour × intensity
-    vec4 skyZenith;    ///< rgb × intensity; with tables both are the intensity of the sun
+    vec4 sunRadiance;  ///< rgb: colour × intensity; w: 1 where its disc is seen
+    vec4 moon;         ///< xyz: from the moon towards the sun; w: 1 where it stands in its place
+    vec4 skyZenith;    ///< rgb × intensity; with tables both are the intensity of the sun; w: kind
+                       ///< of ground, shaders/lib/ground.glsl
     vec4 skyHorizon;   ///< rgb × intensity
     vec4 ambient;      ///< rgb: radiance that skylight gives a sample under open sky
     vec4 ground;       ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible

@@ -46,6 +46,10 @@ const int kSkylightLayerLocation = 0;
 const int kSkylightAsymmetryLocation = 1;
 const int kSkylightGroundLocation = 2;
 
+// sun_shown.comp
+const int kSunShownLanes = 64;
+const int kSunShownImage = 0;
+
 // bake_noise.comp and brick_maximum.comp
 const int kNoiseImage = 0;
 const int kBrickMaximumImage = 0;

@@ -70,6 +70,10 @@ const int kSunDepthImage = 0;
 const int kDepthsBuffer = 6;
 const int kDepthsStepLocation = kClassOfLocation + kSpeciesCount;
 
+// sun_disc.comp
+const int kSunDiscImage = 0;
+const int kSunDiscStepLocation = 0;
+
 // cosines.comp
 const int kCosinesBuffer = 6;
 const int kCosinesCountLocation = 0;

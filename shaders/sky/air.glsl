@@ -3,6 +3,7 @@
 #include "../lib/ground.glsl"
 #include "../lib/sky.glsl"
 #include "../lib/sky_table.glsl"
+#include "../lib/sun_disc.glsl"
 #include "../shared/frame.glsl"
 #include "../shared/sky_layout.glsl"
 
@@ -60,6 +61,22 @@ vec3 throughAir(AirRay ray, float distanceM, vec3 radiance, float covered) {
            covered * u_.sky.w * textureLod(t_air, vec3(ray.at, at), 0.0).rgb;
 }
 
+/// Angle of a pixel, about.
+float pixelAngle() {
+    return 2.0 * length(u_.up.xyz) / float(u_.whole.y);
+}
+
+/// How many pixels a ray from the eye passes above the horizon.
+float pixelsAboveHorizon(vec3 dir) {
+    return (dir.z - u_.sky.y) / (sqrt(max(1.0 - u_.sky.y * u_.sky.y, 1e-6)) * pixelAngle());
+}
+
+/// The same direction with half a pixel of sky or of ground between it and the horizon.
+vec3 besideHorizon(vec3 dir, float side) {
+    float elevation = asin(u_.sky.y) + 0.5 * side * pixelAngle();
+    return vec3(cos(elevation) * normalize(dir.xy), sin(elevation));
+}
+
 /// The sky as the eye sees it.
 vec3 eyeSky(vec3 dir) {
     if (!hasAir()) return skyRadiance(dir.z, u_.skyZenith.rgb, u_.skyHorizon.rgb);
@@ -68,12 +85,28 @@ vec3 eyeSky(vec3 dir) {
     return u_.sky.w * textureLod(t_eyeSky, at, 0.0).rgb;
 }
 
+/// The sun's disc as the eye sees it, through the air.
+vec3 sunDisc(vec3 dir) {
+    if (u_.sunRadiance.w < 0.5) return vec3(0.0);
+    float pixel = pixelAngle();
+    float angle = length(cross(dir, u_.towardsSun.xyz));
+    if (dot(dir, u_.towardsSun.xyz) < 0.0 || angle > kSunRadius + pixel) return vec3(0.0);
+    vec3 irradiance = 4.0 * kPi * u_.sunRadiance.rgb * sunAt(max(altitudeM(u_.eyeM.xyz), 0.0));
+    if (u_.moon.w > 0.5) {
+        vec3 offset =
+            (dir - dot(dir, u_.towardsSun.xyz) * u_.towardsSun.xyz) / max(kSunRadius, 0.6 * pixel);
+        return irradiance * moonDiscShare(offset, u_.towardsSun.xyz, u_.moon.xyz, pixel);
+    }
+    return irradiance * sunDiscShare(angle, pixel);
+}
+
 /// What the ground's colour is multiplied by where a ray from the eye meets it.
-float groundSeen(Ray ray, float distanceM) {
-    if (!hasAir()) return 1.0;
+vec3 groundSeen(Ray ray, float distanceM) {
+    if (!hasAir()) return vec3(1.0);
     // A pixel is longer the flatter the ray; what it covers is taken to be as wide as long.
-    float pixelM = distanceM * 2.0 * length(u_.up.xyz) / float(u_.whole.y);
-    return groundPattern(groundPoint(ray, distanceM).xy, pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
+    float pixelM = distanceM * pixelAngle();
+    return groundPattern(int(u_.skyZenith.w), groundPoint(ray, distanceM).xy,
+                         pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
 }
 
 /// The sky as it is seen from a point of grid space.

@@ -106,8 +106,8 @@ TEST_CASE("Bench tells the first and the full image after each kind of change") 
     CHECK(changes["engine"] == "march");
     CHECK(changes["full_size"] == Json{20, 16});
     CHECK(changes["first_size"] == Json{5, 4});
-    REQUIRE(changes["rows"].size() == 3);
-    const std::vector<std::string> names{"mixing-scale", "sun-azimuth", "time"};
+    REQUIRE(changes["rows"].size() == 4);
+    const std::vector<std::string> names{"mixing-scale", "sun-azimuth", "sun-elevation", "time"};
     for (std::size_t i = 0; i < 3; ++i) {
         const Json& row = changes["rows"][i];
         CHECK(row["change"] == names[i]);

@@ -214,7 +214,10 @@ TEST_CASE("The reference's EXR has halves that make the image, and depths that m
     REQUIRE(runProgram("render --engine reference --size 16x9 --samples 4 --format float --out" +
                        quoted(file))
                 .status == 0);
-    const ImageF image = readExr(file);
+    Metadata metadata;
+    const ImageF image = readExr(file, &metadata);
+    const float unit = imageUnitOfExr(metadata);
+    CHECK(1.0 / static_cast<double>(unit) == doctest::Approx(15.45).epsilon(0.001));  // W m⁻² sr⁻¹
     const auto layers =
         readExrLayers(file, {"A.G", "B.G", "variance.G", "transmittance", "depth.first_scatter",
                              "optical_depth.cloud", "optical_depth.ice", "optical_depth.rain",
@@ -223,7 +226,7 @@ TEST_CASE("The reference's EXR has halves that make the image, and depths that m
     int cloudy = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         CAPTURE(i);
-        const float mean = 0.5f * (layers[0][i] + layers[1][i]);
+        const float mean = 0.5f * unit * (layers[0][i] + layers[1][i]);
         CHECK(mean == doctest::Approx(image.pixels[i].g).epsilon(1e-4));
         CHECK(layers[2][i] >= 0.0f);
         float depth = 0.0f;

@@ -10,6 +10,7 @@
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/base/error.h"
+#include "core/sky/spectrum.h"
 #include "tests/cli/program.h"
 
 using namespace neph;
@@ -71,6 +72,45 @@ TEST_CASE("A float EXR keeps what half cannot hold, and half clips to its larges
     CHECK(half.g == doctest::Approx(1.0 / 3.0).epsilon(1.0 / 2048.0));  // 11 bits of mantissa
 }
 
+TEST_CASE("Radiance is stored in watts, with units that other programs know, and read back") {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.exr";
+    const auto band = [] {
+        return LayeredImage{linearImage(),
+                            {{"A.R", {1, 2, 3, 4, 5, 6}, 1},
+                             {"variance.R", {1, 2, 3, 4, 5, 6}, 2},
+                             {"transmittance", {1, 2, 3, 4, 5, 6}, 0}}};
+    };
+    writeExr(file, {3, 2}, {}, {ExrPixels::full, true}, {"A.R", "variance.R", "transmittance"},
+             band);
+    const auto stored = readExrLayers(file, {"A.R", "variance.R", "transmittance", "A"});
+    // The sun's 194 W/m² as the eye weighs them, scattered into all directions.
+    const double unit = imageUnitWPerM2Sr();
+    CHECK(unit == doctest::Approx(15.45).epsilon(0.001));
+    CHECK(stored[0][1] == doctest::Approx(2.0 * unit));
+    CHECK(stored[1][1] == doctest::Approx(2.0 * unit * unit));
+    CHECK(stored[2][1] == 2.0f);
+    Metadata metadata;
+    const ImageF image = readExr(file, &metadata);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        for (int c = 0; c < 4; ++c) {
+            CHECK(image.pixels[i][c] == doctest::Approx(linearImage().pixels[i][c]));
+        }
+    }
+    CHECK(std::ranges::find(metadata, std::pair<std::string, std::string>(
+                                          "radianceUnits", "W m-2 sr-1")) != metadata.end());
+}
+
+TEST_CASE("Clipped values are counted") {
+    const TemporaryFolder folder;
+    ImageF image;
+    image.size = {2, 1};
+    image.pixels = {glm::vec4(1e4f, 1e4f, 1e3f, 1.0f), glm::vec4(1.0f)};
+    CHECK(writeExr(folder / "a.exr", image, {}, {ExrPixels::half, true}) == 2);
+    CHECK(writeExr(folder / "a.exr", image, {}, {ExrPixels::full, true}) == 0);
+    CHECK(writeExr(folder / "a.exr", image, {}, {ExrPixels::half, false}) == 0);
+}
+
 TEST_CASE("Layers of an EXR read back by name, as float beside half, and missing ones are empty") {
     const TemporaryFolder folder;
     const float infinite = std::numeric_limits<float>::infinity();
@@ -85,7 +125,7 @@ TEST_CASE("Layers of an EXR read back by name, as float beside half, and missing
                 return std::decay_t<decltype(all)>(all.begin() + from, all.begin() + from + 3);
             };
             return LayeredImage{{{3, 1}, part(whole.pixels)},
-                                {{"depth.first_scatter", part(depth)}, {"A.R", part(red)}}};
+                                {{"depth.first_scatter", part(depth), 0}, {"A.R", part(red), 1}}};
         });
         const auto layers =
             readExrLayers(folder / "a.exr", {"A.R", "none", "depth.first_scatter", "G"});

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 
 #include "shaders/lib/glsl_cpp.h"
 
@@ -67,6 +68,57 @@ TEST_CASE("Display encoding is sRGB: 0.18 becomes 0.4614 and 0.5 becomes 0.7354"
     CHECK(glsl::srgbEncode(0.0031308f) == Approx(glsl::srgbEncode(0.00313081f)).epsilon(1e-4));
 }
 
+TEST_CASE("The disc has all of the sun's light, however large the pixels, and a darker limb") {
+    // By rings around the middle; a pixel's edge is soft.
+    for (const float pixel : {1e-5f, 1e-3f, 0.01f, 0.05f}) {
+        glm::dvec3 sum(0.0);
+        const double widest = 1.2 * static_cast<double>(std::max(glsl::kSunRadius, pixel));
+        constexpr int kRings = 20000;
+        for (int i = 0; i < kRings; ++i) {
+            const double angle = widest * (i + 0.5) / kRings;
+            sum += 2.0 * std::numbers::pi * angle * (widest / kRings) *
+                   glm::dvec3(glsl::sunDiscShare(static_cast<float>(angle), pixel));
+        }
+        for (int c = 0; c < 3; ++c) {
+            CHECK(sum[c] == Approx(1.0).epsilon(pixel < 1e-4f ? 0.01 : 0.15));
+        }
+    }
+    const glm::vec3 middle = glsl::sunDiscShare(0.0f, 1e-5f);
+    const glm::vec3 limb = glsl::sunDiscShare(0.98f * glsl::kSunRadius, 1e-5f);
+    CHECK(limb.r / middle.r > limb.b / middle.b);
+    CHECK(limb.g / middle.g == Approx(0.44).epsilon(0.05));
+    CHECK(glsl::sunDiscShare(1.1f * glsl::kSunRadius, 1e-5f).g == 0.0f);
+}
+
+TEST_CASE("The ground is as bright on average as its colour, near and far, land and sea") {
+    for (const int kind : {glsl::kPlainGround, glsl::kFieldGround, glsl::kSeaGround}) {
+        for (const float pixelM : {5.0f, 300.0f, 5000.0f}) {
+            CAPTURE(kind);
+            CAPTURE(pixelM);
+            glm::dvec3 sum(0.0);
+            constexpr int kAcross = 1400;
+            for (int i = 0; i < kAcross * kAcross; ++i) {
+                const glm::vec2 at(1237.0f * static_cast<float>(i % kAcross) - 700e3f,
+                                   1151.0f * static_cast<float>(i / kAcross) - 650e3f);
+                sum += glm::dvec3(glsl::groundPattern(kind, at, pixelM));
+            }
+            sum /= kAcross * kAcross;
+            for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(1.0).epsilon(0.02));
+        }
+    }
+}
+
+TEST_CASE("All that strays in a lens falls somewhere ahead") {
+    double sum = 0.0;
+    constexpr int kRings = 200000;
+    for (int i = 0; i < kRings; ++i) {
+        const double angle = 0.5 * std::numbers::pi * (i + 0.5) / kRings;
+        sum += 2.0 * std::numbers::pi * std::sin(angle) * (0.5 * std::numbers::pi / kRings) *
+               static_cast<double>(glsl::glareAt(static_cast<float>(angle)));
+    }
+    CHECK(sum == Approx(1.0).epsilon(0.01));
+}
+
 TEST_CASE("Filmic tone mapping rises from 0 to 1 and maps 1 to 0.8038") {
     CHECK(glsl::filmic(glm::vec3(0.0f)).r == 0.0f);
     CHECK(glsl::filmic(glm::vec3(1.0f)).r == Approx(2.54 / 3.16).epsilon(1e-5));
@@ -80,10 +132,10 @@ TEST_CASE("Filmic tone mapping rises from 0 to 1 and maps 1 to 0.8038") {
 }
 
 TEST_CASE("Display values get gain, tone mapping and encoding, and negative light is black") {
-    const glm::vec3 linear = glsl::displayValue(glm::vec3(0.25f, -1.0f, 9.0f), 2.0f, 0);
+    const glm::vec3 linear = glsl::displayValue(glm::vec3(0.5f, -2.0f, 18.0f), 0);
     CHECK(linear.r == Approx(0.735357).epsilon(1e-5));
     CHECK(linear.g == 0.0f);
     CHECK(linear.b == Approx(1.0).epsilon(1e-6));
-    const glm::vec3 video = glsl::displayValue(glm::vec3(0.5f), 2.0f, 1);
+    const glm::vec3 video = glsl::displayValue(glm::vec3(1.0f), 1);
     CHECK(video.r == Approx(glsl::srgbEncode(2.54f / 3.16f)).epsilon(1e-5));
 }

@@ -53,7 +53,7 @@ std::vector<float> onProcessor(glm::vec4 point) {
             glsl::lightStepPrinted(u.x, u.y, 3.0f * u.y, 0.3f, 0.5f),
             glsl::lightStepConsistent(u.x, u.y, 3.0f * u.y, 0.9f, 0.3f, 0.5f),
             glsl::phaseTableIndex(cosTheta, 1024),
-            glsl::displayValue(glm::vec3(4.0f * u.x), 1.5f, 1).g,
+            glsl::displayValue(glm::vec3(6.0f * u.x), 1).g,
             glsl::skyRadiance(cosTheta, glm::vec3(0.1f), glm::vec3(0.5f)).r};
 }
 

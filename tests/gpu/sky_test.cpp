@@ -39,6 +39,80 @@ double meanLightOf(const ImageF& image) {
 
 }  // namespace
 
+TEST_CASE("The sun's disc is seen through air and cloud alike in every engine") {
+    const SpeciesVolume clear = uniformVolume({4, 4, 4}, 500.0, 0.0f);
+    const SpeciesVolume cloud = uniformVolume({4, 4, 4}, 500.0, 5e-6f);
+    Look look = airyLook(35.0f);
+    look.noise = false;
+    CameraPose pose = views()[0].pose;  // towards the sun, through the middle
+    pose.azimuthDeg = look.sunAzimuthDeg - 180.0f;
+    pose.elevationDeg = -look.sunElevationDeg;
+    pose.fovDeg = 1.5f;
+    /// What the disc adds to an image, and the share of the light that passes its middle.
+    const auto discOf = [&](Engine engine, const SpeciesVolume& volume) {
+        render::FrameInputs inputs = seenBy(engine, volume, look, pose, {9, 9});
+        const ImageF with = averageOn(volume, inputs, 1);
+        inputs.look.sunDisc = false;
+        const ImageF without = averageOn(volume, inputs, 1);
+        return glm::dvec2(meanLightOf(with) - meanLightOf(without), 1.0f - without.pixels[40].a);
+    };
+    const double clearDisc = discOf(Engine::slicing, clear).x;
+    const glm::dvec2 behindCloud = discOf(Engine::slicing, cloud);
+    CHECK(behindCloud.y > 0.02);
+    CHECK(behindCloud.y < 0.5);
+    // All of the sun's irradiance, from 1.5 x 1.5 degrees.
+    const double frame = 1.5 * 1.5 * std::pow(std::numbers::pi / 180.0, 2.0);
+    CHECK(clearDisc == doctest::Approx(sunIrradiance(look, 0.0).g / frame).epsilon(0.1));
+    CHECK(behindCloud.x == doctest::Approx(clearDisc * behindCloud.y).epsilon(0.02));
+    for (const Engine engine : {Engine::march, Engine::reference}) {
+        CAPTURE(static_cast<int>(engine));
+        CHECK(discOf(engine, clear).x == doctest::Approx(clearDisc).epsilon(1e-3));
+        CHECK(discOf(engine, cloud).x == doctest::Approx(behindCloud.x).epsilon(0.03));
+    }
+}
+
+TEST_CASE("Glare veils the screen by how much of the disc is seen, in every part of an image") {
+    const SpeciesVolume clear = uniformVolume({4, 4, 4}, 500.0, 0.0f);
+    const SpeciesVolume cloud = uniformVolume({4, 4, 4}, 500.0, 1e-3f);
+    Look look = airyLook(35.0f);
+    look.noise = false;
+    look.toneMap = ToneMap::linear;
+    look.exposureEv = -2.0f;
+    CameraPose pose = views()[0].pose;  // 8 degrees beside the sun
+    pose.azimuthDeg = look.sunAzimuthDeg - 188.0f;
+    pose.elevationDeg = -look.sunElevationDeg;
+    pose.fovDeg = 10.0f;
+    /// Values on the screen, all channels; `part`: of the lower half alone.
+    const auto shown = [&](Engine engine, const SpeciesVolume& volume, float glare, bool part) {
+        look.glare = glare;
+        render::FrameInputs inputs = seenBy(engine, volume, look, pose, {12, 12});
+        if (part) {
+            inputs.part = render::ImagePart{{12, 12}, {0, 0}};
+            inputs.sizePx = {12, 6};
+        }
+        averageOn(volume, inputs, 1);
+        const Image8 image = renderer().readDisplay();
+        std::vector<int> values;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+            for (std::size_t c = 0; c < 3; ++c) values.push_back(image.rgba[i + c]);
+        }
+        return values;
+    };
+    for (const Engine engine : {Engine::march, Engine::slicing, Engine::reference}) {
+        CAPTURE(static_cast<int>(engine));
+        const auto bare = shown(engine, clear, 0.0f, false);
+        const auto veiled = shown(engine, clear, 0.1f, false);
+        for (std::size_t i = 0; i < bare.size(); ++i) CHECK(veiled[i] > bare[i]);
+        const auto lower = shown(engine, clear, 0.1f, true);
+        REQUIRE(lower.size() == veiled.size() / 2);
+        for (std::size_t i = 0; i < lower.size(); ++i) {
+            // Dither is by the pixel of the whole.
+            CHECK(std::abs(lower[i] - veiled[i + lower.size()]) <= 1);
+        }
+        CHECK(shown(engine, cloud, 0.1f, false) == shown(engine, cloud, 0.0f, false));
+    }
+}
+
 TEST_CASE("The sky of every engine is what air sends along each ray") {
     const SpeciesVolume nothing = uniformVolume({4, 4, 4}, 500.0, 0.0f);
     for (const float elevationDeg : {35.0f, 2.0f, -4.0f}) {

@@ -23,13 +23,14 @@ constexpr glm::ivec2 kSizePx{1280, 720};
 // A draft of the workbench on two cores without a GPU: 320 x 180 of 1280 x 720, 96 steps.
 constexpr int kDraftDivisor = 4, kDraftSteps = 96;
 constexpr std::chrono::milliseconds kLookAgain(1);
-constexpr float kScaleStep = 0.8f, kSunStepDeg = 10.0f;
+constexpr float kScaleStep = 0.8f, kSunStepDeg = 10.0f, kSunRisesDeg = 4.0f;
 
-enum class Change { mixingScale, sun, time };
+enum class Change { mixingScale, sunAzimuth, sunElevation, time };
 struct Kind {
     Change change;
     std::string_view id;
     std::vector<double> firstMs{}, fullMs{};
+    std::vector<double> withoutLightMs{};  // the first, less carrying sunlight through the cloud
     // Of full transport: the image drawn as in motion in new light, and how far it was from settled
     // light, relRMSE in percent.
     std::vector<double> lightMs{}, lightErrorPercent{}, settledMs{};
@@ -37,6 +38,15 @@ struct Kind {
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Of carrying sunlight through the cloud.
+double lightMs(const render::FrameStats& stats) {
+    double sum = 0.0;
+    for (const render::PassTime& pass : stats.passes) {
+        if (pass.name == "light" || pass.name == "light to medium") sum += pass.milliseconds;
+    }
+    return sum;
 }
 
 /// What is on the screen, and what changes can be made to it.
@@ -73,14 +83,17 @@ class Screen {
         Kind measured{kind.change, kind.id};
         const auto start = Clock::now();
         make(kind.change);
-        const render::FrameStats first = renderer_.render(draft());
+        render::FrameInputs inputs = draft();
+        inputs.profile = true;
+        const render::FrameStats first = renderer_.render(inputs);
         measured.firstMs.push_back(millisecondsSince(start));
+        measured.withoutLightMs.push_back(measured.firstMs.back() - lightMs(first));
         if (first.light) followLight(measured, start, first.light->settled);
         renderer_.render(full_);
         measured.fullMs.push_back(millisecondsSince(start));
         if (!counts) return;
-        for (const auto times : {&Kind::firstMs, &Kind::fullMs, &Kind::lightMs,
-                                 &Kind::lightErrorPercent, &Kind::settledMs}) {
+        for (const auto times : {&Kind::firstMs, &Kind::withoutLightMs, &Kind::fullMs,
+                                 &Kind::lightMs, &Kind::lightErrorPercent, &Kind::settledMs}) {
             (kind.*times)
                 .insert((kind.*times).end(), (measured.*times).begin(), (measured.*times).end());
         }
@@ -119,8 +132,11 @@ class Screen {
             case Change::mixingScale:
                 scale *= std::exchange(scaleStep_, 1.0f / scaleStep_);
                 break;
-            case Change::sun:
+            case Change::sunAzimuth:
                 look.sunAzimuthDeg += kSunStepDeg;
+                break;
+            case Change::sunElevation:
+                look.sunElevationDeg += std::exchange(riseDeg_, -riseDeg_);
                 break;
             case Change::time:
                 shown_ = 1 - shown_;
@@ -133,12 +149,15 @@ class Screen {
     std::vector<SpeciesVolume> volumes_;
     render::FrameInputs full_;
     std::size_t shown_ = 0;
-    float scaleStep_ = kScaleStep;
+    float scaleStep_ = kScaleStep, riseDeg_ = kSunRisesDeg;
 };
 
 /// A row of the result, and a line for the user.
 Json rowOf(const Kind& kind) {
-    Json row{{"change", kind.id}, {"first", timesOf(kind.firstMs)}, {"full", timesOf(kind.fullMs)}};
+    Json row{{"change", kind.id},
+             {"first", timesOf(kind.firstMs)},
+             {"first_without_light", timesOf(kind.withoutLightMs)},
+             {"full", timesOf(kind.fullMs)}};
     Json error;
     if (!kind.lightMs.empty()) {
         error = medianOf(kind.lightErrorPercent);
@@ -149,8 +168,9 @@ Json rowOf(const Kind& kind) {
     const auto median = [&row](const char* key) {
         return cell(row.contains(key) ? row[key]["median_ms"] : Json());
     };
-    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>8} {:>12} {:>10}\n", kind.id, median("first"),
-               median("in_new_light"), cell(error), median("settled"), median("full"));
+    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>13} {:>8} {:>12} {:>10}\n", kind.id,
+               median("first"), median("first_without_light"), median("in_new_light"), cell(error),
+               median("settled"), median("full"));
     return row;
 }
 
@@ -158,7 +178,9 @@ Json rowOf(const Kind& kind) {
 
 Json measureChanges(const Run& run) {
     Screen screen(run);
-    std::vector<Kind> kinds{{Change::mixingScale, "mixing-scale"}, {Change::sun, "sun-azimuth"}};
+    std::vector<Kind> kinds{{Change::mixingScale, "mixing-scale"},
+                            {Change::sunAzimuth, "sun-azimuth"},
+                            {Change::sunElevation, "sun-elevation"}};
     if (screen.hasTimes()) kinds.push_back({Change::time, "time"});
     for (int round = -1; round < run.request.frames; ++round) {
         for (Kind& kind : kinds) screen.take(kind, round >= 0);
@@ -167,8 +189,8 @@ Json measureChanges(const Run& run) {
     fmt::print(stderr, "\nchanges: first image {} of {} steps, full {}, {} cells, {}\n",
                textOf(draft.sizePx), draft.planes, textOf(screen.full().sizePx),
                textOf(screen.grid().size), traitsOf(screen.full().look.engine).id);
-    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>8} {:>12} {:>10}  (medians, ms)\n", "change",
-               "first", "in new light", "+- %", "settled", "full");
+    fmt::print(stderr, "{:<14} {:>10} {:>13} {:>13} {:>8} {:>12} {:>10}  (medians, ms)\n", "change",
+               "first", "less light", "in new light", "+- %", "settled", "full");
     Json rows = Json::array();
     for (const Kind& kind : kinds) rows.push_back(rowOf(kind));
     return {{"engine", traitsOf(screen.full().look.engine).id},

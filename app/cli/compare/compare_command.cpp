@@ -12,6 +12,7 @@
 #include "app/image_io/exr.h"
 #include "app/image_io/png.h"
 #include "core/look/colours.h"
+#include "core/sky/spectrum.h"
 
 namespace neph {
 namespace {
@@ -26,7 +27,12 @@ std::string textOf(const Metadata& metadata, std::string_view key) {
 ComparedImage readExrImage(const std::string& file, Metadata& metadata) {
     ComparedImage read;
     read.image = readExr(file, &metadata);
-    read.halves = halvesFrom(readExrLayers(file, halfChannels()), read.image.size);
+    std::vector<std::vector<float>> halves = readExrLayers(file, halfChannels());
+    const float scale = imageUnitOfExr(metadata);
+    for (std::vector<float>& channel : halves) {
+        for (float& value : channel) value *= scale;
+    }
+    read.halves = halvesFrom(halves, read.image.size);
     return read;
 }
 
@@ -74,6 +80,16 @@ void warnOfDifferences(const Metadata& a, const Metadata& b) {
     }
 }
 
+/// An image that states no units may have any.
+void warnOfUnits(const CompareRequest& request, const std::vector<Metadata>& texts) {
+    const auto stated = [&](std::size_t i) { return !textOf(texts[i], kRadianceUnitsKey).empty(); };
+    if (stated(0) == stated(1)) return;
+    const std::size_t without = stated(0) ? 1 : 0;
+    fmt::print(stderr, "warning: {} states no {}: 1 is taken to be {:.4g} {}, as in full light\n",
+               request.render.scene.files[without], kRadianceUnitsKey, imageUnitWPerM2Sr(),
+               kRadianceUnits);
+}
+
 void keepImage(const std::filesystem::path& file, const Image8& image) {
     if (file.empty()) return;
     writePng(file, image, {});
@@ -110,6 +126,7 @@ void compareFiles(const CompareRequest& request) {
                           .hint = "leave it out, or compare EXR files"});
     }
     warnOfDifferences(texts[0], texts[1]);
+    warnOfUnits(request, texts);
     const std::vector<Comparison> comparisons = compareAll(request, images);
     if (!request.errorImage.empty()) {
         keepImage(request.errorImage,

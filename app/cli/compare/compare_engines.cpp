@@ -28,10 +28,9 @@ constexpr double kMsPerS = 1000.0;
 Image8 displayOf(const ImageF& linear, const Look& look) {
     Image8 image;
     image.size = linear.size;
-    const float gain = exposureGain(look);
+    const DisplayTones tones = displayTones(look);
     for (const glm::vec4& pixel : linear.pixels) {
-        const glm::vec3 shown =
-            glsl::displayValue(glm::vec3(pixel), gain, static_cast<int>(look.toneMap));
+        const glm::vec3 shown = glsl::displayValue(tones.exposure * glm::vec3(pixel), tones.curve);
         for (int c = 0; c < 3; ++c) {
             image.rgba.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
         }
@@ -98,6 +97,7 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     drawn.renderer = &side_->renderer();
     const ParameterSet values = parametersOf(engine, side_->parameters());
     drawn.inputs.look = withSun(values.look, side_->shown().where);
+    drawn.inputs.look.sunDisc = false;  // it would outshine every error
     drawn.inputs.sampling = values.sampling;
     drawn.inputs.sizePx = sizePx_;
     drawn.inputs.camera = camera_;
@@ -139,8 +139,8 @@ void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const
     }
     std::vector<std::string> names;
     for (const ImageLayer& layer : image.layers) names.push_back(layer.name);
-    writeExr(fileOf(request_, engine.name, ".exr"), sizePx_, metadata, ExrPixels::full, names,
-             [&] { return image; });
+    writeExr(fileOf(request_, engine.name, ".exr"), sizePx_, metadata,
+             {ExrPixels::full, showsRadiance(drawn.inputs.look)}, names, [&] { return image; });
     writePng(fileOf(request_, engine.name, ".png"), displayOf(image.colours, drawn.inputs.look),
              metadata);
 }

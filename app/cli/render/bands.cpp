@@ -56,6 +56,7 @@ void pasteLayers(const render::FrameLayers& known, int x, int widthPx,
                  std::vector<ImageLayer>& band) {
     std::vector<ImageLayer> tile = channelsOf(known);
     for (std::size_t i = 0; i < tile.size(); ++i) {
+        band[i].radiancePower = tile[i].radiancePower;
         std::vector<float>& values = band[i].values;
         values.resize(static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(known.size.y));
         paste(tile[i].values, known.size, x, values, widthPx);
@@ -181,7 +182,7 @@ std::vector<std::string> Bands::layerNames() const {
 
 LayeredImage Bands::nextLayered() {
     LayeredImage band;
-    for (const std::string& name : layerNames()) band.layers.push_back({name, {}});
+    for (const std::string& name : layerNames()) band.layers.push_back({name, {}, 0});
     band.colours = next<ImageF>(layered() ? &band.layers : nullptr);
     return band;
 }

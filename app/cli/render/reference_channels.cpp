@@ -12,9 +12,10 @@ constexpr std::array<const char*, 3> kColours{"R", "G", "B"};
 /// Three channels of a layer, from a function of pixel and channel.
 template <typename Value>
 void addColours(std::vector<ImageLayer>& channels, const std::string& name, std::size_t pixels,
-                const Value& value) {
+                const Value& value, int power = 1) {
     for (std::size_t c = 0; c < kColours.size(); ++c) {
-        ImageLayer& channel = channels.emplace_back(ImageLayer{name + "." + kColours[c], {}});
+        ImageLayer& channel =
+            channels.emplace_back(ImageLayer{name + "." + kColours[c], {}, power});
         channel.values.reserve(pixels);
         for (std::size_t i = 0; i < pixels; ++i) {
             channel.values.push_back(value(i)[static_cast<int>(c)]);
@@ -62,14 +63,14 @@ std::vector<ImageLayer> channelsOf(const render::FrameLayers& layers) {
     const std::size_t pixels = layers.halfA.pixels.size();
     addColours(channels, "A", pixels, [&](std::size_t i) { return layers.halfA.pixels[i]; });
     addColours(channels, "B", pixels, [&](std::size_t i) { return layers.halfB.pixels[i]; });
-    addColours(channels, "variance", pixels,
-               [&](std::size_t i) { return layers.varianceOfMean[i]; });
-    channels.push_back({"transmittance", layers.transmittance});
-    channels.push_back({"depth.first_scatter", layers.firstScatterM});
+    addColours(
+        channels, "variance", pixels, [&](std::size_t i) { return layers.varianceOfMean[i]; }, 2);
+    channels.push_back({"transmittance", layers.transmittance, 0});
+    channels.push_back({"depth.first_scatter", layers.firstScatterM, 0});
     for (int s = 0; s < kSpeciesCount; ++s) {
         std::vector<float> depth = layers.opticalDepth[static_cast<std::size_t>(s)];
         depth.resize(pixels, 0.0f);
-        channels.push_back({depthName(s), std::move(depth)});
+        channels.push_back({depthName(s), std::move(depth), 0});
     }
     return channels;
 }

@@ -257,8 +257,17 @@ void Run::write(const Shot& shot, Bands& bands) {
     } else {
         const auto next = [&] { return bands.nextLayered(); };
         auto ahead = drawAhead(bands, next);
-        writeExr(shot.file, sizePx_, describe(shot, bands), request_.format, bands.layerNames(),
-                 [&] { return inTurn(ahead, next); });
+        bool radiance = true;
+        for (const DrawnSide& side : bands.sides()) radiance &= showsRadiance(side.inputs.look);
+        const std::size_t clipped =
+            writeExr(shot.file, sizePx_, describe(shot, bands), {request_.format, radiance},
+                     bands.layerNames(), [&] { return inTurn(ahead, next); });
+        if (clipped > 0) {
+            fmt::print(stderr,
+                       "note: {}: {} values, as of the sun's disc, are more than half floats hold "
+                       "(65504) and were clipped; --format float keeps them\n",
+                       shot.file.string(), clipped);
+        }
     }
 }
 

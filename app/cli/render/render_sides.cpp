@@ -8,6 +8,7 @@
 
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
+#include "core/look/exposure.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_files.h"
 
@@ -126,6 +127,7 @@ Metadata Side::describe(const CameraPose& pose, const std::string& work) const {
                                pose.azimuthDeg, pose.elevationDeg, pose.fovDeg)},
         {"look", formatPreset(Preset{name, "", parameters().look, pose})},
         {"sun", sunText(sunStateOf(parameters().look, shown_.where))},
+        {"exposure", fmt::format("EV100 {:.2f}", exposureValue(drawnLook()))},
         {"sampling", formatAssignments(samplingTable(), parameters())},
         {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,
                              time.file.filename().string(), shown_.timeLabel, info().reader)},

@@ -12,7 +12,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 31 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 32 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -52,12 +52,17 @@ void fillLight(FrameBlock& block, const Look& look, const SlicePlan& plan) {
 void fillAtmosphere(FrameBlock& block, const Look& look, double eyeAltitudeM,
                     const SkyTextures& sky) {
     const auto altitudeM = static_cast<float>(eyeAltitudeM);
-    const vec4 sun(vec3(look.sunIntensity), 0.0f);
-    block.sky = {1.0f, glsl::horizonSine(altitudeM), glsl::bendPerM(altitudeM), look.sunIntensity};
+    const float intensity = shownIntensity(look);
+    const vec4 sun(vec3(intensity), 0.0f);
+    block.sky = {1.0f, glsl::horizonSine(altitudeM), glsl::bendPerM(altitudeM), intensity};
     block.sunRadiance = block.skyZenith = block.skyHorizon = sun;
+    block.skyZenith.w = static_cast<float>(look.groundSurface);
+    block.sunRadiance.w = look.sunDisc ? 1.0f : 0.0f;
+    const bool moon = showsMoon(look);
+    block.moon = v4(moon ? sunOfMoonWorld(look) : dvec3(0.0), moon ? 1.0 : 0.0);
     // Full light, an irradiance of 4 pi, makes a radiance of 1.
     const vec3 onGround(sky.tables().skyOnGround);
-    block.ambient = vec4(4.0f * look.skylight * look.sunIntensity * onGround, 0.0f);
+    block.ambient = vec4(4.0f * look.skylight * intensity * onGround, 0.0f);
 }
 
 void fillGradient(FrameBlock& block, const Look& look) {
@@ -83,7 +88,7 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
         fillGradient(block, inputs.look);
     }
     const float visible = inputs.look.groundVisible ? 1.0f : 0.0f;
-    block.ground = vec4(inputs.look.groundColour, visible);
+    block.ground = vec4(shownGroundColour(inputs.look), visible);
     block.boxLowerM = v4(bricks.occupied.lowerM);
     block.boxUpperM = v4(bricks.occupied.upperM);
     block.gridExtentM = v4(grid.extentM());

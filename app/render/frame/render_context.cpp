@@ -15,6 +15,14 @@ void prepareClasses(const Look& look, RenderContext& context) {
     });
 }
 
+void measureSunShown(const FrameInputs& inputs, const std::vector<std::string>& defines,
+                     const RenderContext& context) {
+    if (!context.sky.hasAir() || !inputs.look.sunDisc) return;
+    context.sunShown.bindImage(kSunShownImage, GL_WRITE_ONLY);
+    context.programs.get("medium/sun_shown.comp", defines).dispatch({1, 1, 1});
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
 const gl::Texture* filteredNoise(const MediumPlan& plan, RenderContext& context) {
     return isNoisy(plan) ? &context.noise.filtered(context.programs, context.timer) : nullptr;
 }

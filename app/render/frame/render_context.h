@@ -20,7 +20,8 @@ struct RenderContext {
     const VolumeTextures& volume;
     HeldMedium& medium;
     NoiseTextures& noise;
-    const SkyTextures& sky;  ///< of the frame, bound
+    const SkyTextures& sky;       ///< of the frame, bound
+    const gl::Texture& sunShown;  ///< R32F, 1 x 1: share of the sun's disc that the eye sees
     gl::ProgramCache& programs;
     gl::PassTimer& timer;
     const Progress& progress;            ///< to be asked every few milliseconds
@@ -30,6 +31,11 @@ struct RenderContext {
     /// be empty.
     const std::function<void()>& wake;
 };
+
+/// Fills in `context.sunShown` for an eye and a medium that are bound; `defines`: of the latter,
+/// for medium/sun_shown.comp. Where the look shows no disc there is nothing to do.
+void measureSunShown(const FrameInputs& inputs, const std::vector<std::string>& defines,
+                     const RenderContext& context);
 
 /// Has the medium be MediumTextures as the look asks for, with the noise that they need: for
 /// engines that read one extinction per optical class.

@@ -12,6 +12,8 @@
 #include "app/ui/widgets/parameter_widget.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/words.h"
+#include "core/look/exposure.h"
+#include "core/look/sun.h"
 
 namespace neph::ui {
 namespace {
@@ -52,6 +54,14 @@ void drawFound(Session& session, const FieldsState& state) {
     ImGui::Separator();
 }
 
+/// What the camera of such a photograph would be set to.
+void drawExposure(const Session& session) {
+    const Look look = withSun(session.document.look, session.where());
+    if (look.toneMap == ToneMap::reflectance) return;
+    ImGui::TextDisabled("EV100 %.1f", exposureValue(look));
+    place("view.ev100_text");
+}
+
 }  // namespace
 
 void drawFind(const PanelContext& context, FieldsState& state) {
@@ -82,6 +92,7 @@ void drawGroups(const PanelContext& context) {
             if (open && row.id == "sun.source") drawSunTools(context);
         }
         if (open) parameterWidget(row, session.document, session.presetLook);
+        if (open && row.id == "view.exposure") drawExposure(session);
     }
 }
 

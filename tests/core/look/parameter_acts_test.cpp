@@ -53,6 +53,8 @@ TEST_CASE("What is no parameter of a phase function acts with the engines that i
                              row.id.find(".phase_display") == std::string::npos;
         const std::set<std::string> ofDate{"sun.latitude", "sun.longitude", "sun.day", "sun.hour"};
         look.sunSource = ofDate.contains(row.id) ? SunSource::date : SunSource::angles;
+        const bool ofMoon = row.id.starts_with("sun.moon_");
+        look.sunBody = ofMoon ? LightBody::moon : LightBody::sun;
         CAPTURE(row.id);
         for (const Engine engine : {Engine::march, Engine::slicing, Engine::reference}) {
             look.engine = engine;

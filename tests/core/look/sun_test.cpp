@@ -176,3 +176,25 @@ TEST_CASE("At night by date a gradient has no sun, and an atmosphere keeps it be
     look.sunHour = 12.0f;
     CHECK(withSun(look, {}).sunIntensity == look.sunIntensity);
 }
+
+TEST_CASE("By a date the moon stands where it is, lit as it is, and is fainter") {
+    Look look;
+    look.skyModel = SkyModel::atmosphere;
+    look.sunBody = LightBody::moon;
+    look.sunSource = SunSource::date;
+    Whereabouts where;
+    where.utc = utcOfText("2024-05-16T02:00:00Z");  // a day after the first quarter
+    const SunState state = sunStateOf(look, where);
+    CHECK(state.moon);
+    CHECK(state.moonPhaseDeg == doctest::Approx(84.0).epsilon(0.06));
+    CHECK(sunText(state).find("moon, phase angle 8") != std::string::npos);
+    const Look drawn = withSun(look, where);
+    CHECK(drawn.sunAzimuthDeg == state.azimuthDeg);
+    CHECK(shownIntensity(drawn) < 4e-7f);
+    // The sun that lights it is at the phase angle from the way back to the eye.
+    const double cosine = glm::dot(sunOfMoonWorld(drawn), -sunDirWorld(drawn));
+    CHECK(glm::degrees(std::acos(cosine)) ==
+          doctest::Approx(static_cast<double>(state.moonPhaseDeg)).epsilon(1e-3));
+    look.skyModel = SkyModel::gradient;
+    CHECK_FALSE(sunStateOf(look, where).moon);
+}

@@ -36,6 +36,6 @@ void main() {
     outputs[at + 7] = lightStepPrinted(u.x, u.y, 3.0 * u.y, 0.3, 0.5);
     outputs[at + 8] = lightStepConsistent(u.x, u.y, 3.0 * u.y, 0.9, 0.3, 0.5);
     outputs[at + 9] = phaseTableIndex(cosTheta, 1024);
-    outputs[at + 10] = displayValue(vec3(4.0 * u.x), 1.5, 1).g;
+    outputs[at + 10] = displayValue(vec3(6.0 * u.x), 1).g;
     outputs[at + 11] = skyRadiance(cosTheta, vec3(0.1), vec3(0.5)).r;
 }

@@ -184,7 +184,7 @@ void DiffuseLight::fill(FrameBlock& block, const Look& look,
     setMap(shownGrid_, block.sourcePerM, block.sourceOffset);
     glm::dvec3 far = farLight(LightPart::horizon) * glm::dvec3(block.skyHorizon) +
                      farLight(LightPart::zenith) * glm::dvec3(block.skyZenith);
-    if (sky.hasAir()) far = sky.tables().skyOnGround * static_cast<double>(look.sunIntensity);
+    if (sky.hasAir()) far = sky.tables().skyOnGround * static_cast<double>(shownIntensity(look));
     block.farGround = glm::vec4(look.groundVisible ? far : glm::dvec3(0.0), 0.0);
     for (std::size_t i = 0; i < classes.size(); ++i) {
         block.classes[i].forward = forwardOf(lightClassOf(classes[i]));

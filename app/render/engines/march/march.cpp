@@ -206,6 +206,7 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
     phases_.update(shownLook(inputs.look), medium.plan);
     bind(frame, medium, context, {0, lastLayer_});
+    if (frame.sample == 0) measureSunShown(inputs, defines(inputs.look, medium), context);
     if (full_) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {

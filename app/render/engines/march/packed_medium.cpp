@@ -23,6 +23,7 @@ namespace {
 constexpr double kInvisibleDepth = 2e-3;
 
 static_assert(kSpeciesCount <= 2 * kClassesBesideSkylight, "two mixture textures hold all classes");
+static_assert(kMarchExtinctionUnit == kMedium0Unit, "medium/sun_shown.comp reads it there");
 
 void makeTextures(const VolumeTextures& volume, bool needsSecond, PackedMedium& out) {
     const glm::ivec3 cells = (volume.grid.size + 1) / 2;

@@ -60,6 +60,22 @@ FrameBlock blockOf(const FrameInputs& inputs, const RegularGrid& grid, const Med
     return block;
 }
 
+float depthStepM(const RegularGrid& grid) {
+    const glm::dvec3 voxelM = grid.spacingM;
+    return static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z}));
+}
+
+void addSunDisc(const FrameRequest& frame, const MediumTextures& medium,
+                const RenderContext& context) {
+    if (!context.sky.hasAir() || !frame.inputs.look.sunDisc) return;
+    const gl::Program& program =
+        context.programs.get("reference/sun_disc.comp", mediumDefines(medium));
+    program.setFloat(kSunDiscStepLocation, depthStepM(context.volume.grid));
+    frame.linear.bindImage(kSunDiscImage, GL_READ_WRITE);
+    program.dispatch({frame.inputs.sizePx, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
 }  // namespace
 
 void ReferenceEngine::prepare(const Look& look, RenderContext& context) {
@@ -87,6 +103,8 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }
     tracer_.pass(medium, paths_, noise, context.programs, frame.linear, context.progress);
+    addSunDisc(frame, medium, context);  // reads what the paths read
+    if (frame.sample == 0) measureSunShown(inputs, mediumDefines(medium), context);
 }
 
 void ReferenceEngine::describe(const FrameInputs&, RenderContext& context) {
@@ -138,10 +156,7 @@ std::optional<FrameLayers> ReferenceEngine::layers(const FrameInputs& inputs,
     }
     if (const gl::Texture* noise = filteredNoise(medium.plan, context))
         noise->bind(kBesideHeldUnit);
-    const glm::dvec3 voxelM = volume.grid.spacingM;
-    program.setFloat(
-        kDepthsStepLocation,
-        static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z})));
+    program.setFloat(kDepthsStepLocation, depthStepM(volume.grid));
     program.dispatch({size, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glGetNamedBufferSubData(depths.name(), 0,

@@ -120,10 +120,11 @@ void SlicingEngine::render(const FrameRequest& frame, RenderContext& context) {
         block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     };
     upload(0, 0);
+    const auto names = defines(inputs.look, medium);
+    measureSunShown(inputs, names, context);
     const glm::vec4 nothingYet{0.0f, 0.0f, 0.0f, 1.0f};
     glClearTexImage(eye_.name(), 0, GL_RGBA, GL_FLOAT, &nothingYet);
 
-    const auto names = defines(inputs.look, medium);
     // Of several batches only the last is held.
     const bool keepLight = frame.from > Stage::light && plan_.count <= batch_;
     context.stats.marchedLight = frame.from <= Stage::light;
