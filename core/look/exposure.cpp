@@ -34,20 +34,6 @@ double luminanceOf(const Spectrum& share) {
     return glm::dot(rgbOfSunlight(share), glm::dvec3(glsl::kLuminance));
 }
 
-/// Irradiance of the sky on a level surface over 4 pi, by rays of equal shares of it.
-double skyOf(const Atmosphere& air, double altitudeM, double sunUp) {
-    constexpr int kRings = 4, kAzimuths = 6;
-    Spectrum sum;
-    for (int i = 0; i < kRings; ++i) {
-        for (int j = 0; j < kAzimuths; ++j) {
-            const double up = std::sqrt((i + 0.5) / kRings);
-            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuths;
-            sum += air.along({altitudeM, up, azimuth, sunUp}).radiance;
-        }
-    }
-    return std::numbers::pi / (kRings * kAzimuths) * luminanceOf(sum);
-}
-
 }  // namespace
 
 std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look) {
@@ -62,13 +48,27 @@ std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look) {
     return kept.emplace_back(std::make_shared<const Atmosphere>(spec));
 }
 
+/// By rays of equal shares of it.
+Spectrum skyOnLevel(const Atmosphere& air, double altitudeM, double sunUp) {
+    constexpr int kRings = 4, kAzimuths = 6;
+    Spectrum sum;
+    for (int i = 0; i < kRings; ++i) {
+        for (int j = 0; j < kAzimuths; ++j) {
+            const double up = std::sqrt((i + 0.5) / kRings);
+            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuths;
+            sum += air.along({altitudeM, up, azimuth, sunUp}).radiance;
+        }
+    }
+    return static_cast<float>(std::numbers::pi / (kRings * kAzimuths)) * sum;
+}
+
 double meteredLight(const Look& look) {
     const auto air = atmosphereOf(look);
     const double sunUp = sunDirWorld(look).z;
     double most = 0.0;
     for (const double altitudeM : kMeterAltitudesM) {
-        const double light =
-            luminanceOf(air->sunlight(altitudeM, sunUp)) + skyOf(*air, altitudeM, sunUp);
+        const double light = luminanceOf(air->sunlight(altitudeM, sunUp)) +
+                             luminanceOf(skyOnLevel(*air, altitudeM, sunUp));
         most = std::max(most, light);
     }
     return most;
