@@ -165,17 +165,19 @@ glm::vec2 besidePath(const SunChart& chart, glm::vec2 at, glm::vec2 next) {
     return turned ? -normal : normal;
 }
 
-/// Every hour a dot, every third its number, where the sun is up.
+/// Every hour a dot, every third its number where there is room, else every sixth; where the sun is
+/// up.
 void Overlay::hours(const SunChart& chart, const std::vector<SunPathPoint>& path) const {
     constexpr float kSmall = 0.78f;  // of the usual letters
+    const int numbered = chart.radius > 3.3f * em_ ? 3 : 6;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const SunPathPoint& point = path[i];
         const int hour = static_cast<int>(point.hour);
         if (point.hour != hour || point.elevationDeg < 0.0) continue;
         const glm::vec2 at = chart.at({point.azimuthDeg, point.elevationDeg});
-        const bool third = hour % 3 == 0;
-        list_->AddCircleFilled({at.x, at.y}, (third ? 0.17f : 0.11f) * em_, kSun);
-        if (!third) continue;
+        const bool hasNumber = hour % numbered == 0;
+        list_->AddCircleFilled({at.x, at.y}, (hasNumber ? 0.17f : 0.11f) * em_, kSun);
+        if (!hasNumber) continue;
         const glm::vec2 next = chart.at({path[i + 1].azimuthDeg, path[i + 1].elevationDeg});
         const std::string label = fmt::format("{:02}Z", hour);
         const glm::vec2 where =

@@ -9,6 +9,7 @@
 
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/camera/sun_chart.h"
+#include "app/ui/widgets/places.h"
 #include "core/look/sun.h"
 #include "core/sky/air_columns.h"
 
@@ -50,6 +51,15 @@ std::optional<glm::vec2> placeOfHandle(const PanelContext& context, SunHandle ha
     if (handle == SunHandle::disc) return sunInImage(context);
     if (handle == SunHandle::rose && context.settings.compass) return sunOnRose(context);
     return {};
+}
+
+void namePlaces(const PanelContext& context) {
+    const auto name = [&](const char* as, SunHandle handle) {
+        const auto at = placeOfHandle(context, handle);
+        if (at) place(as, {*at - sunReach(), *at + sunReach()});
+    };
+    name("sun.rose", SunHandle::rose);
+    name("sun.disc", SunHandle::disc);
 }
 
 /// The rose lies over the image.
@@ -164,6 +174,7 @@ void dragSun(const PanelContext& context, SunDrag& drag, bool may) {
         drag.held = SunHandle::none;
         drag.given = false;
     }
+    namePlaces(context);
     drag.hovered = SunHandle::none;
     if (!drag.given && may) take(context, drag);
     if (drag.held == SunHandle::none) {

@@ -27,8 +27,8 @@ struct SunDrag {
     SunHandle lit() const { return held == SunHandle::none ? hovered : held; }
 };
 
-/// Once per frame, before the camera moves. What the button holds is not the camera's. `may`: it
-/// can be taken, because the mouse does nothing else.
+/// Once per frame, before the camera moves; names their places sun.rose and sun.disc. What the
+/// button holds is not the camera's. `may`: it can be taken, because the mouse does nothing else.
 void dragSun(const PanelContext& context, SunDrag& drag, bool may);
 
 /// Where the middle of the sun's disc is in the image, pixels of ImGui; none where it is beside the

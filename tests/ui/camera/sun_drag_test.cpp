@@ -218,7 +218,7 @@ TEST_CASE("On the rose a sun by angles goes anywhere, one by date along the hour
         {static_cast<double>(then.azimuthDeg), static_cast<double>(then.elevationDeg) + 1.0}));
     f.press(false);
     CHECK(f.look().sunSource == SunSource::date);
-    CHECK(f.look().sunHour == doctest::Approx(16.0f).epsilon(0.01));
+    CHECK(f.look().sunHour == doctest::Approx(16.0).epsilon(0.01));
     CHECK(f.look().sunDay == 141);
     CHECK(f.session.messages.empty());
     f.state.settings.compass = false;
