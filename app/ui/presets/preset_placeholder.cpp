@@ -27,6 +27,12 @@ double horizonNdc(const Camera& camera, double horizonUp) {
     return (lower + upper) / 2.0;
 }
 
+/// Index of a corner of a mesh.
+std::size_t cornerOf(int column, int row) {
+    constexpr std::size_t kCorners = PresetPlaceholder::kColumns + 1;
+    return static_cast<std::size_t>(row) * kCorners + static_cast<std::size_t>(column);
+}
+
 /// Colours between two heights of the image, from the top.
 template <typename Mesh>
 Mesh meshOf(const Camera& camera, double top, double bottom, auto colourOf) {
@@ -37,7 +43,7 @@ Mesh meshOf(const Camera& camera, double top, double bottom, auto colourOf) {
         for (int i = 0; i <= kAcross; ++i) {
             const glm::dvec2 ndc{2.0 * i / kAcross - 1.0,
                                  std::lerp(top, bottom, static_cast<double>(j) / kRows)};
-            mesh[static_cast<std::size_t>(j * (kAcross + 1) + i)] = colourOf(camera.rayDir(ndc));
+            mesh[cornerOf(i, j)] = colourOf(camera.rayDir(ndc));
         }
     }
     return mesh;
@@ -56,9 +62,7 @@ void drawMesh(const Mesh& mesh, glm::vec2 lower, glm::vec2 upper) {
     const auto at = [&](int i, int j) {
         return glm::mix(lower, upper, glm::vec2(i, j) / glm::vec2(kAcross, kRows));
     };
-    const auto colour = [&](int i, int j) {
-        return packed(mesh[static_cast<std::size_t>(j * (kAcross + 1) + i)]);
-    };
+    const auto colour = [&](int i, int j) { return packed(mesh[cornerOf(i, j)]); };
     for (int j = 0; j < kRows; ++j) {
         for (int i = 0; i < kAcross; ++i) {
             const glm::vec2 a = at(i, j), b = at(i + 1, j + 1);
