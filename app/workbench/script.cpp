@@ -33,6 +33,7 @@ constexpr std::array kGrammar{
     Grammar{"right", ScriptCommand::rightClick, 1, 1},
     Grammar{"double", ScriptCommand::doubleClick, 1, 1},
     Grammar{"drag", ScriptCommand::drag, 3, 3},
+    Grammar{"pull", ScriptCommand::pull, 3, 3},
     Grammar{"orbit", ScriptCommand::orbit, 2, 2},
     Grammar{"wheel", ScriptCommand::wheel, 2, 2},
     Grammar{"open", ScriptCommand::open, 1, kAny},

@@ -14,6 +14,7 @@
 //   move PLACE               the mouse
 //   click|right|double PLACE
 //   drag PLACE X0 X1         along its width, in shares of it
+//   pull PLACE DX DY         left drag from a place, in shares of the window
 //   orbit DX DY              left drag on the image, in shares of the window
 //   wheel PLACE NOTCHES
 //   open FILE...             as dropped on the window
@@ -44,6 +45,7 @@ enum class ScriptCommand {
     rightClick,
     doubleClick,
     drag,
+    pull,
     orbit,
     wheel,
     open,

@@ -88,12 +88,14 @@ bool ScriptPlayer::playMouse(const ScriptWorld& world) {
         if (beat_ == 0) from_ = imageCentre(world);
         return glide(from_, from_ + glm::vec2(number(0), number(1)) * world.windowPx);
     }
-    if (command == ScriptCommand::drag) {
+    const bool pulls = command == ScriptCommand::pull;
+    if (command == ScriptCommand::drag || pulls) {
         if (beat_ > 0) return glide(from_, to_);
-        const auto from = find(world, {number(1), 0.5f});
+        const auto from = find(world, {pulls ? 0.5f : number(1), 0.5f});
         if (!from) return false;
         from_ = *from;
-        to_ = find(world, {number(2), 0.5f}).value_or(from_);
+        to_ = pulls ? from_ + glm::vec2(number(1), number(2)) * world.windowPx
+                    : find(world, {number(2), 0.5f}).value_or(from_);
         return glide(from_, to_);
     }
     const std::optional<glm::vec2> at = beat_ > 0 ? input_.mouse : find(world, {0.5f, 0.5f});
@@ -202,6 +204,7 @@ bool ScriptPlayer::play(const ScriptWorld& world) {
         case ScriptCommand::rightClick:
         case ScriptCommand::doubleClick:
         case ScriptCommand::drag:
+        case ScriptCommand::pull:
         case ScriptCommand::orbit:
         case ScriptCommand::wheel:
             return playMouse(world);

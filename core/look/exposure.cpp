@@ -70,20 +70,6 @@ double reflectanceGain(const Look& look) {
     return 1.0 / (4.0 * std::max(static_cast<double>(shownIntensity(look)), 1e-12) * sine);
 }
 
-/// Irradiance of the sky on a level surface over 4 pi, by rays of equal shares of it.
-dvec3 skyOf(const Atmosphere& air, double altitudeM, double sunUp) {
-    constexpr int kRings = 4, kAzimuths = 6;
-    Spectrum sum;
-    for (int i = 0; i < kRings; ++i) {
-        for (int j = 0; j < kAzimuths; ++j) {
-            const double up = std::sqrt((i + 0.5) / kRings);
-            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuths;
-            sum += air.along({altitudeM, up, azimuth, sunUp}).radiance;
-        }
-    }
-    return std::numbers::pi / (kRings * kAzimuths) * rgbOfSunlight(sum);
-}
-
 }  // namespace
 
 std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look) {
@@ -96,6 +82,20 @@ std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look) {
     }
     if (kept.size() >= kMostKept) kept.erase(kept.begin());
     return kept.emplace_back(std::make_shared<const Atmosphere>(spec));
+}
+
+/// By rays of equal shares of it.
+Spectrum skyOnLevel(const Atmosphere& air, double altitudeM, double sunUp) {
+    constexpr int kRings = 4, kAzimuths = 6;
+    Spectrum sum;
+    for (int i = 0; i < kRings; ++i) {
+        for (int j = 0; j < kAzimuths; ++j) {
+            const double up = std::sqrt((i + 0.5) / kRings);
+            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuths;
+            sum += air.along({altitudeM, up, azimuth, sunUp}).radiance;
+        }
+    }
+    return static_cast<float>(std::numbers::pi / (kRings * kAzimuths)) * sum;
 }
 
 dvec3 meteredColour(const Look& look) {
@@ -111,7 +111,7 @@ dvec3 meteredColour(const Look& look) {
     dvec3 most(0.0);
     for (const double altitudeM : kMeterAltitudesM) {
         const dvec3 light =
-            rgbOfSunlight(air->sunlight(altitudeM, sunUp)) + skyOf(*air, altitudeM, sunUp);
+            rgbOfSunlight(air->sunlight(altitudeM, sunUp) + skyOnLevel(*air, altitudeM, sunUp));
         if (luminanceOf(light) > luminanceOf(most)) most = light;
     }
     last = {air->spec(), sunUp, most};

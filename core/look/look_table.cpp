@@ -304,7 +304,7 @@ void addView(std::vector<Parameter>& table) {
     planes.engines = enginesWith(&EngineTraits::fineness, Fineness::planes);
     planes.alias = {"--planes", "N", "Slices, slicing; instead of view.planes"};
     rows.number("exposure", "Exposure", "EV", &Look::exposureEv, {-10.0, 10.0}, Stage::resolve,
-                "More or less than it is by the rows below, in stops.");
+                "More or less than it is by the rows below, in stops: 2^EV.");
     rows.toggle("auto_exposure", "Exposure follows the light", &Look::autoExposure, Stage::resolve,
                 "As a meter held at the cloud shows it: more exposure when the sun is low, "
                 "whatever the camera looks at.")

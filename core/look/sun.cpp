@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
+#include <ratio>
 
 #include "core/grid/grid.h"
+#include "core/look/parameter.h"
 #include "core/sky/lunar_position.h"
 #include "core/sky/solar_position.h"
 
@@ -27,6 +31,12 @@ void setAngles(Look& look, float azimuthDeg, float elevationDeg) {
     look.sunSource = SunSource::angles;
     look.sunAzimuthDeg = azimuthDeg;
     look.sunElevationDeg = elevationDeg;
+}
+
+/// Midnight, UTC, before the time of a sun by date.
+UtcTime dayOf(const Look& look, const Whereabouts& where) {
+    if (where.utc) return std::chrono::floor<std::chrono::days>(*where.utc);
+    return utcOf({.year = kLookYear, .day = look.sunDay, .hour = 0.0});
 }
 
 }  // namespace
@@ -121,6 +131,29 @@ glm::dvec3 sunDirWorld(const Look& look) {
         elevationDeg = elevationDeg < 0.0f ? -kLowestPeriodicSunDeg : kLowestPeriodicSunDeg;
     }
     return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
+}
+
+std::vector<SunPathPoint> sunPathOf(const Look& look, const Whereabouts& where) {
+    if (look.sunSource == SunSource::angles && !(where.place && where.utc)) return {};
+    constexpr int kPerHour = 4, kSteps = 24 * kPerHour;
+    Look dated = look;
+    dated.sunSource = SunSource::date;
+    Whereabouts then = where;
+    std::vector<SunPathPoint> path;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double hour = static_cast<double>(i) / kPerHour;
+        then.utc = dayOf(look, where) + std::chrono::duration<double, std::ratio<3600>>(hour);
+        const SunState sun = sunStateOf(dated, then);
+        path.push_back(
+            {hour, static_cast<double>(sun.azimuthDeg), static_cast<double>(sun.elevationDeg)});
+    }
+    return path;
+}
+
+void setSunAngles(Look& look, double azimuthDeg, double elevationDeg) {
+    const ParameterRange& range = parameter("sun.elevation").range;
+    setAngles(look, azimuthFrom(azimuthDeg),
+              static_cast<float>(std::clamp(elevationDeg, range.lo, range.hi)));
 }
 
 void setGoldenHour(Look& look, const Whereabouts& where) {

@@ -5,6 +5,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "core/base/utc_time.h"
 #include "core/geo/map_grid.h"
@@ -50,6 +51,20 @@ glm::dvec3 sunOfMoonWorld(const Look& look);
 
 /// Unit vector towards the sun in world space, of a look whose sun stands by angles.
 glm::dvec3 sunDirWorld(const Look& look);
+
+/// Where the sun stands at an hour of the day, UTC.
+struct SunPathPoint {
+    double hour = 0.0;  ///< 0 to 24
+    double azimuthDeg = 0.0, elevationDeg = 0.0;
+};
+
+/// The sun's path over `where` on the day of the look or of the data, every quarter of an hour from
+/// 0 to 24 UTC. Empty where place or date is not known: of a sun by angles over data that lack one.
+std::vector<SunPathPoint> sunPathOf(const Look& look, const Whereabouts& where);
+
+/// The sun by angles from then on: any azimuth, and the nearest elevation that `sun.elevation`
+/// takes.
+void setSunAngles(Look& look, double azimuthDeg, double elevationDeg);
 
 /// The sun at 6 degrees, in the azimuth in which it is: from then on by angles.
 void setGoldenHour(Look& look, const Whereabouts& where);

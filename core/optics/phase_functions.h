@@ -19,10 +19,14 @@ struct PhaseParameter {
     float typical = 0.0f;
 };
 
+/// What a phase function describes: a formula of any particle, or particles of one kind.
+enum class Scatterer { any, droplets, crystals };
+
 struct PhaseFunction {
     std::string_view id;     ///< spelling in JSON and `--set`
     std::string_view label;  ///< on the screen
     std::string_view help;   ///< one line, with the key of its source in docs/references.md
+    Scatterer scatterer = Scatterer::any;
     std::array<PhaseParameter, 3> parameters;  ///< those that it reads come first
     /// P at 650, 550 and 450 nm, 1/sr.
     glm::vec3 (*value)(const PhaseSpec& spec, float cosTheta);

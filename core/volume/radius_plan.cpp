@@ -163,6 +163,12 @@ RadiusPlan planAt(const RadiusPlan& plan, const DatasetInfo& there, std::string_
     return now;
 }
 
+bool statesSize(const DatasetInfo& info, Species species) {
+    std::vector<std::string> notes;
+    const RadiusRule rule = planRule(info, species, RadiusSource::file, notes);
+    return rule.source != RadiusSource::scheme || !schemeLacks(info, rule, species);
+}
+
 RadiusGaps& RadiusGaps::operator+=(const RadiusGaps& other) {
     cells += other.cells;
     gaps += other.gaps;

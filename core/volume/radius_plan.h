@@ -47,6 +47,9 @@ RadiusPlan planRadii(const Look& look, const DatasetInfo& info);
 /// notes of what stands in begin with `timeLabel`.
 RadiusPlan planAt(const RadiusPlan& plan, const DatasetInfo& there, std::string_view timeLabel);
 
+/// Whether the data say how large the particles of a species are: by radius, number or scheme.
+bool statesSize(const DatasetInfo& info, Species species);
+
 /// The variables that the rule of a species names, on native cells; empty if it names none.
 struct RadiusCells {
     std::span<const float> radiusM, numberPerM3, temperatureK;

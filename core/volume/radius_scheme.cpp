@@ -14,10 +14,6 @@ namespace {
 /// Mass of Thompson's snow is this times the squared diameter, kg/m². [Thompson08]
 constexpr double kThompsonSnowKgPerM2 = 0.069;
 
-/// Limits of the radii that the schemes of WRF pass to its radiation code.
-struct RadiusBounds {
-    double lowerM, upperM;
-};
 constexpr RadiusBounds kCloudBounds{2.51e-6, 50e-6};
 constexpr RadiusBounds kIceBounds{5.01e-6, 125e-6};
 constexpr RadiusBounds kSnowBounds{10.01e-6, 999e-6};
@@ -201,6 +197,12 @@ ParticleSize sizeFromFile(Microphysics scheme, Species species, double radiusM) 
         return {radiusM, 3.0 * kThompsonSnowKgPerM2 / (std::numbers::pi * radiusM)};
     }
     return {radiusM, densityOf(scheme, species)};
+}
+
+RadiusBounds radiationBounds(Species species) {
+    if (species == Species::cloud) return kCloudBounds;
+    if (species == Species::ice) return kIceBounds;
+    return species == Species::snow ? kSnowBounds : RadiusBounds{};
 }
 
 bool isBackgroundRadius(Species species, double radiusM) {

@@ -5,6 +5,8 @@
 // passes its radiation code a radius that does not follow from its own size distribution, geometric
 // optics use the one that follows, and the optics of the radiation code use the one passed.
 #pragma once
+#include <limits>
+
 #include "core/dataset/dataset.h"
 #include "core/grid/species.h"
 #include "core/look/look.h"
@@ -39,6 +41,13 @@ ParticleSize sizeFromScheme(Microphysics scheme, Species species, RadiationOptic
 /// Size from the number of particles, which must be above 0, with the shape of distribution of the
 /// scheme: gamma for droplets, exponential for the rest.
 ParticleSize sizeFromNumber(Microphysics scheme, Species species, const CellState& cell);
+
+/// Limits of the radii that the schemes of WRF pass to its radiation code.
+struct RadiusBounds {
+    double lowerM = 0.0, upperM = std::numeric_limits<double>::infinity();
+};
+/// Of droplets, ice and snow; none of the others.
+RadiusBounds radiationBounds(Species species);
 
 /// A radius from the file, with the density that belongs to it.
 ParticleSize sizeFromFile(Microphysics scheme, Species species, double radiusM);

@@ -52,7 +52,7 @@ vec3 groundBehind(Ray ray, float groundM, int lastLayer) {
 vec3 backdrop(Ray ray, int lastLayer, float discShown) {
     if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
-    if (hasAir() && u_.ground.w > 0.5 && altitudeM(u_.eyeM.xyz) > 0.0) {
+    if (hasAir() && u_.ground.w > 0.5) {
         float above = pixelsAboveHorizon(ray.dir);
         if (abs(above) < 0.5) {  // the pixel has some of both
             Ray lower = Ray(ray.originM, besideHorizon(ray.dir, -1.0));

@@ -35,7 +35,7 @@ Ray rayOf(Path p) {
 
 /// A pixel at the horizon has some of both, as in backdrop.glsl.
 void takeSideOfHorizon(inout Path p) {
-    if (!hasAir() || u_.ground.w < 0.5 || altitudeM(u_.eyeM.xyz) <= 0.0) return;
+    if (!hasAir() || u_.ground.w < 0.5) return;
     float above = pixelsAboveHorizon(p.axis);
     if (abs(above) >= 0.5) return;
     p.axis = besideHorizon(p.axis, draw(p).x < above + 0.5 ? 1.0 : -1.0);

@@ -189,6 +189,28 @@ TEST_CASE("A sun by date is drawn as the same sun by angles, and the image says 
     CHECK(readPng(dated).rgba != readPng(angles).rgba);
 }
 
+TEST_CASE("An image says whether it is to scale, on the terminal and in its file") {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.png";
+    WrfSpec spec;
+    spec.fields["QCLOUD"] = [](int x, int y, int, int) { return x == 1 && y == 1 ? 1e-3f : 0.0f; };
+    writeWrf(folder / "data", spec);
+    const auto rendered = [&](const std::string& sets) {
+        const Outcome outcome =
+            runProgram("render '" + (folder / "data").string() + "' --preset cumulus" + kQuick +
+                       "--set cloud.radius_source=file --set cloud.noise_amount=1 " + sets +
+                       " --out " + file.string());
+        REQUIRE(outcome.status == 0);
+        return std::pair(outcome.err, textOf(readPngMetadata(file), "nephoscope.scale"));
+    };
+    const auto thinned = rendered("--set cloud.mixing_scale=0.5");
+    CHECK(thinned.second == "not to scale: cloud x0.5");
+    CHECK(contains(thinned.first, "note: not to scale: cloud x0.5\n"));
+    const auto whole = rendered("--set cloud.mixing_scale=1");
+    CHECK(whole.second == "to scale");
+    CHECK_FALSE(contains(whole.first, "to scale"));
+}
+
 TEST_CASE("An engine is chosen for one image, and the image says which, how fine and how often") {
     const TemporaryFolder folder;
     const auto file = folder / "a.png";

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/look/backdrop.h"
 #include "core/look/exposure.h"
 #include "core/look/sun.h"
+#include "shaders/lib/glsl_cpp.h"
 #include "tests/gpu/images.h"
 #include "tests/gpu/scenes.h"
 
@@ -152,6 +154,43 @@ TEST_CASE("The sky of every engine is what air sends along each ray") {
             CHECK(meanLightOf(other) == doctest::Approx(meanLightOf(image)).epsilon(1e-4));
         }
     }
+}
+
+TEST_CASE("What stands in for an image has the sky and the ground of one without cloud") {
+    const SpeciesVolume nothing = uniformVolume({4, 4, 4}, 500.0, 0.0f);
+    Look look = airyLook(35.0f);
+    look.groundColour = {0.3f, 0.36f, 0.17f};
+    look.groundSurface = GroundSurface::plain;
+    /// What an image has in its middle column, and which ray that is.
+    const auto each = [&](float poseElevationDeg, const auto& check) {
+        CameraPose pose = views()[0].pose;
+        pose.elevationDeg = poseElevationDeg;
+        const render::FrameInputs inputs = seenBy(Engine::march, nothing, look, pose, {5, 8});
+        const ImageF image = averageOn(nothing, inputs, 1);
+        for (int y = 0; y < image.size.y; ++y) {
+            const glm::dvec3 ray =
+                inputs.camera.rayDir({0.0, 1.0 - (2.0 * y + 1.0) / image.size.y});
+            CAPTURE(ray.z);
+            const glm::vec4& pixel = image.pixels[static_cast<std::size_t>(y * image.size.x + 2)];
+            const DisplayTones tones = displayTones(look);
+            check(inputs.camera.eyeWorld.z, ray,
+                  glsl::displayValue(tones.exposure * glm::vec3(pixel), tones.curve));
+        }
+    };
+    for (const float elevationDeg : {35.0f, 3.0f}) {
+        CAPTURE(elevationDeg);
+        look.sunElevationDeg = elevationDeg;
+        each(-20.0f, [&](double eyeM, const glm::dvec3& ray, const glm::vec3& expected) {
+            if (ray.z > 0.05) {
+                CHECK(glm::length(Backdrop(look, eyeM).sky(ray) - expected) < 0.02f);
+            }
+        });
+    }
+    // Straight down, where little air is before the ground.
+    look.sunElevationDeg = 35.0f;
+    each(85.0f, [&](double eyeM, const glm::dvec3& ray, const glm::vec3& expected) {
+        CHECK(glm::length(Backdrop(look, eyeM).ground(ray).value() - expected) < 0.02f);
+    });
 }
 
 TEST_CASE("In the air of the Earth full transport has the light of the path tracer") {

@@ -67,6 +67,7 @@ ComparedImage readImage(const std::string& file, Metadata& metadata) {
     }
     read.name = file;
     read.made = textOf(metadata, "nephoscope.renderer");
+    read.scale = textOf(metadata, "nephoscope.scale");
     return read;
 }
 

@@ -111,6 +111,7 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     ComparedImage image;
     image.name = engine.name;
     image.device = side_->renderer().deviceName();
+    image.scale = side_->scaleOf(values.look);
     image.made = fmt::format("{}, {}", workText(drawn, bands.stats()), image.device);
     const bool converges = traitsOf(drawn.inputs.look.engine).refinement == Refinement::converges;
     image.samples = converges ? bands.stats().reference.samples : drawn.samples;
@@ -134,7 +135,8 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
 void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const DrawnSide& drawn,
                   const std::string& made) const {
     Metadata metadata{{"Software", fmt::format("Nephoscope {}", versionText())}};
-    for (auto& [key, text] : side_->describe(pose_, made)) {
+    const ParameterSet values = parametersOf(engine, side_->parameters());
+    for (auto& [key, text] : side_->describe(values, pose_, made)) {
         metadata.emplace_back("nephoscope." + key, text);
     }
     std::vector<std::string> names;

@@ -95,6 +95,7 @@ Json describeJson(const ComparedImage& of) {
               {"halves", of.halves.has_value()}};
     if (!of.made.empty()) json["made"] = of.made;
     if (!of.device.empty()) json["device"] = of.device;
+    if (!of.scale.empty()) json["scale"] = of.scale;
     if (of.samples) json["samples"] = *of.samples;
     if (of.seconds) json["seconds"] = *of.seconds;
     return json;

@@ -18,6 +18,7 @@ struct ComparedImage {
     ImageF image;
     std::optional<Halves> halves;
     std::string made;               ///< how, where that is known: engine, samples, device
+    std::string scale;              ///< whether to scale, where that is known: scaleText()
     std::string device;             ///< GL renderer string, where it was drawn here
     std::optional<int> samples;     ///< a pixel, where it was drawn here
     std::optional<double> seconds;  ///< likewise

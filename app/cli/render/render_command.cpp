@@ -209,8 +209,9 @@ Metadata Run::describe(const Shot& shot, const Bands& bands) const {
     Metadata all{{"Software", fmt::format("Nephoscope {}", versionText())}};
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         const char* of = i == 0 ? "nephoscope." : "nephoscope.b.";
+        const std::string work = workText(bands.sides()[i], bands.stats());
         for (auto& [key, text] :
-             sides_[i]->describe(poseOf(i, shot), workText(bands.sides()[i], bands.stats()))) {
+             sides_[i]->describe(sides_[i]->parameters(), poseOf(i, shot), work)) {
             all.emplace_back(of + key, text);
         }
     }

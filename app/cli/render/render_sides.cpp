@@ -11,6 +11,7 @@
 #include "core/look/exposure.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_files.h"
+#include "core/volume/scale_data.h"
 
 namespace neph {
 namespace {
@@ -104,6 +105,8 @@ void Side::show(int time, const Progress& progress) {
     time_ = time;
     notes_ = held.volume.notes;
     notes_.push_back(neph::describe(shown_.plan, info()));
+    const std::vector<std::string> off = notToScale(parameters().look, scaleDataOf(info(), shown_));
+    if (!off.empty()) notes_.push_back(scaleText(off));
 }
 
 std::vector<std::string> Side::newNotes() {
@@ -116,7 +119,8 @@ std::vector<std::string> Side::newNotes() {
     return fresh;
 }
 
-Metadata Side::describe(const CameraPose& pose, const std::string& work) const {
+Metadata Side::describe(const ParameterSet& drawn, const CameraPose& pose,
+                        const std::string& work) const {
     const std::string plan = neph::describe(shown_.plan, info());
     const std::string name = presetLabel(what_.scene.presetName);
     const TimeInfo& time = info().times.at(static_cast<std::size_t>(time_));
@@ -125,15 +129,20 @@ Metadata Side::describe(const CameraPose& pose, const std::string& work) const {
         {"camera", fmt::format("target {},{},{} distance {} azimuth {} elevation {} fov {}",
                                pose.target.x, pose.target.y, pose.target.z, pose.distance,
                                pose.azimuthDeg, pose.elevationDeg, pose.fovDeg)},
-        {"look", formatPreset(Preset{name, "", parameters().look, pose})},
-        {"sun", sunText(sunStateOf(parameters().look, shown_.where))},
-        {"exposure", fmt::format("EV100 {:.2f}", exposureValue(drawnLook()))},
-        {"sampling", formatAssignments(samplingTable(), parameters())},
+        {"look", formatPreset(Preset{name, "", drawn.look, pose})},
+        {"sun", sunText(sunStateOf(drawn.look, shown_.where))},
+        {"exposure", fmt::format("EV100 {:.2f}", exposureValue(withSun(drawn.look, shown_.where)))},
+        {"scale", scaleOf(drawn.look)},
+        {"sampling", formatAssignments(samplingTable(), drawn)},
         {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,
                              time.file.filename().string(), shown_.timeLabel, info().reader)},
         {"resolution", plan.empty() ? "full" : plan},
         {"renderer", fmt::format("{}, {}", work, renderer_->deviceName())},
     };
+}
+
+std::string Side::scaleOf(const Look& look) const {
+    return scaleText(notToScale(look, scaleDataOf(info(), shown_)));
 }
 
 }  // namespace neph

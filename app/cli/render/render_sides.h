@@ -53,8 +53,11 @@ class Side {
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }
     render::Renderer& renderer() { return *renderer_; }
-    /// How the image was made, for its file.
-    Metadata describe(const CameraPose& pose, const std::string& work) const;
+    /// Whether such an image of what is shown is to scale, in words.
+    std::string scaleOf(const Look& look) const;
+    /// How an image with these parameters was made, for its file.
+    Metadata describe(const ParameterSet& drawn, const CameraPose& pose,
+                      const std::string& work) const;
 
   private:
     SideScene what_;

@@ -70,7 +70,8 @@ void moveByKeys(const PanelContext& context, CameraTools& tools, const RegularGr
 /// Shares of the image's height that the mouse has moved.
 void moveByDrag(CameraPose& pose, const CameraTools& tools, const RegularGrid& grid, float dx,
                 float dy) {
-    const bool left = dragging(ImGuiMouseButton_Left), right = dragging(ImGuiMouseButton_Right);
+    const bool left = dragging(ImGuiMouseButton_Left) && !tools.sun.given,
+               right = dragging(ImGuiMouseButton_Right);
     if (dragging(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift && !tools.flying)) {
         pan(pose, grid, {dx, -dy});
     } else if ((tools.flying && (left || right)) || (tools.fliesHeld && right)) {
@@ -101,6 +102,7 @@ void moveByWheel(const PanelContext& context, CameraTools& tools, const RegularG
 void moveCamera(const PanelContext& context, CameraTools& tools) {
     const ImGuiIO& io = ImGui::GetIO();
     const RegularGrid grid = gridOf(context.session());
+    dragSun(context, tools.sun, !tools.flying);
     const bool right = dragging(ImGuiMouseButton_Right);
     tools.fliesHeld = right && (tools.fliesHeld || flightKeys() != glm::vec3(0.0f));
     moveByKeys(context, tools, grid);

@@ -1,5 +1,6 @@
-// camera_overlays.cpp: scale bar, compass rose and height ruler over the image, and how flight
-// goes. Light strokes on dark ones, so that they are seen before cloud and before sky.
+// camera_overlays.cpp: scale bar, compass rose with the sun's path, and height ruler over the
+// image, and how flight goes. Light strokes on dark ones, so that they are seen before cloud and
+// before sky.
 #include "app/ui/camera/camera_overlays.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,9 @@
 #include <optional>
 
 #include "app/ui/camera/camera_view.h"
+#include "app/ui/camera/sun_chart.h"
+#include "app/ui/camera/sun_drag.h"
+#include "core/look/sun.h"
 
 namespace neph::ui {
 namespace {
@@ -18,13 +22,13 @@ namespace {
 constexpr ImU32 kLight = IM_COL32(240, 242, 245, 255);
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 170);
 constexpr ImU32 kNorth = IM_COL32(235, 110, 90, 255);
+constexpr ImU32 kFaint = IM_COL32(240, 242, 245, 60);
+constexpr ImU32 kSun = IM_COL32(255, 205, 90, 255);
+constexpr ImU32 kSunBelow = IM_COL32(255, 205, 90, 110);
 constexpr ImU32 kPlate = IM_COL32(20, 22, 26, 190);
 constexpr float kMarginEms = 1.0f;      // from the image's edge
 constexpr float kBarShare = 0.22f;      // of the image's width, at most
 constexpr float kBarEms = 12.0f;        // at most
-constexpr float kRoseEms = 2.4f;        // radius
-constexpr double kLeastFlat = 0.35;     // height of the rose as an ellipse, seen from the side
-constexpr double kRoseTurnsDeg = 45.0;  // looking up more steeply, the rose is overhead
 constexpr float kTickEms = 1.9f;        // between labels of the ruler, at least
 constexpr float kLeastRulerEms = 3.0f;  // from its foot to its top, to be drawn
 constexpr double kInside = 0.97;        // of the image, for the ruler to stand in
@@ -62,6 +66,8 @@ class Overlay {
 
     void scaleBar() const;
     void compass() const;
+    void sunOnRose(const Session& session, SunHandle lit) const;
+    void sunInImage(glm::vec2 at) const;
     void heightRuler() const;
     void flight(const CameraTools& tools) const;
 
@@ -95,6 +101,12 @@ class Overlay {
         return area_.lower + share * area_.size();
     }
     double unitM() const { return std::max(grid_.extentM().x, grid_.extentM().y); }
+    void circle(glm::vec2 middle, float radius, ImU32 colour) const {
+        const float px = em_ / 14.0f;
+        list_->AddCircle({middle.x, middle.y}, radius, kDark, 0, 3.0f * px);
+        list_->AddCircle({middle.x, middle.y}, radius, colour, 0, px);
+    }
+    void hours(const SunChart& chart, const std::vector<SunPathPoint>& path) const;
     std::vector<Tick> ticksAt(glm::dvec2 placeM, double stepM) const;
     std::vector<Tick> ruler() const;
 
@@ -123,37 +135,89 @@ void Overlay::scaleBar() const {
 }
 
 void Overlay::compass() const {
-    const float radius = kRoseEms * em_;
-    const glm::vec2 middle = area_.upper - glm::vec2(radius + (kMarginEms + 0.8f) * em_);
-    // As if it lay on the ground, but never so flat that it cannot be read.
-    const double steep = std::abs(camera_.forward.z);
-    const bool overhead = camera_.forward.z > std::sin(glm::radians(kRoseTurnsDeg));
-    const double flat = overhead ? -steep : std::max(steep, kLeastFlat);
-    const double azimuth = glm::radians(static_cast<double>(pose_.azimuthDeg) + 180.0);
-    const auto at = [&](double bearing, double share) {
-        const double turned = bearing - azimuth;  // 0: straight ahead
-        return middle + radius * static_cast<float>(share) *
-                            glm::vec2(std::sin(turned), -std::cos(turned) * flat);
-    };
-    constexpr int kPoints = 48;
-    std::array<ImVec2, kPoints> ring;
-    for (int i = 0; i < kPoints; ++i) {
-        const glm::vec2 p = at(glm::radians(360.0 * i / kPoints), 1.0);
-        ring[static_cast<std::size_t>(i)] = {p.x, p.y};
+    const SunChart chart = sunChartOf(area_, pose_);
+    list_->AddCircleFilled({chart.middle.x, chart.middle.y}, chart.radius, IM_COL32(0, 0, 0, 70));
+    for (const float heightDeg : {30.0f, 60.0f}) {
+        list_->AddCircle({chart.middle.x, chart.middle.y},
+                         chart.radius * (1.0f - heightDeg / 90.0f), kFaint);
     }
-    list_->AddConvexPolyFilled(ring.data(), kPoints, IM_COL32(0, 0, 0, 60));
-    list_->AddPolyline(ring.data(), kPoints, kDark, ImDrawFlags_Closed, 3.0f * em_ / 14.0f);
-    list_->AddPolyline(ring.data(), kPoints, kLight, ImDrawFlags_Closed, 1.0f * em_ / 14.0f);
+    circle(chart.middle, chart.radius, kLight);
     constexpr std::array<const char*, 4> kWinds{"N", "E", "S", "W"};
     for (int i = 0; i < 4; ++i) {
-        const double bearing = glm::radians(90.0 * i);
+        const double azimuthDeg = 90.0 * i;
         const ImU32 colour = i == 0 ? kNorth : kLight;
-        line(at(bearing, i == 0 ? 0.0 : 0.75), at(bearing, 1.0), i == 0 ? 2.5f : 1.0f, colour);
+        const glm::vec2 rim = chart.at({azimuthDeg, 0.0});
+        line(chart.at({azimuthDeg, i == 0 ? 30.0 : 12.0}), rim, i == 0 ? 2.5f : 1.0f, colour);
         const std::string name = kWinds[static_cast<std::size_t>(i)];
-        const glm::vec2 outward = at(bearing, 1.0) - middle;
-        const glm::vec2 label = at(bearing, 1.0) + 0.6f * em_ * glm::normalize(outward);
+        const glm::vec2 label = rim + 0.6f * em_ * glm::normalize(rim - chart.middle);
         text(label - sizeOf(name) / 2.0f, name, colour);
     }
+}
+
+/// Beside a path: away from the zenith, where hours stand apart, and near the rim towards it.
+glm::vec2 besidePath(const SunChart& chart, glm::vec2 at, glm::vec2 next) {
+    const glm::vec2 along = next - at, outward = at - chart.middle;
+    const float length = glm::length(along);
+    if (length == 0.0f) return {0.0f, 1.0f};
+    const glm::vec2 normal = glm::vec2(-along.y, along.x) / length;
+    const float off = glm::dot(outward, normal);
+    const bool turned = (off < 0.0f) != (glm::length(outward) > 0.65f * chart.radius);
+    return turned ? -normal : normal;
+}
+
+/// Every hour a dot, every third its number where there is room, else every sixth; where the sun is
+/// up.
+void Overlay::hours(const SunChart& chart, const std::vector<SunPathPoint>& path) const {
+    constexpr float kSmall = 0.78f;  // of the usual letters
+    const int numbered = chart.radius > 3.3f * em_ ? 3 : 6;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const SunPathPoint& point = path[i];
+        const int hour = static_cast<int>(point.hour);
+        if (point.hour != hour || point.elevationDeg < 0.0) continue;
+        const glm::vec2 at = chart.at({point.azimuthDeg, point.elevationDeg});
+        const bool hasNumber = hour % numbered == 0;
+        list_->AddCircleFilled({at.x, at.y}, (hasNumber ? 0.17f : 0.11f) * em_, kSun);
+        if (!hasNumber) continue;
+        const glm::vec2 next = chart.at({path[i + 1].azimuthDeg, path[i + 1].elevationDeg});
+        const std::string label = fmt::format("{:02}Z", hour);
+        const glm::vec2 where =
+            at + 0.95f * em_ * besidePath(chart, at, next) - kSmall * sizeOf(label) / 2.0f;
+        for (const glm::vec2 shade : {glm::vec2(1, 1), glm::vec2(-1, 0), glm::vec2(0, -1)}) {
+            list_->AddText(nullptr, kSmall * em_, {where.x + shade.x, where.y + shade.y}, kDark,
+                           label.c_str());
+        }
+        list_->AddText(nullptr, kSmall * em_, {where.x, where.y}, kLight, label.c_str());
+    }
+}
+
+void Overlay::sunOnRose(const Session& session, SunHandle lit) const {
+    const SunChart chart = sunChartOf(area_, pose_);
+    const Look& look = session.document.look;
+    const std::vector<SunPathPoint> path = sunPathOf(look, session.where());
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const SunPathPoint &from = path[i - 1], &to = path[i];
+        const bool up = from.elevationDeg + to.elevationDeg > 0.0;
+        if (!joined(from, to) || (!up && i % 2 == 0)) continue;  // dashes
+        const glm::vec2 a = chart.at({from.azimuthDeg, from.elevationDeg});
+        const glm::vec2 b = chart.at({to.azimuthDeg, to.elevationDeg});
+        list_->AddLine({a.x, a.y}, {b.x, b.y}, up ? kSun : kSunBelow, 1.3f * em_ / 14.0f);
+    }
+    hours(chart, path);
+    const SunState sun = sunStateOf(look, session.where());
+    const glm::vec2 at =
+        chart.at({static_cast<double>(sun.azimuthDeg), static_cast<double>(sun.elevationDeg)});
+    const float radius = (lit == SunHandle::rose ? 0.5f : 0.38f) * em_;
+    list_->AddCircleFilled({at.x, at.y}, radius + 1.5f * em_ / 14.0f, kDark);
+    if (sun.elevationDeg >= 0.0f) {
+        list_->AddCircleFilled({at.x, at.y}, radius, kSun);
+    } else {
+        list_->AddCircle({at.x, at.y}, radius, kSunBelow, 0, 1.5f * em_ / 14.0f);
+    }
+}
+
+/// What the mouse would take, or holds.
+void Overlay::sunInImage(glm::vec2 at) const {
+    circle(at, sunReach(), kSun);
 }
 
 /// Whole steps of height above a place that are in the image.
@@ -235,7 +299,14 @@ void drawCameraOverlays(const PanelContext& context, const CameraTools& tools) {
     const Overlay overlay(context.session(), layout);
     if (context.settings.heightRuler) overlay.heightRuler();
     if (context.settings.scaleBar) overlay.scaleBar();
-    if (context.settings.compass) overlay.compass();
+    const SunHandle lit = tools.sun.lit();
+    if (context.settings.compass) {
+        overlay.compass();
+        overlay.sunOnRose(context.session(), lit);
+    }
+    const auto disc = lit == SunHandle::disc ? sunInImage(context) : std::nullopt;
+    if (disc) overlay.sunInImage(*disc);
+    if (lit != SunHandle::none) ImGui::SetTooltip("%s", sunWords(context.session()).c_str());
     if (tools.flying || tools.fliesHeld) overlay.flight(tools);
 }
 

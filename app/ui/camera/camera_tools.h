@@ -2,6 +2,8 @@
 #pragma once
 #include <string>
 
+#include "app/ui/camera/sun_drag.h"
+
 namespace neph::ui {
 
 struct CameraTools {
@@ -12,6 +14,7 @@ struct CameraTools {
     bool outOfReach = false;  ///< the last number typed or step flown led beyond the bounds
     int renaming = -1;        ///< bookmark whose name is typed; -1: none
     std::string name;         ///< as typed
+    SunDrag sun;              ///< what of the sun the mouse is over or holds
 };
 
 }  // namespace neph::ui

@@ -3,8 +3,8 @@
 
 #include <imgui.h>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
-#include "app/ui/widgets/theme.h"
 
 namespace neph::ui {
 

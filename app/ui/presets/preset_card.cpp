@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/ui/presets/preset_commands.h"
 #include "app/ui/widgets/places.h"
@@ -17,30 +16,9 @@ namespace neph::ui {
 namespace {
 
 constexpr float kRounding = 3.0f;
-constexpr float kHorizon = 0.78f;  // share of a placeholder's height that is sky; by eye
 constexpr double kTooltipDelayS = 0.5;
 constexpr float kTooltipEms = 30.0f;
 constexpr std::size_t kTooltipRows = 12;
-
-/// Of a radiance; close enough to the tone mapping for a swatch.
-ImU32 swatch(const glm::vec3& radiance, float exposureEv) {
-    const glm::vec3 lit = radiance * std::exp2(exposureEv);
-    const glm::vec3 shown = glm::pow(glm::clamp(lit, 0.0f, 1.0f), glm::vec3(1.0f / 2.2f));
-    return ImGui::GetColorU32(ImVec4(shown.r, shown.g, shown.b, 1.0f));
-}
-
-void drawSky(const Look& look, glm::vec2 lower, glm::vec2 upper) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 zenith = swatch(look.skyZenith * look.skyIntensity, look.exposureEv);
-    const ImU32 horizon = swatch(look.skyHorizon * look.skyIntensity, look.exposureEv);
-    const float edge = look.groundVisible ? std::lerp(lower.y, upper.y, kHorizon) : upper.y;
-    list.AddRectFilledMultiColor({lower.x, lower.y}, {upper.x, edge}, zenith, zenith, horizon,
-                                 horizon);
-    const glm::vec3 lit = look.groundColour * look.sunColour * look.sunIntensity;
-    if (look.groundVisible) {
-        list.AddRectFilled({lower.x, edge}, {upper.x, upper.y}, swatch(lit, look.exposureEv));
-    }
-}
 
 /// Of the place that opens the details: a finger's breadth more than its dots.
 float dotsWidth() {
@@ -171,7 +149,7 @@ float presetCardHeight(float width) {
 
 void drawPresetImage(const PresetCard& card, glm::vec2 lower, glm::vec2 upper) {
     if (card.texture == 0) {
-        drawSky(card.preset.look, lower, upper);
+        if (card.placeholder) drawPlaceholder(*card.placeholder, lower, upper);
         return;
     }
     ImGui::GetWindowDrawList()->AddImageRounded(

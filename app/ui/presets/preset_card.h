@@ -17,7 +17,7 @@ float presetCardHeight(float width);
 /// At the cursor. A click loads the preset, a right click opens a menu, "..." the details.
 void drawPresetCard(Session& session, PresetBrowser& presets, const PresetCard& card, float width);
 
-/// The image, or the colours of the preset's sky and ground where there is none.
+/// The image, or the preset's sky and ground where there is none yet.
 void drawPresetImage(const PresetCard& card, glm::vec2 lower, glm::vec2 upper);
 
 /// Title, description, and what the preset would change; at most `most` lines of that.

@@ -2,9 +2,11 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/ui/presets/preset_placeholder.h"
 #include "core/base/child_process.h"
 #include "core/preset/preset_difference.h"
 
@@ -14,9 +16,10 @@ namespace neph::ui {
 struct PresetCard {
     PresetEntry entry;
     Preset preset;
-    std::string fault;                ///< why it cannot be read; empty where it can
-    std::filesystem::path thumbnail;  ///< where it is once it is made; empty: nowhere
-    unsigned texture = 0;             ///< 0: not made or not read yet
+    std::string fault;                             ///< why it cannot be read; empty where it can
+    std::filesystem::path thumbnail;               ///< where it is once it is made; empty: nowhere
+    unsigned texture = 0;                          ///< 0: not made or not read yet
+    std::optional<PresetPlaceholder> placeholder;  ///< in its place
 };
 
 enum class PresetDialog { saveAs, rename, describe, open };

@@ -32,6 +32,16 @@ bool readThumbnails(const Services& services, PresetBrowser& presets) {
     return missing;
 }
 
+/// One at a time, so that panels do not wait for it.
+void makePlaceholder(NextFrame& next, std::vector<PresetCard>& cards) {
+    const auto card = std::ranges::find_if(cards, [](const PresetCard& one) {
+        return one.texture == 0 && !one.placeholder && one.fault.empty();
+    });
+    if (card == cards.end()) return;
+    card->placeholder = placeholderOf(card->preset);
+    next.again(0.0);
+}
+
 void startMaker(Session& session, PresetBrowser& presets) {
     presets.triedThumbnails = true;
     try {
@@ -46,8 +56,10 @@ void startMaker(Session& session, PresetBrowser& presets) {
 }  // namespace
 
 void updateThumbnails(const PanelContext& context, PresetBrowser& presets) {
-    if (!context.services.loadImage) return;
-    const bool missing = readThumbnails(context.services, presets);
+    const bool images = context.services.loadImage != nullptr;
+    const bool missing = images && readThumbnails(context.services, presets);
+    makePlaceholder(context.next, presets.cards);
+    if (!images) return;
     if (!presets.thumbnails) {
         if (missing && !presets.triedThumbnails) startMaker(context.session(), presets);
         return;

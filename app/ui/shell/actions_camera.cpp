@@ -113,7 +113,7 @@ const std::array kActions{
            .label = "Compass rose",
            .menu = Menu::camera,
            .chord = {},
-           .help = "Where north is, over the image; not in files",
+           .help = "North and the sun, over the image; not in files",
            .run = [](Ui& ui) { ui.settings.compass = !ui.settings.compass; },
            .checked = [](const Ui& ui) { return ui.settings.compass; }},
     Action{.id = "camera.height_ruler",

@@ -30,6 +30,7 @@ Section mouse() {
             {"Middle, Shift+drag", "Pan"},
             {"Wheel", "To the cursor, and away"},
             {"Right drag", "Nearer, farther"},
+            {"Drag of the sun", "Moves it, not the camera"},
             {"W A S D E Q", "Fly (G, or right button)"},
             {"Ctrl+click a slider", "Type a value"},
             {"Shift+drag a slider", "Finely"},

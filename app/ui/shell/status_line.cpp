@@ -3,6 +3,7 @@
 #include "app/ui/shell/status_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include "app/ui/widgets/fixed_window.h"
@@ -10,6 +11,7 @@
 #include "app/ui/widgets/reference_text.h"
 #include "app/ui/widgets/theme.h"
 #include "core/volume/memory_setting.h"
+#include "core/volume/scale_data.h"
 
 namespace neph::ui {
 namespace {
@@ -120,6 +122,14 @@ float widthOf(const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x;
 }
 
+/// Why what is shown is not to scale, a line each; empty where it is.
+std::string offScaleText(const Session& session) {
+    const VolumeSummary* shown = session.shown();
+    if (shown == nullptr || session.info() == nullptr) return {};
+    const ScaleData data = scaleDataOf(*session.info(), *shown);
+    return fmt::format("{}", fmt::join(notToScale(session.document.look, data), "\n"));
+}
+
 /// What there is room for, side by side.
 std::string fitting(const std::vector<std::string>& texts, float room) {
     std::string line;
@@ -145,6 +155,10 @@ std::vector<Standing> standing(const Session& session, const FrameReport& report
     const VolumeSummary* shown = session.shown();
     add({coarsenedText(shown), "status.coarsened",
          shown == nullptr ? "" : describe(shown->plan, *session.info()), warningColour()});
+    const std::string off = offScaleText(session);
+    add({off.empty() ? "" : "Not to scale", "status.scale",
+         "The image does not show water and ice as the data have them:\n" + off,
+         ImGui::GetStyleColorVec4(ImGuiCol_Text)});
     add({report.previewSamples > 0 ? previewText(report.previewSamples) : "", "status.preview",
          previewMeaning(), warningColour()});
     add({errorNow(report), "status.error",

@@ -28,7 +28,11 @@ void clearPlaces() {
 void place(std::string_view name) {
     if (!wantedNow) return;
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
-    places().insert_or_assign(std::string(name), Area{{lower.x, lower.y}, {upper.x, upper.y}});
+    place(name, {{lower.x, lower.y}, {upper.x, upper.y}});
+}
+
+void place(std::string_view name, const Area& area) {
+    if (wantedNow) places().insert_or_assign(std::string(name), area);
 }
 
 std::optional<Area> placeOf(std::string_view name) {

@@ -17,6 +17,8 @@ void wantPlaces(bool wanted);
 /// Forgets all: at the start of each frame.
 void clearPlaces();
 void place(std::string_view name);
+/// The same of what is no item.
+void place(std::string_view name, const Area& area);
 std::optional<Area> placeOf(std::string_view name);
 std::vector<std::string> knownPlaces();
 

@@ -34,6 +34,40 @@ TEST_CASE("A sun by date stands where the almanac has it for the place and date 
     CHECK(std::abs(state.elevationDeg - (90.0f - 87.670f)) < 0.01f);
 }
 
+TEST_CASE("The sun's path of a day passes through where the almanac has it, in the grid's frame") {
+    const std::vector<SunPathPoint> path = sunPathOf(byDate(), longyearbyen(-20.0));
+    REQUIRE(path.size() == 97);
+    CHECK(path.front().hour == 0.0);
+    CHECK(path.back().hour == 24.0);
+    CHECK(path[26].hour == 6.5);
+    CHECK(std::abs(path[26].azimuthDeg - 90.910) < 0.01);
+    CHECK(std::abs(path[26].elevationDeg - (90.0 - 87.670)) < 0.01);
+    // By angles the data alone can give it.
+    CHECK(sunPathOf(Look{}, longyearbyen()).size() == 97);
+    Whereabouts where = longyearbyen();
+    where.utc.reset();
+    CHECK(sunPathOf(Look{}, where).empty());
+    // Of the look's own day and hour otherwise.
+    Look look = byDate();
+    look.sunDay = 75;
+    look.sunHour = 6.5f;
+    const SunPathPoint at = sunPathOf(look, where)[26];
+    const SunState state = sunStateOf(look, where);
+    CHECK(std::abs(at.azimuthDeg - static_cast<double>(state.azimuthDeg)) < 1e-4);
+    CHECK(std::abs(at.elevationDeg - static_cast<double>(state.elevationDeg)) < 1e-4);
+}
+
+TEST_CASE("A sun that is put somewhere stands by angles within the range of their rows") {
+    Look look = byDate();
+    setSunAngles(look, -30.0, 95.0);
+    CHECK(look.sunSource == SunSource::angles);
+    CHECK(look.sunAzimuthDeg == 330.0f);
+    CHECK(look.sunElevationDeg == 90.0f);
+    setSunAngles(look, 725.0, -80.0);
+    CHECK(look.sunAzimuthDeg == 5.0f);
+    CHECK(look.sunElevationDeg == -12.0f);
+}
+
 TEST_CASE("A grid that is turned against true north has the sun in its own frame") {
     // True north 20 degrees west of the grid's north: all azimuths are 20 degrees less.
     CHECK(std::abs(sunStateOf(byDate(), longyearbyen(-20.0)).azimuthDeg - 90.910f) < 0.01f);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "app/ui/presets/preset_browser.h"
@@ -122,6 +123,31 @@ TEST_CASE("A card tells title, description and what it would change, the first d
     CHECK(contains(ui::describePresetCard(browser.session, storm, 1), "and 2 more"));
     browser.click("preset:storm");
     CHECK(contains(ui::describePresetCard(browser.session, storm, 12), "Just as it is now"));
+}
+
+TEST_CASE("A card without a thumbnail has the sky of its look behind the storm, made once") {
+    Browser browser;
+    Preset airy;
+    airy.look.skyModel = SkyModel::atmosphere;
+    airy.camera = CameraPose{.elevationDeg = -4.0f};
+    saveOwnPreset("airy", airy, false);
+    browser.state.presets.listed = false;
+    for (int i = 0; i < 5; ++i) browser.frame();
+    const auto& cards = browser.state.presets.cards;
+    REQUIRE(cards.size() == 3);
+    for (const ui::PresetCard& card : cards) {
+        CAPTURE(card.entry.name);
+        REQUIRE(card.placeholder.has_value());
+        CHECK(card.placeholder->horizon > 0.0f);
+        CHECK(card.placeholder->horizon < 1.0f);
+    }
+    const auto& made = *std::ranges::find(cards, "airy", [](const ui::PresetCard& card) {
+                            return card.entry.name;
+                        })->placeholder;
+    // Blue above; seen from the ground the horizon is below the middle.
+    CHECK(made.sky[2].b > 1.2f * made.sky[2].r);
+    CHECK(made.horizon > 0.5f);
+    CHECK(made.sky[2] != ui::placeholderOf(Preset{}).sky[2]);
 }
 
 TEST_CASE("A search leaves the cards with all of its words, in whatever case") {

@@ -11,6 +11,7 @@
 #include "app/ui/shell/actions.h"
 #include "app/ui/shell/frame.h"
 #include "app/ui/widgets/parameter_widget.h"
+#include "app/ui/widgets/places.h"
 #include "core/volume/memory_setting.h"
 #include "tests/core/fake_series.h"
 #include "tests/ui/headless.h"
@@ -122,6 +123,34 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     CHECK_FALSE(ui::runChord(state, {ui::Key::d, true}));
     CHECK(ui::runChord(state, {ui::Key::f, true}));
     CHECK(session.follow);
+}
+
+TEST_CASE("The status line says so where the image is not to scale") {
+    Headless gui;
+    Session session(openFake(std::make_shared<FakeSeries>()));
+    ui::Ui state(session);
+    ui::wantPlaces(true);
+    const auto marked = [&] {
+        for (int i = 0; i < 2; ++i) {
+            ui::clearPlaces();
+            gui.frame([&] { ui::draw(state); });
+        }
+        return ui::placeOf("status.scale").has_value();
+    };
+    session.document.look.of(Species::cloud).mixingScale = 0.5f;
+    CHECK_FALSE(marked());  // without data there is no scale
+    session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
+    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
+        session.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    REQUIRE(session.shown() != nullptr);
+    CHECK(marked());
+    session.document.look.of(Species::cloud).mixingScale = 1.0f;
+    CHECK_FALSE(marked());
+    session.document.look.transport = Transport::lowAlbedo;
+    CHECK(marked());
+    ui::wantPlaces(false);
 }
 
 TEST_CASE("The image has what the panels leave of the window, and all of it without them") {
