@@ -282,7 +282,7 @@ void addSunAndSky(std::vector<Parameter>& table) {
         "ground.surface", "Surface", &Look::groundSurface, Stage::light,
         {{"plain", "Plain", "One colour."},
          {"fields", "Fields", "Farmland in square miles, creeks and pasture, for a scale."},
-         {"sea", "Sea", "Of its own colour, with patches of wind; no glint of the sun."}},
+         {"sea", "Sea", "Of its own colour, mirrors the sky; without the glint of the sun."}},
         "What the ground is under an atmosphere. It lights clouds by its mean."));
     rows.colour("ground.colour", "Ground colour", &Look::groundColour, Stage::eye,
                 "Linear RGB radiance of the ground in full light; of fields the mean.")

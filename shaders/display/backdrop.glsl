@@ -42,7 +42,8 @@ vec3 groundBehind(Ray ray, float groundM, int lastLayer) {
     vec3 positionM = groundPoint(ray, groundM);
     vec3 light = groundLight(positionM, sunOnGround(positionM, lastLayer));
     if (hasAir()) {
-        vec3 sent = groundSeen(ray, groundM) * u_.ground.rgb * light;
+        vec3 sent =
+            groundSeen(ray, groundM) * u_.ground.rgb * light + groundMirrors(ray, positionM);
         return throughAir(airRay(ray.dir), groundM, sent, 1.0);
     }
     return hazyGround(u_.ground.rgb * light, u_.skyHorizon.rgb, groundM);

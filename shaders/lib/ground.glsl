@@ -101,6 +101,21 @@ vec3 seaOfGround(vec2 positionM, float pixelM) {
                 0.22f * slicks * seenOfGround(6500.0f, pixelM));
 }
 
+/// Share of the light from above that a rough sea mirrors towards an eye, which looks down at it by
+/// `down`, the sine of its depression. [Bruneton10] for a wind of 5 m/s, slopes of 0.17
+/// [CoxMunk54].
+float seaMirrors(float down) {
+    const float kSlope = 0.17f;
+    return 0.02f + 0.98f * pow(1.0f - down, 5.0f * exp(-2.69f * kSlope)) /
+                       (1.0f + 22.7f * pow(kSlope, 1.5f));
+}
+
+/// The direction whose sky it shows: waves that face the eye are seen more of than others.
+vec3 seaMirrorsFrom(vec3 dir) {
+    const float kTilted = 0.12f;  // about; tuned by eye
+    return normalize(vec3(dir.xy, kTilted - dir.z));
+}
+
 vec3 groundPattern(int kind, vec2 positionM, float pixelM) {
     if (kind == kFieldGround) return fieldsOfGround(positionM, pixelM);
     return kind == kSeaGround ? seaOfGround(positionM, pixelM) : vec3(1.0f);

@@ -42,6 +42,10 @@ vec3 seenGround(Path p) {
     return 1.0;
 }
 
+vec3 seenMirrored(Path p) {
+    return vec3(0.0);
+}
+
 vec3 seenSky(Path p) {
     return skyFrom(p.positionM, p.dir);
 }

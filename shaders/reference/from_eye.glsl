@@ -53,6 +53,10 @@ vec3 seenGround(Path p) {
     return groundSeen(rayOf(p), groundDistanceM(rayOf(p)));
 }
 
+vec3 seenMirrored(Path p) {
+    return groundMirrors(rayOf(p), p.positionM);
+}
+
 vec3 seenSky(Path p) {
     return eyeSky(p.axis);
 }

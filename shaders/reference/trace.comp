@@ -337,7 +337,10 @@ void arrive(inout Path p) {
         return;
     }
     p.positionM.z = -u_.eyeM.w;
-    if (seen) passHaze(p);
+    if (seen) {
+        passHaze(p);
+        p.radiance += worthOf(p) * seenMirrored(p);
+    }
     p.positionM = repeated(p.positionM);
     ++p.scatterings;
     p.throughput *= u_.ground.rgb * (seen ? seenGround(p) : vec3(1.0));

@@ -105,8 +105,10 @@ vec3 groundSeen(Ray ray, float distanceM) {
     if (!hasAir()) return vec3(1.0);
     // A pixel is longer the flatter the ray; what it covers is taken to be as wide as long.
     float pixelM = distanceM * pixelAngle();
-    return groundPattern(int(u_.skyZenith.w), groundPoint(ray, distanceM).xy,
-                         pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
+    int kind = int(u_.skyZenith.w);
+    vec3 pattern = groundPattern(kind, groundPoint(ray, distanceM).xy,
+                                 pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
+    return kind == kSeaGround ? (1.0 - seaMirrors(-min(ray.dir.z, 0.0))) * pattern : pattern;
 }
 
 /// The sky as it is seen from a point of grid space.
@@ -117,4 +119,11 @@ vec3 skyFrom(vec3 positionM, vec3 dir) {
                    tableCoordinate(skyShare(dir.z, horizonSine(atM)), kAroundElevations),
                    tableCoordinate(lengthShare(atM, kHighestAroundM), kAroundAltitudes));
     return u_.sky.w * textureLod(t_around, at, 0.0).rgb;
+}
+
+/// What the sea mirrors of the sky towards the eye. There is no glint: the sun's disc, and the
+/// brightness close around it, are not of the sky's table.
+vec3 groundMirrors(Ray ray, vec3 positionM) {
+    if (!hasAir() || int(u_.skyZenith.w) != kSeaGround) return vec3(0.0);
+    return seaMirrors(-min(ray.dir.z, 0.0)) * skyFrom(positionM, seaMirrorsFrom(ray.dir));
 }
