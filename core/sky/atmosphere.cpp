@@ -82,13 +82,14 @@ double sunAtPlace(double place) {
 
 /// A ray as its points see it.
 struct Atmosphere::Path {
-    explicit Path(const SkyRay& ray)
-        : fromM(kEarthRadiusM + ray.altitudeM), up(ray.up), sunUp(ray.sunUp) {
+    Path(const SkyRay& ray, double trueUp)
+        : fromM(kEarthRadiusM + ray.altitudeM), up(ray.up), sunUp(trueUp) {
         const double across = std::sqrt(std::max(0.0, 1.0 - up * up));
-        const double sunAcross = std::sqrt(std::max(0.0, 1.0 - sunUp * sunUp));
-        cosSun = across * std::cos(ray.azimuthFromSun) * sunAcross + up * sunUp;
+        cosSun = up * sunUp + across * std::cos(ray.azimuthFromSun) *
+                                  std::sqrt(std::max(0.0, 1.0 - sunUp * sunUp));
     }
-    double fromM, up, sunUp;
+    double fromM, up;
+    double sunUp;   ///< without refraction, as all that follows of the sun
     double cosSun;  ///< of the angle between ray and sun
 };
 
@@ -146,24 +147,28 @@ Spectrum Atmosphere::depthOf(const dvec3& columnsM) const {
 }
 
 Spectrum Atmosphere::transmittance(double altitudeM, double up) const {
-    if (up < horizonUp(altitudeM)) return Spectrum(0.0f);
+    if (up < apparentHorizonUp(altitudeM)) return Spectrum(0.0f);
     if (altitudeM >= kAtmosphereTopM && up >= 0.0) return Spectrum(1.0f);
-    return expMinus(depthOf(airColumnsM(altitudeM, up)));
+    return expMinus(depthOf(bentRay(altitudeM, up).columnsM));
 }
 
 Spectrum Atmosphere::sunlight(double altitudeM, double sunUp) const {
-    constexpr double kWellUp = 0.02;  // the whole disc, seen from anywhere on the ground
-    if (sunUp > kWellUp) return transmittance(altitudeM, sunUp);
-    const double lowest = horizonUp(altitudeM);
-    const double above = (std::asin(std::clamp(sunUp, -1.0, 1.0)) - std::asin(lowest)) / kSunRadius;
+    return sunlightOf(altitudeM, trueSunUp(sunUp));
+}
+
+Spectrum Atmosphere::sunlightOf(double altitudeM, double trueUp) const {
+    const SunAir air = sunAir(altitudeM, trueUp);
+    constexpr double kWellUp = 0.0;  // the whole disc, seen from anywhere: air raises it
+    if (trueUp > kWellUp) return expMinus(depthOf(air.columnsM));
+    const double above = (std::asin(std::max(trueUp, -1.0)) - std::asin(air.lowestUp)) / kSunRadius;
     if (above <= -1.0) return Spectrum(0.0f);
     const double x = std::min(above, 1.0);
     const double visible = 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / std::numbers::pi;
-    return static_cast<float>(visible) * transmittance(altitudeM, std::max(sunUp, lowest));
+    return static_cast<float>(visible) * expMinus(depthOf(air.columnsM));
 }
 
-Spectrum Atmosphere::manyTimes(double altitudeM, double sunUp) const {
-    const dvec2 share{placeOfSun(sunUp),
+Spectrum Atmosphere::manyTimes(double altitudeM, double trueUp) const {
+    const dvec2 share{placeOfSun(trueUp),
                       std::sqrt(std::clamp(altitudeM / kAtmosphereTopM, 0.0, 1.0))};
     const dvec2 at = share * dvec2(kManySize - 1);
     const glm::ivec2 cell = glm::min(glm::ivec2(at), kManySize - 2);
@@ -178,7 +183,7 @@ Spectrum Atmosphere::manyTimes(double altitudeM, double sunUp) const {
 void Atmosphere::add(const Place& place, double lengthM, const Phases& phases,
                      AirLight& sum) const {
     const Local local = localAt(place.altitudeM);
-    const Spectrum sun = sunlight(place.altitudeM, place.sunUp);
+    const Spectrum sun = sunlightOf(place.altitudeM, place.sunUp);
     const Spectrum many =
         phases.manyTimes ? manyTimes(place.altitudeM, place.sunUp) : Spectrum(0.0f);
     const Spectrum depth = static_cast<float>(lengthM) * local.extinction;
@@ -205,7 +210,7 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
         for (int j = 0; j < kAzimuths; ++j) {
             const SkyRay ray{altitudeM, (i + 0.5) / kUps * 2.0 - 1.0,
                              std::numbers::pi * (j + 0.5) / kAzimuths, sunUp};
-            const Path path(ray);
+            const Path path(ray, sunUp);
             const Reach reach = reachOf(altitudeM, ray.up);
             AirLight sum;
             for (int step = 0; step < kSteps; ++step) {
@@ -226,7 +231,7 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
             const Place below(path, reach.toM);
             const double perRadiance =
                 spec_.groundAlbedo / std::numbers::pi * std::max(below.sunUp, 0.0);
-            light += static_cast<float>(perRadiance) * (sum.clear * sunlight(0.0, below.sunUp));
+            light += static_cast<float>(perRadiance) * (sum.clear * sunlightOf(0.0, below.sunUp));
         }
     }
     constexpr float kPerDirection = 1.0f / (kUps * kAzimuths);
@@ -249,9 +254,10 @@ void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
     constexpr int kSteps = 40;  // of the whole
     const Reach reach = reachOf(ray.altitudeM, ray.up);
     const double lengthM = reach.toM - reach.fromM;
-    const Path path(ray);
-    const Phases phases{static_cast<float>(rayleigh(path.cosSun)),
-                        static_cast<float>(cornetteShanks(path.cosSun, kHazeG)), true};
+    const Path path(ray, trueSunUp(ray.sunUp));
+    const double cosSeen = Path(ray, ray.sunUp).cosSun;  // haze is brightest around the disc
+    const Phases phases{static_cast<float>(rayleigh(cosSeen)),
+                        static_cast<float>(cornetteShanks(cosSeen, kHazeG)), true};
     const auto shareOf = [&](double atM) {
         return std::sqrt(std::clamp((atM - reach.fromM) / std::max(lengthM, 1.0), 0.0, 1.0));
     };

@@ -28,7 +28,7 @@ struct SkyRay {
     double altitudeM = 0.0;       ///< of the eye, above sea level
     double up = 0.0;              ///< sine of the ray's elevation
     double azimuthFromSun = 0.0;  ///< radians
-    double sunUp = 0.0;           ///< sine of the sun's elevation at the eye
+    double sunUp = 0.0;           ///< sine of the sun's elevation, as seen from sea level below
 };
 
 /// What a stretch of air adds to the light that comes through it, and what it leaves of it.
@@ -42,9 +42,10 @@ class Atmosphere {
     explicit Atmosphere(const AtmosphereSpec& spec);
     const AtmosphereSpec& spec() const { return spec_; }
 
-    /// What is left of light from outside that arrives from a direction; 0 from below the horizon.
+    /// What is left of light from outside that arrives from a direction, along bent rays; 0 from
+    /// below the horizon.
     Spectrum transmittance(double altitudeM, double up) const;
-    /// The same of sunlight, of whose disc the horizon may hide a part.
+    /// The same of sunlight, of whose disc the horizon may hide a part; `sunUp` as of SkyRay.
     Spectrum sunlight(double altitudeM, double sunUp) const;
 
     /// All of the air along a ray, to the ground or to space.
@@ -64,13 +65,14 @@ class Atmosphere {
     struct Phases;
     Local localAt(double altitudeM) const;
     Spectrum depthOf(const glm::dvec3& columnsM) const;
-    Spectrum manyTimes(double altitudeM, double sunUp) const;
+    Spectrum sunlightOf(double altitudeM, double trueUp) const;
+    Spectrum manyTimes(double altitudeM, double trueUp) const;
     void add(const Place& place, double lengthM, const Phases& phases, AirLight& sum) const;
-    Spectrum manyTimesAt(double altitudeM, double sunUp) const;
+    Spectrum manyTimesAt(double altitudeM, double trueUp) const;
 
     AtmosphereSpec spec_;
     Spectrum moleculesPerM_, hazePerM_, ozonePerM_;  ///< extinction where there is most of each
-    std::vector<Spectrum> manyTimes_;                ///< by altitude and the sun's elevation
+    std::vector<Spectrum> manyTimes_;                ///< by altitude and the sun's true elevation
 };
 
 }  // namespace neph

@@ -90,9 +90,9 @@ TEST_CASE("The horizon hides the sun by and by") {
     CHECK(light(0.0) > 0.0f);
     CHECK(light(-0.2) > 0.0f);
     CHECK(light(-0.3) == 0.0f);
-    // From 12 km the horizon is 3.5 degrees lower.
-    CHECK(air.sunlight(12e3, upOf(-3.0)).at[7] > 0.0f);
-    CHECK(air.sunlight(12e3, upOf(-4.0)).at[7] == 0.0f);
+    // From 12 km the horizon is 3.3 degrees lower, and light from there is bent by a degree.
+    CHECK(air.sunlight(12e3, upOf(-4.3)).at[7] > 0.0f);
+    CHECK(air.sunlight(12e3, upOf(-4.6)).at[7] == 0.0f);
 }
 
 TEST_CASE("The sky is blue overhead, red towards a setting sun, and dark at night") {
