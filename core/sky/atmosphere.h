@@ -2,8 +2,9 @@
 // it scatters.
 //
 // After Hillaire 2020 [Hillaire20]: molecules, haze and ozone in spherical layers; light scattered
-// once exactly, light scattered more often as if isotropic. Radiances are per unit of the sun's
-// irradiance outside the atmosphere, at each wavelength, 1/sr. docs/sky.md
+// once exactly, light scattered more often as if isotropic; part of what haze scatters forwards
+// counts as not scattered. Radiances are per unit of the sun's irradiance outside the atmosphere,
+// at each wavelength, 1/sr. docs/sky.md
 #pragma once
 #include <glm/glm.hpp>
 #include <span>
@@ -15,6 +16,9 @@ namespace neph {
 
 inline constexpr double kEarthRadiusM = 6371e3;
 inline constexpr double kAtmosphereTopM = 100e3;
+/// Of haze: Cornette-Shanks with this g has the asymmetry 0.70 of continental aerosol, average.
+/// [Hess98] table 4
+inline constexpr double kHazeG = 0.637;
 
 struct AtmosphereSpec {
     double visibilityM = 100e3;  ///< at sea level, at 550 nm; contrast 0.02 [Koschmieder24]
@@ -63,11 +67,12 @@ class Atmosphere {
     struct Path;
     struct Place;
     struct Phases;
+    struct Sum;
     Local localAt(double altitudeM) const;
-    Spectrum depthOf(const glm::dvec3& columnsM) const;
-    Spectrum sunlightOf(double altitudeM, double trueUp) const;
+    Spectrum depthOf(const glm::dvec3& columnsM, double forward = 0.0) const;
+    Spectrum sunlightOf(double altitudeM, double trueUp, double forward) const;
     Spectrum manyTimes(double altitudeM, double trueUp) const;
-    void add(const Place& place, double lengthM, const Phases& phases, AirLight& sum) const;
+    void add(const Place& place, double lengthM, const Phases& phases, Sum& sum) const;
     Spectrum manyTimesAt(double altitudeM, double trueUp) const;
 
     AtmosphereSpec spec_;
