@@ -34,7 +34,7 @@ struct SunAir {
     glm::dvec3 columnsM{0.0};  ///< as of BentRay
     double lowestUp = 0.0;     ///< sine of the true elevation of what is seen at the horizon
 };
-/// From a table; relative error of columns below 2e-3. Of a hidden sun those of the horizon.
+/// From a table, within 1 % of columns of 100 m and more. Of a hidden sun those of the horizon.
 SunAir sunAir(double altitudeM, double trueUp);
 
 }  // namespace neph

@@ -14,7 +14,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kHazeHeightM = 1200.0;                     // scale height. [Bruneton17]
 constexpr double kOzoneMiddleM = 25e3, kOzoneHalfM = 15e3;  // a tent. [Bruneton17]
 /// At 550 nm, 15 degrees Celsius and 1013.25 hPa. [Bodhaine99] eq. 18, after Peck and Reeder
 constexpr double kRefractivityAtSea = 2.7782e-4;

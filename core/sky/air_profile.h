@@ -11,6 +11,9 @@ namespace neph {
 /// The column of molecules above the sea, as if all of it were as dense as there. [USSA76]
 inline constexpr double kMoleculesHeightM = 8455.0;
 
+/// Scale height of haze. [Bruneton17]
+inline constexpr double kHazeHeightM = 1200.0;
+
 /// Of molecules [USSA76], haze and ozone: shares of their largest density.
 glm::dvec3 airDensity(double altitudeM);
 

@@ -13,7 +13,6 @@ namespace {
 using glm::dvec2, glm::dvec3;
 
 constexpr double kSunRadius = 0.00465;  // radians; half of its mean diameter of 32'
-constexpr double kHazeAlbedo = 0.9;     // [Bruneton17]
 constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
 /// Share of the light that haze scatters which goes on as if it were not scattered, for light that
 /// is then scattered elsewhere; near the sun, where it is seen itself, less of it. Tuned to exact

@@ -19,6 +19,7 @@ inline constexpr double kAtmosphereTopM = 100e3;
 /// Of haze: Cornette-Shanks with this g has the asymmetry 0.70 of continental aerosol, average.
 /// [Hess98] table 4
 inline constexpr double kHazeG = 0.637;
+inline constexpr double kHazeAlbedo = 0.9;  ///< [Bruneton17]
 
 struct AtmosphereSpec {
     double visibilityM = 100e3;  ///< at sea level, at 550 nm; contrast 0.02 [Koschmieder24]
