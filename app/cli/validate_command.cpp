@@ -162,10 +162,23 @@ Effort effortOf(const ValidateRequest& request) {
     return effort;
 }
 
+/// Whether any was asked for.
+bool reportSky(const ValidateRequest& request, Report& report) {
+    if (!request.files.empty()) return false;
+    const auto start = Clock::now();
+    bool any = false;
+    for (const std::vector<Row>& rows : skyRows()) {
+        if (rows.front().trial.find(request.only) == std::string::npos) continue;
+        report.add(rows, any ? 0.0 : secondsSince(start));
+        any = true;
+    }
+    return any;
+}
+
 void measureAll(const ValidateRequest& request, render::TraceMeter& meter, Report& report) {
     const Progress goesOn = untilInterrupted();
     const std::vector<Trial> trials = chooseTrials(request);
-    if (trials.empty()) {
+    if (!reportSky(request, report) && trials.empty()) {
         throw UsageError({.where = request.only.empty() ? "--quick" : "--only " + request.only,
                           .what = "leaves nothing to measure",
                           .hint = "nephoscope validate names all on stderr as it goes"});

@@ -1,5 +1,6 @@
 // checks.h: the built-in checks of the path tracer, beside the scenes in files: laws with closed
-// forms, and invariance of the result to how a medium is described. docs/validation.md lists them.
+// forms, and invariance of the result to how a medium is described; and those of the sky.
+// docs/validation.md lists them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -23,6 +24,10 @@ std::vector<Trial> invarianceTrials();
 /// The largest distance between the empirical distribution of sampled scattering angles and the
 /// cumulative phase function, for every kind of phase function.
 std::vector<Row> phaseRows(render::TraceMeter& meter, bool quick);
+
+/// The clear sky of images against published formulas and exact solutions, a list for each
+/// comparison. Needs no meter, and knows no noise.
+std::vector<std::vector<Row>> skyRows();
 
 /// Pseudo-random numbers in [0, 1), the same on every machine.
 class RandomNumbers {

@@ -49,12 +49,18 @@ PhaseSpec parsePhase(const Object& entry) {
     const Json& phase = entry.require("phase", "the name of a phase function, or \"g\"");
     const Json named = Json::object({{"kind", phase}});
     const Object object(phase.is_string() ? named : phase, entry.where + ": phase",
-                        {"kind", "g", "g2", "weight", "alpha", "radius_um"});
+                        {"kind", "g", "g2", "weight", "alpha", "radius_um", "wavelength_nm"});
     object.require("kind", "the name of a phase function");
     std::vector<std::string_view> ids;
     for (const PhaseFunction& function : phaseFunctions()) ids.push_back(function.id);
     const std::string id = object.word("kind", ids);
     spec.kind = static_cast<PhaseKind>(std::ranges::find(ids, id) - ids.begin());
+    if (object.has("wavelength_nm") && spec.kind != PhaseKind::waterDroplets) {
+        throw Error({object.where, fmt::format("{} has no \"wavelength_nm\"", id), "", "",
+                     "remove the key"});
+    }
+    spec.wavelengthM =
+        1e-9f * static_cast<float>(object.number("wavelength_nm", {400.0, 1000.0}, 0.0));
     for (const PhaseParameter& parameter : kPhaseParameters) {
         if (!object.has(parameter.key)) continue;
         if (!phaseReads(spec.kind, parameter.member)) {
@@ -131,21 +137,23 @@ Medium parseColumns(const Object& scene) {
     return rasterise(slabs, scene.where + ": columns");
 }
 
-/// A list of three numbers, for x, y and z.
-glm::dvec3 parseThree(const Object& object, std::string_view key, Range range) {
-    glm::dvec3 three{0.0};
-    const std::string expected = fmt::format("three numbers from {} to {}", range.low, range.high);
+/// A list of so many numbers.
+template <int kCount>
+glm::vec<kCount, double> parseNumbers(const Object& object, std::string_view key, Range range) {
+    glm::vec<kCount, double> numbers{0.0};
+    const std::string expected =
+        fmt::format("{} numbers from {} to {}", kCount, range.low, range.high);
     const Json& list = object.require(key, expected);
-    if (!list.is_array() || list.size() != 3)
+    if (!list.is_array() || list.size() != kCount)
         refuseJson(object.where, key, excerpt(list), expected);
-    for (int axis = 0; axis < 3; ++axis) {
-        const Json& item = list[static_cast<std::size_t>(axis)];
-        three[axis] = item.is_number() ? item.get<double>() : -1.0;
-        if (!(three[axis] >= range.low && three[axis] <= range.high)) {
+    for (int i = 0; i < kCount; ++i) {
+        const Json& item = list[static_cast<std::size_t>(i)];
+        numbers[i] = item.is_number() ? item.get<double>() : -1.0;
+        if (!(numbers[i] >= range.low && numbers[i] <= range.high)) {
             refuseJson(object.where, key, excerpt(list), expected);
         }
     }
-    return three;
+    return numbers;
 }
 
 /// Extinction of a grid: inline, or from a file in `folder`.
@@ -169,13 +177,13 @@ Medium parseGrid(const Object& scene, const std::filesystem::path& folder, bool&
     const Object grid(*scene.find("grid"), scene.where + ": grid",
                       {"size", "spacing_m", "trilinear", "fields"});
     Medium medium;
-    const glm::dvec3 size = parseThree(grid, "size", {1.0, 2048.0});
+    const glm::dvec3 size = parseNumbers<3>(grid, "size", {1.0, 2048.0});
     medium.size = glm::ivec3(size);
     if (glm::dvec3(medium.size) != size) {
         refuseJson(grid.where, "size", excerpt(*grid.find("size")), "whole numbers");
     }
     checkCellCount(medium.size, grid.where);
-    medium.spacingM = parseThree(grid, "spacing_m", {1e-3, kMaxLengthM});
+    medium.spacingM = parseNumbers<3>(grid, "spacing_m", {1e-3, kMaxLengthM});
     trilinear = grid.flag("trilinear", false);
     grid.require("fields", "a list");
     const Json& list = grid.list("fields", kMaxFields);
@@ -218,6 +226,17 @@ void parseSun(const Object& experiment, render::MeterScene& scene) {
         sun.number("angular_radius_deg", {0.01, 10.0}, glm::degrees(render::kSunRadiusRad)));
 }
 
+/// `"x_m": [from, to]` and `"y_m"`, both or none.
+std::optional<std::array<glm::dvec2, 2>> parseArea(const Object& entry) {
+    if (!entry.has("x_m") && !entry.has("y_m")) return {};
+    const auto x = parseNumbers<2>(entry, "x_m", {0.0, kMaxLengthM});
+    const auto y = parseNumbers<2>(entry, "y_m", {0.0, kMaxLengthM});
+    if (!(x[0] < x[1] && y[0] < y[1])) {
+        throw Error({entry.where, "has no area", "", "\"x_m\" and \"y_m\" that increase", ""});
+    }
+    return std::array{glm::dvec2(x[0], y[0]), glm::dvec2(x[1], y[1])};
+}
+
 void parseDetectors(const Object& parent, Experiment& experiment) {
     const Object detectors(parent.require("detectors", "an object in braces"),
                            parent.where + ": detectors", {"fluxes", "radiances", "per_column"});
@@ -233,11 +252,11 @@ void parseDetectors(const Object& parent, Experiment& experiment) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         constexpr std::array<std::string_view, 2> kSides{"top", "bottom"};
         const Object entry(list[i], detectors.below("radiances", i),
-                           {"name", "leaving", "zenith_deg", "azimuth_deg"});
-        experiment.views.push_back({entry.requiredText("name"),
-                                    entry.word("leaving", kSides) == "top",
-                                    entry.number("zenith_deg", {0.0, 89.9}),
-                                    entry.number("azimuth_deg", {-360.0, 360.0}, 0.0)});
+                           {"name", "leaving", "zenith_deg", "azimuth_deg", "x_m", "y_m"});
+        experiment.views.push_back(
+            {entry.requiredText("name"), entry.word("leaving", kSides) == "top",
+             entry.number("zenith_deg", {0.0, 89.9}),
+             entry.number("azimuth_deg", {-360.0, 360.0}, 0.0), parseArea(entry)});
     }
 }
 

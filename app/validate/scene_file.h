@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@ struct View {
     std::string name;
     bool top = true;
     double zenithDeg = 0.0, azimuthDeg = 0.0;
+    /// Part of the top or the bottom that it is the mean of, m; otherwise all.
+    std::optional<std::array<glm::dvec2, 2>> area;
 };
 
 /// Measured of the whole or of a column; see trialsOf.

@@ -108,7 +108,8 @@ class TrialMaker {
                                  std::sin(zenith) * std::sin(azimuth),
                                  view.top ? std::cos(zenith) : -std::cos(zenith)};
         const double z = view.top ? heightM_ : 0.0;
-        trial_.detectors.push_back({DetectorKind::radiance, between(part, z, z), -leaving});
+        const Footprint whole = view.area ? Footprint{(*view.area)[0], (*view.area)[1], ""} : part;
+        trial_.detectors.push_back({DetectorKind::radiance, between(whole, z, z), -leaving});
         trial_.quantities.push_back(
             {view.name + part.suffix, {{trial_.detectors.size() - 1, kPi / incident_}}, 0.0, {}});
     }
@@ -170,7 +171,10 @@ std::vector<Trial> trialsOf(const SceneFile& file, const std::string& where) {
             for (const Flux flux : experiment.fluxes) {
                 (flux == Flux::direct ? makers.back() : makers.front()).addFlux(flux, part);
             }
-            for (const View& view : experiment.views) makers.front().addView(view, part);
+            for (const View& view : experiment.views) {
+                if (view.area && !part.suffix.empty()) continue;  // not of a column
+                makers.front().addView(view, part);
+            }
         }
         std::vector<Trial> trials;
         for (TrialMaker& maker : makers) {

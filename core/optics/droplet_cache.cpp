@@ -118,18 +118,19 @@ std::filesystem::path dropletCacheFile(float effectiveRadiusM) {
                                  roundRadius(effectiveRadiusM) * 1e6f);
 }
 
-std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM) {
+std::shared_ptr<const DropletOptics> waterDroplets(float effectiveRadiusM, float wavelengthM) {
     static std::mutex mutex;
-    static std::map<float, std::shared_ptr<const DropletOptics>> known;
+    static std::map<std::pair<float, float>, std::shared_ptr<const DropletOptics>> known;
     const float radiusM = roundRadius(effectiveRadiusM);
     const std::lock_guard lock(mutex);  // so that two threads never compute the same radius
-    auto& entry = known[radiusM];
+    auto& entry = known[{radiusM, wavelengthM}];
     if (!entry) {
-        const std::filesystem::path path = dropletCacheFile(radiusM);
+        const std::filesystem::path path =
+            wavelengthM > 0.0f ? std::filesystem::path() : dropletCacheFile(radiusM);
         std::optional<DropletOptics> optics;
         if (!path.empty()) optics = readDropletCache(path, radiusM);
         if (!optics) {
-            optics = computeDroplets(radiusM);
+            optics = computeDroplets(radiusM, wavelengthM);
             if (!path.empty()) writeDropletCache(path, *optics);
         }
         entry = std::make_shared<const DropletOptics>(std::move(*optics));

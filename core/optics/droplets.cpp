@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <thread>
 
 #include "core/optics/mie.h"
@@ -24,6 +25,17 @@ struct Colour {
     double wavelengthM, index;
 };
 constexpr std::array<Colour, 3> kColours{{{650e-9, 1.331}, {550e-9, 1.333}, {450e-9, 1.337}}};
+/// Refractive index at 400, 450, ... 1000 nm. [HQ73]
+constexpr std::array kIndices{1.339, 1.337, 1.335, 1.333, 1.332, 1.331, 1.331,
+                              1.330, 1.329, 1.329, 1.328, 1.327, 1.327};
+constexpr double kFirstIndexM = 400e-9, kIndexStepM = 50e-9;
+
+Colour colourOf(double wavelengthM) {
+    const double last = static_cast<double>(kIndices.size() - 1);
+    const double at = std::clamp((wavelengthM - kFirstIndexM) / kIndexStepM, 0.0, last);
+    const auto i = std::min(static_cast<std::size_t>(at), kIndices.size() - 2);
+    return {wavelengthM, std::lerp(kIndices[i], kIndices[i + 1], at - static_cast<double>(i))};
+}
 
 /// Range of sizes in effective radii; those outside add less than 1e-4 to the forward peak. They
 /// are spaced evenly in the logarithm, so that the interference fringes of no angle stay in phase
@@ -180,15 +192,15 @@ Sums sumSlice(double radiusM, const Colour& colour, int slice, const AngularFunc
 }
 
 /// Computes all slices of all colours, on all cores; entry colour * kSlices + slice.
-std::vector<Sums> sumAll(double radiusM) {
-    const double xLargest = 2.0 * kPi * radiusM * kLargestSize / kColours[2].wavelengthM;
+std::vector<Sums> sumAll(double radiusM, std::span<const Colour> colours) {
+    const double xLargest = 2.0 * kPi * radiusM * kLargestSize / colours.back().wavelengthM;
     const AngularFunctions angular(static_cast<int>(xLargest + 4.0 * std::cbrt(xLargest) + 3.0));
-    std::vector<Sums> parts(kColours.size() * kSlices);
+    std::vector<Sums> parts(colours.size() * kSlices);
     std::atomic<std::size_t> next{0};
     auto work = [&] {
         for (std::size_t i = next++; i < parts.size(); i = next++) {
             parts[i] =
-                sumSlice(radiusM, kColours[i / kSlices], static_cast<int>(i % kSlices), angular);
+                sumSlice(radiusM, colours[i / kSlices], static_cast<int>(i % kSlices), angular);
         }
     };
     std::vector<std::jthread> helpers;
@@ -238,16 +250,19 @@ std::vector<float> normalise(PhaseTable& table) {
 
 }  // namespace
 
-DropletOptics computeDroplets(float effectiveRadiusM) {
+DropletOptics computeDroplets(float effectiveRadiusM, float wavelengthM) {
+    const std::array one{colourOf(static_cast<double>(wavelengthM))};
+    const auto colours =
+        wavelengthM > 0.0f ? std::span<const Colour>(one) : std::span<const Colour>(kColours);
     DropletOptics optics;
     optics.effectiveRadiusM = std::clamp(effectiveRadiusM, kSmallestDropletM, kLargestDropletM);
     optics.phase.resize(kPhaseTableSize);
-    const std::vector<Sums> parts = sumAll(static_cast<double>(optics.effectiveRadiusM));
+    const std::vector<Sums> parts = sumAll(static_cast<double>(optics.effectiveRadiusM), colours);
     for (int colour = 0; colour < 3; ++colour) {
         Sums sums;
         for (int slice = 0; slice < kSlices; ++slice) {
-            const Sums& part =
-                parts[static_cast<std::size_t>(colour) * kSlices + static_cast<std::size_t>(slice)];
+            const std::size_t of = std::min(static_cast<std::size_t>(colour), colours.size() - 1);
+            const Sums& part = parts[of * kSlices + static_cast<std::size_t>(slice)];
             for (std::size_t i = 0; i < kAngles; ++i) sums.intensity[i] += part.intensity[i];
             sums.area += part.area;
             sums.extinction += part.extinction;

@@ -33,6 +33,8 @@ struct PhaseSpec {
     float weight = 0.99f;    ///< share of the first lobe of double HG
     float alpha = 1.0f;      ///< Draine's alpha
     float radiusM = 10e-6f;  ///< effective radius of water droplets and of ice crystals
+    /// Of the light that water droplets scatter; 0: 650, 550 and 450 nm.
+    float wavelengthM = 0.0f;
     bool operator==(const PhaseSpec&) const = default;
 };
 

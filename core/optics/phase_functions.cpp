@@ -14,6 +14,11 @@ using S = const PhaseSpec&;
 using Spec = PhaseSpec;
 using glm::vec3;
 
+/// Kept in memory for good.
+const DropletOptics& droplets(S s) {
+    return *waterDroplets(s.radiusM, s.wavelengthM);
+}
+
 constexpr auto kRows = std::to_array<PhaseFunction>({
     {.id = "isotropic",
      .label = "Isotropic",
@@ -70,12 +75,11 @@ constexpr auto kRows = std::to_array<PhaseFunction>({
              "wavelengths. [HT74]",
      .scatterer = Scatterer::droplets,
      .parameters = {{{&Spec::radiusM, 10e-6f}}},
-     .value = [](S s, float mu) { return lookUp(waterDroplets(s.radiusM)->phase, mu); },
-     .cumulative = [](S s,
-                      float theta) { return dropletCumulative(*waterDroplets(s.radiusM), theta); },
-     .sample = [](S s, float u) { return dropletSample(*waterDroplets(s.radiusM), u); },
-     .asymmetry = [](S s) { return waterDroplets(s.radiusM)->asymmetry.y; },
-     .table = [](S s) { return waterDroplets(s.radiusM)->phase; }},
+     .value = [](S s, float mu) { return lookUp(droplets(s).phase, mu); },
+     .cumulative = [](S s, float theta) { return dropletCumulative(droplets(s), theta); },
+     .sample = [](S s, float u) { return dropletSample(droplets(s), u); },
+     .asymmetry = [](S s) { return droplets(s).asymmetry.y; },
+     .table = [](S s) { return droplets(s).phase; }},
     {.id = "rough_aggregate",
      .label = "Rough aggregate (ice)",
      .help = "Crystals frozen together, with rough faces. [Key02]",

@@ -13,10 +13,12 @@ namespace {
 using glm::dvec2, glm::dvec3;
 
 constexpr double kSunRadius = 0.00465;  // radians; half of its mean diameter of 32'
-constexpr double kHazeG = 0.8;          // [Bruneton17]
-constexpr double kHazeAlbedo = 0.9;     // [Bruneton17]
 constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
-constexpr double kContrast = 3.912;     // -ln 0.02: what a visibility is the optical depth of
+/// Share of the light that haze scatters which goes on as if it were not scattered, for light that
+/// is then scattered elsewhere; near the sun, where it is seen itself, less of it. Tuned to exact
+/// solutions: docs/sky.md.
+constexpr double kForward = 0.35, kForwardAtSun = 0.14;
+constexpr double kContrast = 3.912;  // -ln 0.02: what a visibility is the optical depth of
 /// Molecules of 1 Dobson unit, 1/m², spread over the tent of ozone, m.
 constexpr double kDobsonPerM2 = 2.6868e20, kOzoneTentM = 15e3;
 
@@ -47,6 +49,13 @@ double cornetteShanks(double cosTheta, double g) {
     const double g2 = g * g;
     return 3.0 / (8.0 * std::numbers::pi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosTheta * cosTheta) /
            std::pow(1.0 + g2 - 2.0 * g * cosTheta, 1.5);
+}
+
+/// What goes on forwards of light that is seen at an angle from the sun: kForwardAtSun within some
+/// 10 degrees of it, kForward beyond 40.
+double forwardAt(double cosSun) {
+    const double half2 = 0.5 + 0.5 * cosSun;  // of the cosine of half the angle
+    return kForward - (kForward - kForwardAtSun) * std::pow(half2, 24.0);
 }
 
 /// Part of the air that a ray passes.
@@ -82,13 +91,14 @@ double sunAtPlace(double place) {
 
 /// A ray as its points see it.
 struct Atmosphere::Path {
-    explicit Path(const SkyRay& ray)
-        : fromM(kEarthRadiusM + ray.altitudeM), up(ray.up), sunUp(ray.sunUp) {
+    Path(const SkyRay& ray, double trueUp)
+        : fromM(kEarthRadiusM + ray.altitudeM), up(ray.up), sunUp(trueUp) {
         const double across = std::sqrt(std::max(0.0, 1.0 - up * up));
-        const double sunAcross = std::sqrt(std::max(0.0, 1.0 - sunUp * sunUp));
-        cosSun = across * std::cos(ray.azimuthFromSun) * sunAcross + up * sunUp;
+        cosSun = up * sunUp + across * std::cos(ray.azimuthFromSun) *
+                                  std::sqrt(std::max(0.0, 1.0 - sunUp * sunUp));
     }
-    double fromM, up, sunUp;
+    double fromM, up;
+    double sunUp;   ///< without refraction, as all that follows of the sun
     double cosSun;  ///< of the angle between ray and sun
 };
 
@@ -103,9 +113,18 @@ struct Atmosphere::Place {
     double altitudeM, sunUp;
 };
 
+/// Of light scattered many times as it begins: isotropic but for what goes on.
 struct Atmosphere::Phases {
-    float molecules = static_cast<float>(1.0 / (4.0 * std::numbers::pi)), haze = molecules;
+    float molecules = static_cast<float>(1.0 / (4.0 * std::numbers::pi));
+    float haze = static_cast<float>(1.0 - kForward) * molecules;
     bool manyTimes = false;  ///< light scattered more often as well
+    double forward = kForward;
+};
+
+struct Atmosphere::Sum {
+    Spectrum radiance;
+    Spectrum reaches{1.0f};  ///< of light that is scattered, with what goes on forwards
+    Spectrum depth;          ///< of what is seen through it
 };
 
 Atmosphere::Atmosphere(const AtmosphereSpec& spec) : spec_(spec) {
@@ -140,30 +159,34 @@ Atmosphere::Local Atmosphere::localAt(double altitudeM) const {
     return local;
 }
 
-Spectrum Atmosphere::depthOf(const dvec3& columnsM) const {
-    const glm::vec3 columns(columnsM);
+Spectrum Atmosphere::depthOf(const dvec3& columnsM, double forward) const {
+    const glm::vec3 columns(columnsM * dvec3(1.0, 1.0 - kHazeAlbedo * forward, 1.0));
     return columns.x * moleculesPerM_ + columns.y * hazePerM_ + columns.z * ozonePerM_;
 }
 
 Spectrum Atmosphere::transmittance(double altitudeM, double up) const {
-    if (up < horizonUp(altitudeM)) return Spectrum(0.0f);
+    if (up < apparentHorizonUp(altitudeM)) return Spectrum(0.0f);
     if (altitudeM >= kAtmosphereTopM && up >= 0.0) return Spectrum(1.0f);
-    return expMinus(depthOf(airColumnsM(altitudeM, up)));
+    return expMinus(depthOf(bentRay(altitudeM, up).columnsM));
 }
 
 Spectrum Atmosphere::sunlight(double altitudeM, double sunUp) const {
-    constexpr double kWellUp = 0.02;  // the whole disc, seen from anywhere on the ground
-    if (sunUp > kWellUp) return transmittance(altitudeM, sunUp);
-    const double lowest = horizonUp(altitudeM);
-    const double above = (std::asin(std::clamp(sunUp, -1.0, 1.0)) - std::asin(lowest)) / kSunRadius;
+    return sunlightOf(altitudeM, trueSunUp(sunUp), 0.0);
+}
+
+Spectrum Atmosphere::sunlightOf(double altitudeM, double trueUp, double forward) const {
+    const SunAir air = sunAir(altitudeM, trueUp);
+    constexpr double kWellUp = 0.0;  // the whole disc, seen from anywhere: air raises it
+    if (trueUp > kWellUp) return expMinus(depthOf(air.columnsM, forward));
+    const double above = (std::asin(std::max(trueUp, -1.0)) - std::asin(air.lowestUp)) / kSunRadius;
     if (above <= -1.0) return Spectrum(0.0f);
     const double x = std::min(above, 1.0);
     const double visible = 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / std::numbers::pi;
-    return static_cast<float>(visible) * transmittance(altitudeM, std::max(sunUp, lowest));
+    return static_cast<float>(visible) * expMinus(depthOf(air.columnsM, forward));
 }
 
-Spectrum Atmosphere::manyTimes(double altitudeM, double sunUp) const {
-    const dvec2 share{placeOfSun(sunUp),
+Spectrum Atmosphere::manyTimes(double altitudeM, double trueUp) const {
+    const dvec2 share{placeOfSun(trueUp),
                       std::sqrt(std::clamp(altitudeM / kAtmosphereTopM, 0.0, 1.0))};
     const dvec2 at = share * dvec2(kManySize - 1);
     const glm::ivec2 cell = glm::min(glm::ivec2(at), kManySize - 2);
@@ -175,50 +198,57 @@ Spectrum Atmosphere::manyTimes(double altitudeM, double sunUp) const {
 }
 
 /// A stretch around a place, as if all of it were as it is there.
-void Atmosphere::add(const Place& place, double lengthM, const Phases& phases,
-                     AirLight& sum) const {
+void Atmosphere::add(const Place& place, double lengthM, const Phases& phases, Sum& sum) const {
     const Local local = localAt(place.altitudeM);
-    const Spectrum sun = sunlight(place.altitudeM, place.sunUp);
+    const Spectrum sun = sunlightOf(place.altitudeM, place.sunUp, phases.forward);
     const Spectrum many =
         phases.manyTimes ? manyTimes(place.altitudeM, place.sunUp) : Spectrum(0.0f);
-    const Spectrum depth = static_cast<float>(lengthM) * local.extinction;
+    const auto length = static_cast<float>(lengthM), forward = static_cast<float>(phases.forward);
+    Spectrum depth;
+    for (std::size_t i = 0; i < kSpectrumSize; ++i) {
+        depth.at[i] = length * (local.extinction.at[i] - forward * local.haze.at[i]);
+        sum.depth.at[i] += length * local.extinction.at[i];
+    }
     const Spectrum clear = expMinus(depth);
+    constexpr auto kSpread = static_cast<float>(1.0 - kForward);
     for (std::size_t i = 0; i < kSpectrumSize; ++i) {
         const float once =
             local.molecules.at[i] * phases.molecules + local.haze.at[i] * phases.haze;
         const float source =
-            once * sun.at[i] + (local.molecules.at[i] + local.haze.at[i]) * many.at[i];
+            once * sun.at[i] + (local.molecules.at[i] + kSpread * local.haze.at[i]) * many.at[i];
         const float x = depth.at[i];
         // (1 - e^-x) / x.
         const float mean = x < 0.02f ? 1.0f - x * (0.5f - x / 6.0f) : (1.0f - clear.at[i]) / x;
-        sum.radiance.at[i] += sum.clear.at[i] * source * mean * static_cast<float>(lengthM);
-        sum.clear.at[i] *= clear.at[i];
+        sum.radiance.at[i] += sum.reaches.at[i] * source * mean * length;
+        sum.reaches.at[i] *= clear.at[i];
     }
 }
 
 /// Light scattered at least twice, seen from everywhere, before it is scattered once more: of light
 /// scattered once as if isotropic, and a geometric series of what follows. [Hillaire20] eq. 5-10
-Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
+Spectrum Atmosphere::manyTimesAt(double altitudeM, double trueUp) const {
     constexpr int kUps = 8, kAzimuths = 4, kSteps = 20;
+    constexpr auto kGoesOn = static_cast<float>(kForward);
     Spectrum light, again;
     for (int i = 0; i < kUps; ++i) {
         for (int j = 0; j < kAzimuths; ++j) {
             const SkyRay ray{altitudeM, (i + 0.5) / kUps * 2.0 - 1.0,
-                             std::numbers::pi * (j + 0.5) / kAzimuths, sunUp};
-            const Path path(ray);
+                             std::numbers::pi * (j + 0.5) / kAzimuths};
+            const Path path(ray, trueUp);
             const Reach reach = reachOf(altitudeM, ray.up);
-            AirLight sum;
+            Sum sum;
             for (int step = 0; step < kSteps; ++step) {
                 const dvec2 t{step / static_cast<double>(kSteps), (step + 1.0) / kSteps};
                 const dvec2 atM = reach.fromM + (reach.toM - reach.fromM) * t * t;
                 const Place place(path, 0.5 * (atM.x + atM.y));
-                const Spectrum before = sum.clear;
+                const Spectrum before = sum.reaches;
                 add(place, atM.y - atM.x, {}, sum);
                 const Local local = localAt(place.altitudeM);
                 for (std::size_t k = 0; k < kSpectrumSize; ++k) {
-                    const float scattered = (local.molecules.at[k] + local.haze.at[k]) /
-                                            std::max(local.extinction.at[k], 1e-20f);
-                    again.at[k] += (before.at[k] - sum.clear.at[k]) * scattered;
+                    const float goesOn = kGoesOn * local.haze.at[k];
+                    const float scattered = (local.molecules.at[k] + local.haze.at[k] - goesOn) /
+                                            std::max(local.extinction.at[k] - goesOn, 1e-20f);
+                    again.at[k] += (before.at[k] - sum.reaches.at[k]) * scattered;
                 }
             }
             light += sum.radiance;
@@ -226,7 +256,8 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double sunUp) const {
             const Place below(path, reach.toM);
             const double perRadiance =
                 spec_.groundAlbedo / std::numbers::pi * std::max(below.sunUp, 0.0);
-            light += static_cast<float>(perRadiance) * (sum.clear * sunlight(0.0, below.sunUp));
+            light += static_cast<float>(perRadiance) *
+                     (sum.reaches * sunlightOf(0.0, below.sunUp, kForward));
         }
     }
     constexpr float kPerDirection = 1.0f / (kUps * kAzimuths);
@@ -249,13 +280,15 @@ void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
     constexpr int kSteps = 40;  // of the whole
     const Reach reach = reachOf(ray.altitudeM, ray.up);
     const double lengthM = reach.toM - reach.fromM;
-    const Path path(ray);
-    const Phases phases{static_cast<float>(rayleigh(path.cosSun)),
-                        static_cast<float>(cornetteShanks(path.cosSun, kHazeG)), true};
+    const Path path(ray, trueSunUp(ray.sunUp));
+    const double cosSeen = Path(ray, ray.sunUp).cosSun;  // haze is brightest around the disc
+    const Phases phases{static_cast<float>(rayleigh(cosSeen)),
+                        static_cast<float>(cornetteShanks(cosSeen, kHazeG)), true,
+                        forwardAt(cosSeen)};
     const auto shareOf = [&](double atM) {
         return std::sqrt(std::clamp((atM - reach.fromM) / std::max(lengthM, 1.0), 0.0, 1.0));
     };
-    AirLight sum;
+    Sum sum;
     double from = 0.0;
     for (std::size_t i = 0; i < distancesM.size(); ++i) {
         const double until = shareOf(distancesM[i]);
@@ -267,7 +300,7 @@ void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
             add(Place(path, reach.fromM + 0.5 * (aM + bM)), bM - aM, phases, sum);
         }
         from = std::max(from, until);
-        to[i] = sum;
+        to[i] = {sum.radiance, expMinus(sum.depth)};
     }
 }
 

@@ -2,8 +2,9 @@
 // it scatters.
 //
 // After Hillaire 2020 [Hillaire20]: molecules, haze and ozone in spherical layers; light scattered
-// once exactly, light scattered more often as if isotropic. Radiances are per unit of the sun's
-// irradiance outside the atmosphere, at each wavelength, 1/sr. docs/sky.md
+// once exactly, light scattered more often as if isotropic; part of what haze scatters forwards
+// counts as not scattered. Radiances are per unit of the sun's irradiance outside the atmosphere,
+// at each wavelength, 1/sr. docs/sky.md
 #pragma once
 #include <glm/glm.hpp>
 #include <span>
@@ -15,6 +16,10 @@ namespace neph {
 
 inline constexpr double kEarthRadiusM = 6371e3;
 inline constexpr double kAtmosphereTopM = 100e3;
+/// Of haze: Cornette-Shanks with this g has the asymmetry 0.70 of continental aerosol, average.
+/// [Hess98] table 4
+inline constexpr double kHazeG = 0.637;
+inline constexpr double kHazeAlbedo = 0.9;  ///< [Bruneton17]
 
 struct AtmosphereSpec {
     double visibilityM = 100e3;  ///< at sea level, at 550 nm; contrast 0.02 [Koschmieder24]
@@ -28,7 +33,7 @@ struct SkyRay {
     double altitudeM = 0.0;       ///< of the eye, above sea level
     double up = 0.0;              ///< sine of the ray's elevation
     double azimuthFromSun = 0.0;  ///< radians
-    double sunUp = 0.0;           ///< sine of the sun's elevation at the eye
+    double sunUp = 0.0;           ///< sine of the sun's elevation, as seen from sea level below
 };
 
 /// What a stretch of air adds to the light that comes through it, and what it leaves of it.
@@ -42,9 +47,10 @@ class Atmosphere {
     explicit Atmosphere(const AtmosphereSpec& spec);
     const AtmosphereSpec& spec() const { return spec_; }
 
-    /// What is left of light from outside that arrives from a direction; 0 from below the horizon.
+    /// What is left of light from outside that arrives from a direction, along bent rays; 0 from
+    /// below the horizon.
     Spectrum transmittance(double altitudeM, double up) const;
-    /// The same of sunlight, of whose disc the horizon may hide a part.
+    /// The same of sunlight, of whose disc the horizon may hide a part; `sunUp` as of SkyRay.
     Spectrum sunlight(double altitudeM, double sunUp) const;
 
     /// All of the air along a ray, to the ground or to space.
@@ -62,15 +68,17 @@ class Atmosphere {
     struct Path;
     struct Place;
     struct Phases;
+    struct Sum;
     Local localAt(double altitudeM) const;
-    Spectrum depthOf(const glm::dvec3& columnsM) const;
-    Spectrum manyTimes(double altitudeM, double sunUp) const;
-    void add(const Place& place, double lengthM, const Phases& phases, AirLight& sum) const;
-    Spectrum manyTimesAt(double altitudeM, double sunUp) const;
+    Spectrum depthOf(const glm::dvec3& columnsM, double forward = 0.0) const;
+    Spectrum sunlightOf(double altitudeM, double trueUp, double forward) const;
+    Spectrum manyTimes(double altitudeM, double trueUp) const;
+    void add(const Place& place, double lengthM, const Phases& phases, Sum& sum) const;
+    Spectrum manyTimesAt(double altitudeM, double trueUp) const;
 
     AtmosphereSpec spec_;
     Spectrum moleculesPerM_, hazePerM_, ozonePerM_;  ///< extinction where there is most of each
-    std::vector<Spectrum> manyTimes_;                ///< by altitude and the sun's elevation
+    std::vector<Spectrum> manyTimes_;                ///< by altitude and the sun's true elevation
 };
 
 }  // namespace neph

@@ -57,6 +57,30 @@ double opticalDepth(const SceneFile& file, int x) {
 
 }  // namespace
 
+TEST_CASE("A radiance may be of a part, and droplets of one wavelength") {
+    const std::string phase =
+        R"("layers": [{"thickness_m": 500, "optical_depth": 4,
+            "phase": {"kind": "water_droplets", "wavelength_nm": 800}}])";
+    const auto experiment = [](const std::string& area) {
+        return R"({"sun": {"zenith_deg": 60}, "detectors": {"radiances": [{"name": "up",
+            "zenith_deg": 0)" +
+               area + R"(}]}, "expect": []})";
+    };
+    const std::string part = R"(, "x_m": [10, 20], "y_m": [0, 50])";
+    const SceneFile file = parse(caseOf(phase, experiment(part)));
+    CHECK(file.fields.front().phase.wavelengthM == Approx(800e-9));
+    const Trial trial = trialsOf(file, "mine.json").front();
+    CHECK(trial.detectors.front().box.lowerM == glm::dvec3(10.0, 0.0, 500.0));
+    CHECK(trial.detectors.front().box.upperM == glm::dvec3(20.0, 50.0, 500.0));
+    CHECK(contains(errorMessageOf(caseOf(phase, experiment(R"(, "x_m": [20, 10], "y_m": [0, 1])"))),
+                   "has no area"));
+    CHECK(contains(errorMessageOf(caseOf(phase, experiment(R"(, "x_m": [20, 30])"))), "y_m"));
+    const std::string isotropic =
+        R"("layers": [{"thickness_m": 500, "optical_depth": 4,
+            "phase": {"kind": "isotropic", "wavelength_nm": 800}}])";
+    CHECK(contains(errorMessageOf(caseOf(isotropic, experiment(""))), "wavelength_nm"));
+}
+
 TEST_CASE("Layers are stacked, on a grid of at least 16 levels that contains their edges") {
     const SceneFile file = parse(caseOf(
         R"("layers": [{"thickness_m": 300, "optical_depth": 3, "g": 0.85},
@@ -196,7 +220,7 @@ TEST_CASE("Every bundled case can be read and has expected values for each exper
         CHECK(!trialsOf(file, entry.path().string()).empty());
         ++files;
     }
-    CHECK(files == 9);
+    CHECK(files == 13);
 }
 
 TEST_CASE("A bias that no single measurement shows is detected in all of them together") {

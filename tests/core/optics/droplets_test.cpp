@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -210,4 +212,27 @@ TEST_CASE("A corrupt or unwritable cache costs time, never an error") {
     CHECK(uncached->phase.size() == static_cast<std::size_t>(kPhaseTableSize));
     CHECK(!writeDropletCache(dropletCacheFile(1.3e-6f), *uncached));
     CHECK(waterDroplets(1.3e-6f) == uncached);  // kept in memory all the same
+}
+
+TEST_CASE("Droplets at 800 nm are those of the IPRT intercomparison") {
+    // C. Emde et al., JQSRT 164, 8 (2015), file watercloud.mie: effective radius 10 um; extinction
+    // 158.707 /km per g/m³; angle in degrees, 4 pi P.
+    constexpr std::array<std::array<double, 2>, 9> kPublished{{{0.0, 3557.28},
+                                                               {1.0, 1725.61},
+                                                               {2.0, 304.029},
+                                                               {3.0, 69.7879},
+                                                               {5.0, 21.0644},
+                                                               {10.0, 8.21334},
+                                                               {20.0, 4.26965},
+                                                               {40.0, 1.15827},
+                                                               {50.0, 0.568663}}};
+    const auto droplets = waterDroplets(10e-6f, 800e-9f);
+    CHECK(static_cast<double>(droplets->extinctionEfficiency.y) ==
+          doctest::Approx(158.707e-3 * 4.0 / 3.0 * 10.0).epsilon(1e-3));
+    for (const auto& [angle, value] : kPublished) {
+        CAPTURE(angle);
+        const auto cosine = static_cast<float>(std::cos(angle * std::numbers::pi / 180.0));
+        CHECK(4.0 * std::numbers::pi * static_cast<double>(lookUp(droplets->phase, cosine).y) ==
+              doctest::Approx(value).epsilon(0.012));
+    }
 }
