@@ -22,7 +22,8 @@ void setGlare(const FrameInputs& inputs, const gl::Program& program) {
     program.setVec3(kResolveRightLocation,
                     glm::vec3(camera.right * camera.tanHalfFovY * camera.aspect));
     program.setVec3(kResolveUpLocation, glm::vec3(camera.up * camera.tanHalfFovY));
-    program.setVec3(kResolveTowardsSunLocation, glm::vec3(sunDirWorld(inputs.look)));
+    program.setVec3(kResolveTowardsSunLocation,
+                    glm::vec3(discDirWorld(inputs.look, camera.eyeWorld.z)));
     program.setIvec2(kResolveWholeLocation, wholePx);
 }
 

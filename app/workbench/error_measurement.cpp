@@ -27,7 +27,7 @@ std::vector<std::size_t> pixelsOfDisc(const render::FrameInputs& inputs) {
     std::vector<std::size_t> pixels;
     if (inputs.look.skyModel != SkyModel::atmosphere || !inputs.look.sunDisc) return pixels;
     const Camera& camera = inputs.camera;
-    const glm::dvec3 towardsSun = sunDirWorld(inputs.look);
+    const glm::dvec3 towardsSun = discDirWorld(inputs.look, camera.eyeWorld.z);
     const glm::dvec2 size(inputs.sizePx);
     const double pixel = 2.0 * camera.tanHalfFovY * std::max(1.0 / size.y, camera.aspect / size.x);
     const double nearest = std::cos(static_cast<double>(glsl::kSunRadius) + 1.5 * pixel);

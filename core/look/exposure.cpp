@@ -150,9 +150,17 @@ dvec3 sunIrradiance(const Look& look, double altitudeM) {
            rgbOfSunlight(share);
 }
 
+dvec3 discIrradiance(const Look& look, double altitudeM) {
+    if (look.skyModel != SkyModel::atmosphere) return dvec3(0.0);
+    const Spectrum share =
+        atmosphereOf(look)->discLight(std::max(altitudeM, 0.0), sunDirWorld(look).z);
+    return 4.0 * std::numbers::pi * static_cast<double>(shownIntensity(look)) *
+           rgbOfSunlight(share);
+}
+
 glm::vec3 glareOf(const Look& look, double altitudeM) {
     if (!look.sunDisc || look.toneMap == ToneMap::reflectance) return glm::vec3(0.0f);
-    return look.glare * glm::vec3(sunIrradiance(look, altitudeM));
+    return look.glare * glm::vec3(discIrradiance(look, altitudeM));
 }
 
 DisplayTones displayTones(const Look& look) {

@@ -30,6 +30,9 @@ double exposureValue(const Look& look);
 /// a sky of two colours.
 glm::dvec3 sunIrradiance(const Look& look, double altitudeM);
 
+/// The same of a disc that the horizon does not hide.
+glm::dvec3 discIrradiance(const Look& look, double altitudeM);
+
 /// Of the glare of the sun in the lens by shaders/lib/sun_disc.glsl: what glareAt() is multiplied
 /// by where all of the disc is seen from an altitude.
 glm::vec3 glareOf(const Look& look, double altitudeM);

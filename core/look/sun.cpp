@@ -11,6 +11,8 @@
 
 #include "core/grid/grid.h"
 #include "core/look/parameter.h"
+#include "core/sky/air_columns.h"
+#include "core/sky/atmosphere.h"
 #include "core/sky/lunar_position.h"
 #include "core/sky/solar_position.h"
 
@@ -19,6 +21,11 @@ namespace {
 
 /// Of the day and hour of a look, where data have no date: a leap year, so that all 366 days exist.
 constexpr int kLookYear = 2024;
+
+/// Sine of the elevation in which the disc is seen from an altitude, of that at the ground.
+double seenUp(double up, double altitudeM) {
+    return apparentSunUp(std::clamp(altitudeM, 0.0, kAtmosphereTopM), trueSunUp(up));
+}
 
 /// In [0, 360).
 float azimuthFrom(double degrees) {
@@ -133,6 +140,16 @@ glm::dvec3 sunDirWorld(const Look& look) {
     return compassDirWorld(look.sunAzimuthDeg, elevationDeg);
 }
 
+glm::dvec3 discDirWorld(const Look& look, double eyeAltitudeM) {
+    const glm::dvec3 towardsSun = sunDirWorld(look);
+    if (look.skyModel != SkyModel::atmosphere) return towardsSun;
+    const double up = seenUp(towardsSun.z, eyeAltitudeM);
+    const double across = std::hypot(towardsSun.x, towardsSun.y);
+    if (across <= 0.0) return towardsSun;
+    const double scale = std::sqrt(std::max(1.0 - up * up, 0.0)) / across;
+    return {scale * towardsSun.x, scale * towardsSun.y, up};
+}
+
 std::vector<SunPathPoint> sunPathOf(const Look& look, const Whereabouts& where) {
     if (look.sunSource == SunSource::angles && !(where.place && where.utc)) return {};
     constexpr int kPerHour = 4, kSteps = 24 * kPerHour;
@@ -154,6 +171,18 @@ void setSunAngles(Look& look, double azimuthDeg, double elevationDeg) {
     const ParameterRange& range = parameter("sun.elevation").range;
     setAngles(look, azimuthFrom(azimuthDeg),
               static_cast<float>(std::clamp(elevationDeg, range.lo, range.hi)));
+}
+
+void setDiscSeen(Look& look, const glm::dvec3& direction, double eyeAltitudeM) {
+    const double wanted = std::asin(std::clamp(direction.z, -1.0, 1.0));
+    double elevation = wanted;
+    if (look.skyModel == SkyModel::atmosphere) {
+        constexpr int kRounds = 8;  // bending changes slowly
+        for (int i = 0; i < kRounds; ++i) {
+            elevation += wanted - std::asin(seenUp(std::sin(elevation), eyeAltitudeM));
+        }
+    }
+    setSunAngles(look, glm::degrees(std::atan2(direction.x, direction.y)), glm::degrees(elevation));
 }
 
 void setGoldenHour(Look& look, const Whereabouts& where) {

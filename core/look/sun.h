@@ -52,6 +52,10 @@ glm::dvec3 sunOfMoonWorld(const Look& look);
 /// Unit vector towards the sun in world space, of a look whose sun stands by angles.
 glm::dvec3 sunDirWorld(const Look& look);
 
+/// Unit vector towards the middle of the disc as it is seen from an altitude: the air bends light
+/// less on its way to what is high.
+glm::dvec3 discDirWorld(const Look& look, double eyeAltitudeM);
+
 /// Where the sun stands at an hour of the day, UTC.
 struct SunPathPoint {
     double hour = 0.0;  ///< 0 to 24
@@ -65,6 +69,9 @@ std::vector<SunPathPoint> sunPathOf(const Look& look, const Whereabouts& where);
 /// The sun by angles from then on: any azimuth, and the nearest elevation that `sun.elevation`
 /// takes.
 void setSunAngles(Look& look, double azimuthDeg, double elevationDeg);
+
+/// The same so that the disc is seen from an altitude in a direction, of unit length.
+void setDiscSeen(Look& look, const glm::dvec3& direction, double eyeAltitudeM);
 
 /// The sun at 6 degrees, in the azimuth in which it is: from then on by angles.
 void setGoldenHour(Look& look, const Whereabouts& where);

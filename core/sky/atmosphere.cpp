@@ -170,6 +170,10 @@ Spectrum Atmosphere::transmittance(double altitudeM, double up) const {
     return expMinus(depthOf(bentRay(altitudeM, up).columnsM));
 }
 
+Spectrum Atmosphere::discLight(double altitudeM, double sunUp) const {
+    return expMinus(depthOf(sunAir(altitudeM, trueSunUp(sunUp)).columnsM, 0.0));
+}
+
 Spectrum Atmosphere::sunlight(double altitudeM, double sunUp) const {
     return sunlightOf(altitudeM, trueSunUp(sunUp), 0.0);
 }

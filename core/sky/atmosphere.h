@@ -50,6 +50,8 @@ class Atmosphere {
     /// What is left of light from outside that arrives from a direction, along bent rays; 0 from
     /// below the horizon.
     Spectrum transmittance(double altitudeM, double up) const;
+    /// The same of light from the middle of the sun's disc, as if nothing hid it.
+    Spectrum discLight(double altitudeM, double sunUp) const;
     /// The same of sunlight, of whose disc the horizon may hide a part; `sunUp` as of SkyRay.
     Spectrum sunlight(double altitudeM, double sunUp) const;
 

@@ -113,7 +113,7 @@ float seaMirrors(float down) {
 /// The direction whose sky it shows: waves that face the eye are seen more of than others.
 vec3 seaMirrorsFrom(vec3 dir) {
     const float kTilted = 0.12f;  // about; tuned by eye
-    return normalize(vec3(dir.xy, kTilted - dir.z));
+    return normalize(vec3(dir.x, dir.y, kTilted - dir.z));
 }
 
 vec3 groundPattern(int kind, vec2 positionM, float pixelM) {

@@ -30,7 +30,7 @@ float extinctionPerM(vec3 positionM) {
 /// Around the middle, at the distance that half of the disc is within.
 vec3 towards(int number) {
     float versine = number == 0 ? 0.0 : 0.25 * kSunRadius * kSunRadius;
-    return directionAround(u_.towardsSun.xyz, versine, float(number) / float(kRays - 1));
+    return directionAround(u_.disc.xyz, versine, float(number) / float(kRays - 1));
 }
 
 float depthOf(Ray ray, int part) {

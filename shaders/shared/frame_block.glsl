@@ -44,7 +44,9 @@ struct FrameBlock {
     vec4 farGround;    ///< rgb: diffuse light, as a share of full light, of ground far away
     vec4 sky;          ///< x: 1 where the tables have it, else a gradient; y: sine of the
                        ///< horizon's elevation; z: how rays bend, 1/m; w: intensity of the sun
-    vec4 sunRadiance;  ///< rgb: colour × intensity; w: 1 where its disc is seen
+    vec4 sunRadiance;  ///< rgb: colour × intensity
+    vec4 disc;         ///< xyz: unit, towards the sun's disc as the eye sees it
+    vec4 discLight;    ///< rgb: irradiance of all of it at the eye, but for cloud and ground
     vec4 moon;         ///< xyz: from the moon towards the sun; w: 1 where it stands in its place
     vec4 skyZenith;    ///< rgb × intensity; with tables both are the intensity of the sun; w: kind
                        ///< of ground, shaders/lib/ground.glsl

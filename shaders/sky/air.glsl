@@ -85,19 +85,16 @@ vec3 eyeSky(vec3 dir) {
     return u_.sky.w * textureLod(t_eyeSky, at, 0.0).rgb;
 }
 
-/// The sun's disc as the eye sees it, through the air.
+/// The disc of the sun, or of the moon, as the eye sees it through the air.
 vec3 sunDisc(vec3 dir) {
-    if (u_.sunRadiance.w < 0.5) return vec3(0.0);
+    if (u_.discLight.g <= 0.0) return vec3(0.0);
     float pixel = pixelAngle();
-    float angle = length(cross(dir, u_.towardsSun.xyz));
-    if (dot(dir, u_.towardsSun.xyz) < 0.0 || angle > kSunRadius + pixel) return vec3(0.0);
-    vec3 irradiance = 4.0 * kPi * u_.sunRadiance.rgb * sunAt(max(altitudeM(u_.eyeM.xyz), 0.0));
-    if (u_.moon.w > 0.5) {
-        vec3 offset =
-            (dir - dot(dir, u_.towardsSun.xyz) * u_.towardsSun.xyz) / max(kSunRadius, 0.6 * pixel);
-        return irradiance * moonDiscShare(offset, u_.towardsSun.xyz, u_.moon.xyz, pixel);
-    }
-    return irradiance * sunDiscShare(angle, pixel);
+    float angle = length(cross(dir, u_.disc.xyz));
+    if (dot(dir, u_.disc.xyz) < 0.0 || angle > kSunRadius + pixel) return vec3(0.0);
+    if (u_.moon.w < 0.5) return u_.discLight.rgb * sunDiscShare(angle, pixel);
+    vec3 across = dir - dot(dir, u_.disc.xyz) * u_.disc.xyz;
+    vec3 offset = across / max(kSunRadius, 0.6 * pixel);
+    return u_.discLight.rgb * moonDiscShare(offset, u_.disc.xyz, u_.moon.xyz, pixel);
 }
 
 /// What the ground's colour is multiplied by where a ray from the eye meets it.

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/look/exposure.h"
 #include "core/look/sun.h"
 
 namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 32 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 34 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -57,7 +58,8 @@ void fillAtmosphere(FrameBlock& block, const Look& look, double eyeAltitudeM,
     block.sky = {1.0f, glsl::horizonSine(altitudeM), glsl::bendPerM(altitudeM), intensity};
     block.sunRadiance = block.skyZenith = block.skyHorizon = sun;
     block.skyZenith.w = static_cast<float>(look.groundSurface);
-    block.sunRadiance.w = look.sunDisc ? 1.0f : 0.0f;
+    block.disc = v4(discDirWorld(look, eyeAltitudeM));
+    if (look.sunDisc) block.discLight = v4(discIrradiance(look, eyeAltitudeM));
     const bool moon = showsMoon(look);
     block.moon = v4(moon ? sunOfMoonWorld(look) : dvec3(0.0), moon ? 1.0 : 0.0);
     // Full light, an irradiance of 4 pi, makes a radiance of 1.

@@ -103,9 +103,9 @@ void moveOnRose(const PanelContext& context, glm::vec2 to) {
 void moveDisc(const PanelContext& context, glm::vec2 to) {
     const Area image = context.layout().image;
     const glm::dvec2 share = glm::dvec2((to - image.lower) / image.size());
-    const glm::dvec3 ray = cameraOf(context).rayDir({2.0 * share.x - 1.0, 1.0 - 2.0 * share.y});
-    setSunAngles(context.session().document.look, glm::degrees(std::atan2(ray.x, ray.y)),
-                 glm::degrees(std::asin(std::clamp(ray.z, -1.0, 1.0))));
+    const Camera camera = cameraOf(context);
+    setDiscSeen(context.session().document.look,
+                camera.rayDir({2.0 * share.x - 1.0, 1.0 - 2.0 * share.y}), camera.eyeWorld.z);
 }
 
 void moveSun(const PanelContext& context, const SunDrag& drag) {
@@ -148,7 +148,7 @@ std::optional<glm::vec2> sunInImage(const PanelContext& context) {
     const Area image = context.layout().image;
     const Look look = withSun(session.document.look, session.where());
     const Camera camera = cameraOf(context);
-    const glm::dvec3 sun = sunDirWorld(look);
+    const glm::dvec3 sun = discDirWorld(look, camera.eyeWorld.z);
     const auto ndc = ndcOf(camera, camera.eyeWorld + sun);
     if (!ndc || std::abs(ndc->x) > 1.0 || std::abs(ndc->y) > 1.0) return {};
     if (hidden(look, camera.eyeWorld.z, sun.z)) return {};

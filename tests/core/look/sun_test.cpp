@@ -232,3 +232,27 @@ TEST_CASE("By a date the moon stands where it is, lit as it is, and is fainter")
     look.skyModel = SkyModel::gradient;
     CHECK_FALSE(sunStateOf(look, where).moon);
 }
+
+TEST_CASE("From aloft the disc is seen lower by what the air bends less, and can be put anywhere") {
+    Look look;
+    look.skyModel = SkyModel::atmosphere;
+    look.sunElevationDeg = 0.5f;
+    CHECK(discDirWorld(look, 0.0).z == doctest::Approx(sunDirWorld(look).z).epsilon(0.02));
+    // Refraction at an apparent half degree is 29', of which little is left at 12 km.
+    const double aloft = glm::degrees(std::asin(discDirWorld(look, 12e3).z));
+    CHECK(aloft > 0.0);
+    CHECK(aloft < 0.25);
+    for (const double altitudeM : {0.0, 3000.0, 12e3}) {
+        for (const double elevationDeg : {60.0, 5.0, 0.3, -1.5}) {
+            CAPTURE(altitudeM);
+            CAPTURE(elevationDeg);
+            if (altitudeM < 12e3 && elevationDeg < 0.0) continue;  // behind the Earth
+            setDiscSeen(look, compassDirWorld(30.0f, static_cast<float>(elevationDeg)), altitudeM);
+            const glm::dvec3 seen = discDirWorld(look, altitudeM);
+            CHECK(glm::degrees(std::asin(seen.z)) == doctest::Approx(elevationDeg).epsilon(0.01));
+            CHECK(look.sunAzimuthDeg == doctest::Approx(30.0));
+        }
+    }
+    look.skyModel = SkyModel::gradient;
+    CHECK(discDirWorld(look, 12e3) == sunDirWorld(look));
+}
