@@ -30,6 +30,8 @@ enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
+/// How paths of the reference meet the air within the grid. docs/sky.md
+enum class ReferenceAir : int { traced, tables };
 /// What the place of the sun follows from.
 enum class SunSource : int { angles, date };
 enum class ToneMap : int { linear, filmic, agx };
@@ -91,6 +93,7 @@ struct Look {
     SkyModel skyModel = SkyModel::gradient;
     float visibilityM = 100e3f;
     float ozoneDobson = 300.0f;
+    ReferenceAir referenceAir = ReferenceAir::traced;
     glm::vec3 skyZenith{0.03f, 0.09f, 0.26f};
     glm::vec3 skyHorizon{0.20f, 0.30f, 0.44f};
     float skyIntensity = 1.0f;

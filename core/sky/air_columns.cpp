@@ -15,7 +15,6 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr double kHazeHeightM = 1200.0;                     // scale height. [Bruneton17]
 constexpr double kOzoneMiddleM = 25e3, kOzoneHalfM = 15e3;  // a tent. [Bruneton17]
 constexpr glm::ivec2 kTableSize{256, 128};                  // directions, altitudes
 constexpr double kTopRadiusM = kEarthRadiusM + kAtmosphereTopM;

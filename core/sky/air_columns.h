@@ -6,6 +6,8 @@ namespace neph {
 
 /// Scale height of molecules: of all the air there is, if it were as dense as at the ground.
 inline constexpr double kMoleculesHeightM = 8400.0;
+/// Scale height of haze. [Bruneton17]
+inline constexpr double kHazeHeightM = 1200.0;
 
 /// Of molecules, haze and ozone: shares of their largest density.
 glm::dvec3 airDensity(double altitudeM);

@@ -14,8 +14,6 @@ namespace {
 using glm::dvec2, glm::dvec3;
 
 constexpr double kSunRadius = 0.00465;  // radians; half of its mean diameter of 32'
-constexpr double kHazeG = 0.8;          // [Bruneton17]
-constexpr double kHazeAlbedo = 0.9;     // [Bruneton17]
 constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
 constexpr double kContrast = 3.912;     // -ln 0.02: what a visibility is the optical depth of
 /// Molecules of 1 Dobson unit, 1/m², spread over the tent of ozone, m.

@@ -15,6 +15,8 @@ namespace neph {
 
 inline constexpr double kEarthRadiusM = 6371e3;
 inline constexpr double kAtmosphereTopM = 100e3;
+inline constexpr double kHazeG = 0.8;       ///< of Cornette-Shanks. [Bruneton17]
+inline constexpr double kHazeAlbedo = 0.9;  ///< [Bruneton17]
 
 struct AtmosphereSpec {
     double visibilityM = 100e3;  ///< at sea level, at 550 nm; contrast 0.02 [Koschmieder24]

@@ -54,6 +54,14 @@ bool meetsRepeats(Path p) {
     return true;
 }
 
+#if AIR
+bool meetsAir(Path p) {
+    return true;
+}
+
+void meetAirBefore(inout Path p, vec3 dir, uint lane) {}
+#endif
+
 void passHaze(inout Path p) {}
 
 void noteFirst(inout Path p) {}
