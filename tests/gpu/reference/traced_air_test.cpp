@@ -113,7 +113,7 @@ TEST_CASE("Light that comes through absorbing haze is what its column leaves") {
 }
 
 /// In the tables light that is scattered twice and more comes from all directions alike; what is
-/// scattered once agrees within 1 %. docs/sky.md
+/// scattered once agrees within 3 %. docs/sky.md
 constexpr double kWithin = 0.06;
 
 TEST_CASE("Without clouds traced air sends what the tables of air have") {
