@@ -32,6 +32,8 @@ enum class PhaseDisplay : int { linear, logarithmic, physical };
 enum class SkyModel : int { gradient, atmosphere };
 /// What lights the scene: the sun, or the moon in its place.
 enum class LightBody : int { sun, moon };
+/// How paths of the reference meet the air within the grid. docs/sky.md
+enum class ReferenceAir : int { traced, tables };
 /// What the place of the sun follows from.
 enum class SunSource : int { angles, date };
 enum class ToneMap : int { linear, filmic, agx, reflectance };
@@ -104,6 +106,7 @@ struct Look {
     SkyModel skyModel = SkyModel::gradient;
     float visibilityM = 100e3f;
     float ozoneDobson = 300.0f;
+    ReferenceAir referenceAir = ReferenceAir::traced;
     glm::vec3 skyZenith{0.03f, 0.09f, 0.26f};
     glm::vec3 skyHorizon{0.20f, 0.30f, 0.44f};
     float skyIntensity = 1.0f;

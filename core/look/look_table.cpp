@@ -263,6 +263,15 @@ void addSunAndSky(std::vector<Parameter>& table) {
                              "whose errors it would outshine."));
     ofAtmosphere(rows.number("sky.ozone", "Ozone", "DU", &Look::ozoneDobson, {0.0, 600.0},
                              Stage::light, "Dobson units; ozone keeps the sky of twilight blue."));
+    Parameter& air = rows.choice(
+        "reference.air", "Air of the reference", &Look::referenceAir, Stage::eye,
+        {{"traced", "Traced",
+          "Molecules and haze within the grid scatter light: clouds throw shadows on them and "
+          "light them."},
+         {"tables", "Tables", "Clear air from tables, as the other engines have it."}},
+        "Whether paths of light are scattered by the air within the grid. docs/sky.md");
+    air.engines = enginesWith(&EngineTraits::groundTruth, true);
+    ofAtmosphere(air);
     ofGradient(rows.colour("sun.colour", "Sun colour", &Look::sunColour, Stage::eye,
                            "Linear RGB of sunlight."));
     ofGradient(rows.colour("sky.zenith", "Sky zenith", &Look::skyZenith, Stage::eye,

@@ -1,6 +1,7 @@
 // atmosphere.cpp: integration along rays, and the table of light scattered many times.
 #include "core/sky/atmosphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -283,20 +284,25 @@ void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
                        std::span<AirLight> to) const {
     constexpr int kSteps = 40;  // of the whole
     const Reach reach = reachOf(ray.altitudeM, ray.up);
-    const double lengthM = reach.toM - reach.fromM;
+    const double lengthM = std::max(reach.toM - reach.fromM, 1.0);
     const Path path(ray, trueSunUp(ray.sunUp));
     const double cosSeen = Path(ray, ray.sunUp).cosSun;  // haze is brightest around the disc
     const Phases phases{static_cast<float>(rayleigh(cosSeen)),
                         static_cast<float>(cornetteShanks(cosSeen, kHazeG)), true,
                         forwardAt(cosSeen)};
+    double lastM = reach.toM;
+    if (reach.ground) {
+        const auto beyond = std::ranges::lower_bound(distancesM, reach.toM);
+        if (beyond != distancesM.end()) lastM = *beyond;
+    }
     const auto shareOf = [&](double atM) {
-        return std::sqrt(std::clamp((atM - reach.fromM) / std::max(lengthM, 1.0), 0.0, 1.0));
+        return std::sqrt((std::clamp(atM, reach.fromM, lastM) - reach.fromM) / lengthM);
     };
     Sum sum;
     double from = 0.0;
     for (std::size_t i = 0; i < distancesM.size(); ++i) {
         const double until = shareOf(distancesM[i]);
-        const int steps = static_cast<int>(std::ceil((until - from) * kSteps));
+        const int steps = std::min(static_cast<int>(std::ceil((until - from) * kSteps)), kSteps);
         for (int step = 0; step < steps; ++step) {
             const double a = std::lerp(from, until, step / static_cast<double>(steps));
             const double b = std::lerp(from, until, (step + 1.0) / steps);

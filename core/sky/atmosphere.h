@@ -46,6 +46,9 @@ class Atmosphere {
   public:
     explicit Atmosphere(const AtmosphereSpec& spec);
     const AtmosphereSpec& spec() const { return spec_; }
+    /// Extinction at sea level, 1/m.
+    const Spectrum& moleculesPerM() const { return moleculesPerM_; }
+    const Spectrum& hazePerM() const { return hazePerM_; }
 
     /// What is left of light from outside that arrives from a direction, along bent rays; 0 from
     /// below the horizon.
@@ -57,8 +60,9 @@ class Atmosphere {
 
     /// All of the air along a ray, to the ground or to space.
     AirLight along(const SkyRay& ray) const;
-    /// Of the air up to each of some distances, which increase, m; beyond the ground or the top
-    /// there is no more.
+    /// Of the air up to each of some distances, which increase, m. Beyond the top there is no more,
+    /// and beyond the ground none after the first of them there: up to that air goes on as dense as
+    /// at sea level, so that light can be interpolated up to the ground.
     void along(const SkyRay& ray, std::span<const double> distancesM, std::span<AirLight> to) const;
 
   private:

@@ -78,6 +78,15 @@ float lengthOfShare(float share, float lastM) {
     return share * share * lastM;
 }
 
+/// Texture coordinate at which a table over such lengths is interpolated evenly in length, so that
+/// thin air is right from 0 on.
+float lengthCoordinate(float share, int count) {
+    float place = share * float(count - 1);
+    float texel = min(floor(place), float(count - 2));
+    float beyond = (place * place - texel * texel) / (2.0f * texel + 1.0f);
+    return (texel + beyond + 0.5f) / float(count);
+}
+
 /// Distance at which a ray from above the thin air enters it; 0 from within, or where it does not.
 float thinAirM(float altitudeM, float up) {
     if (altitudeM <= kThinAirM) return 0.0f;

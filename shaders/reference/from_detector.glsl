@@ -39,7 +39,7 @@ bool reachesSeenGround(inout Path p) {
 }
 
 vec3 seenGround(Path p) {
-    return 1.0;
+    return vec3(1.0);
 }
 
 vec3 seenMirrored(Path p) {
@@ -57,6 +57,14 @@ bool showsBackdrop() {
 bool meetsRepeats(Path p) {
     return true;
 }
+
+#if AIR
+bool meetsAir(Path p) {
+    return true;
+}
+
+void meetAirBefore(inout Path p, vec3 dir, uint lane) {}
+#endif
 
 void passHaze(inout Path p) {}
 

@@ -57,10 +57,6 @@ vec3 seenMirrored(Path p) {
     return groundMirrors(rayOf(p), p.positionM);
 }
 
-vec3 seenSky(Path p) {
-    return eyeSky(p.axis);
-}
-
 bool showsBackdrop() {
     return u_.sampling.y == 1;
 }
@@ -70,13 +66,119 @@ bool meetsRepeats(Path p) {
     return p.scatterings > 0 || p.toSun;
 }
 
+/// Light of the air before a distance along a path's ray, and what the air leaves of other light.
+vec3 lightOfAir(AirRay air, float distanceM) {
+    return throughAir(air, distanceM, vec3(0.0), 1.0);
+}
+vec3 clearOfAir(AirRay air, float distanceM) {
+    return throughAir(air, distanceM, vec3(1.0), 0.0);
+}
+
+const float kFarM = 1e30;
+
+#if AIR
+/// The eye's ray is seen through air as the tables have it; what light the box sends into it is
+/// traced, at one place of each ray.
+bool meetsAir(Path p) {
+    return p.scatterings > 0;
+}
+
+/// Part of the ray that the box's air sends light into, before a distance. An eye below the ground
+/// sees no air of the box, but that of one which stands on the ground.
+vec2 tracedPartM(Ray ray, float untilM) {
+    vec2 inside = partInBoxM(ray, vec3(0.0), u_.gridExtentM.xyz);
+    return vec2(inside.x, altitudeM(ray.originM) < 0.0 ? 0.0 : min(inside.y, untilM));
+}
+
+/// Light of the air in that part by the tables: traced paths bring it.
+vec3 tracedLight(Path p, float untilM) {
+    vec2 partM = tracedPartM(rayOf(p), untilM);
+    if (partM.x >= partM.y) return vec3(0.0);
+    AirRay air = airRay(p.axis);
+    return lightOfAir(air, partM.y) - lightOfAir(air, partM.x);
+}
+
+/// A way along which a constituent thins out as e^(-fallPerM x), about, and light that it sends.
+struct Thinning {
+    float fallPerM;
+    float sent;
+};
+
+/// (1 - e^-kL) / k
+float lengthOf(float fallPerM, float lengthM) {
+    float x = fallPerM * lengthM;
+    return abs(x) < 1e-3 ? lengthM * (1.0 - 0.5 * x) : (1.0 - exp(-x)) / fallPerM;
+}
+
+Thinning thinningOf(float perM, float heightM, float fromM, float up, float clearPerM,
+                    float lengthM, float phase) {
+    float fallPerM = up / heightM + clearPerM;
+    float light = perM * densityAt(fromM, heightM) * (0.5 + 2.0 * kPi * phase);
+    return Thinning(fallPerM, light * lengthOf(fallPerM, lengthM));
+}
+
+/// Density with which a length is drawn, and the length.
+float densityOf(Thinning t, float atM, float lengthM) {
+    return exp(-t.fallPerM * atM) / lengthOf(t.fallPerM, lengthM);
+}
+float drawLengthM(Thinning t, float lengthM, float u) {
+    float x = t.fallPerM * lengthM;
+    return abs(x) < 1e-3 ? u * lengthM : -log(1.0 - u * (1.0 - exp(-x))) / t.fallPerM;
+}
+
+/// The eye's ray, which left it in a direction, has ended. Goes on from a place of the air before
+/// its end; what is at its end waits. Places are drawn as if height and what is left of light
+/// changed evenly, of molecules or of haze by what they send; what they are off by goes into the
+/// weight.
+void meetAirBefore(inout Path p, vec3 dir, uint lane) {
+    if (p.stage == kDone && !showsBackdrop()) return;
+    Ray ray = Ray(u_.eyeM.xyz, dir);
+    vec2 partM = tracedPartM(ray, p.stage == kDone ? kFarM : distance(ray.originM, p.positionM));
+    float lengthM = partM.y - partM.x;
+    if (lengthM <= 0.0) return;
+    AirRay air = airRay(dir);
+    vec3 first = clearOfAir(air, partM.x), last = clearOfAir(air, partM.y);
+    float clearPerM = log(max(first.g, 1e-20) / max(last.g, 1e-20)) / lengthM;
+    float fromM = altitudeM(pointAlong(ray, partM.x));
+    float up = (altitudeM(pointAlong(ray, partM.y)) - fromM) / lengthM;
+    float versine = versineBetween(dir, u_.towardsSun.xyz);
+    Thinning molecules = thinningOf(moleculesPerM.g, moleculesHeightM, fromM, up, clearPerM,
+                                    lengthM, phaseOf(kMoleculesRow, versine).g);
+    Thinning haze = thinningOf(hazePerM.g, hazeHeightM, fromM, up, clearPerM, lengthM,
+                               phaseOf(kHazeRow, versine).g);
+    float ofHaze = haze.sent / max(haze.sent + molecules.sent, 1e-30);
+    vec4 u = draw(p);
+    float atM =
+        u.x < ofHaze ? drawLengthM(haze, lengthM, u.y) : drawLengthM(molecules, lengthM, u.y);
+    atM = clamp(atM, 0.0, lengthM);
+    float density = mix(densityOf(molecules, atM, lengthM), densityOf(haze, atM, lengthM), ofHaze);
+    if (p.stage != kDone) suspend(p, lane);
+    p.positionM = pointAlong(ray, partM.x + atM);
+    p.throughput = clearOfAir(air, partM.x + atM) * boxAirAt(altitudeM(p.positionM)).extinction /
+                   max(density, 1e-30);
+    p.axis = dir;
+    p.scatterings = 0;
+    p.kind = kAir;
+    p.veil = true;
+    p.stage = kMet;
+}
+#else
+vec3 tracedLight(Path p, float untilM) {
+    return vec3(0.0);
+}
+#endif
+
+/// The sky behind the grid, and the air before it.
+vec3 seenSky(Path p) {
+    return eyeSky(p.axis) - tracedLight(p, kFarM);
+}
+
 /// What is seen directly is seen through the air, as with the other engines.
 void passAir(inout Path p) {
     AirRay air = airRay(p.axis);
     float distanceM = distance(u_.eyeM.xyz, p.positionM);
-    vec3 worth = worthOf(p);
-    p.radiance += worth * throughAir(air, distanceM, vec3(0.0), 1.0);
-    p.throughput *= throughAir(air, distanceM, vec3(1.0), 0.0);
+    p.radiance += worthOf(p) * (lightOfAir(air, distanceM) - tracedLight(p, distanceM));
+    p.throughput *= clearOfAir(air, distanceM);
 }
 
 /// The ground fades into the horizon where there is no air.

@@ -1,7 +1,8 @@
 // trace.comp: paths of light, traced from the eye or from a detector until they leave the medium
 // for good.
 //
-// Null-collision tracking [Woodcock65] finds the next particle; from each, ratio tracking [Novak14]
+// Null-collision tracking [Woodcock65] finds the next particle, closed forms the next of the air
+// where that is AIR; from each, ratio tracking [Novak14]
 // finds how much of the sun's light arrives, and a direction drawn from the phase function goes on.
 // Both may find the sun: their shares are weighed against one another by the balance heuristic
 // [VG95]. An invocation is a lane that carries one path after the other, a number of rounds at a
@@ -14,6 +15,9 @@ layout(local_size_x = 64) in;
 #include "../sky/air.glsl"
 #include "scattering.glsl"
 #include "state.glsl"
+#if AIR
+#include "box_air.glsl"
+#endif
 
 layout(location = kTraceRoundsLocation) uniform int rounds;     // of each lane in this dispatch
 layout(location = kTracePathsLocation) uniform int pathsAPass;  // one a pixel, or detector
@@ -35,9 +39,11 @@ layout(std430, binding = kResultsBuffer) writeonly buffer Results {
 // Light is worth what it brings relative to isotropic scattering in full sunlight. Chances of
 // asking for sunlight, by what would arrive: times what is expected, at least, and how an optical
 // depth counts; and the worth below which it is a matter of chance whether to ask on. Chances of a
-// branch: at least. All by measurement: docs/measurements.md
+// branch: at least. Chances to go on, times the weight; in cloud, of a path that went on from air
+// that the eye looks through. All by measurement: docs/measurements.md
 const float kAsking = 4.0, kLeastAsking = 0.05, kAskingPerDepth = 0.3, kFaint = 0.1;
 const float kLeastBranching = 0.05;
+const float kGoingOn = 4.0, kVeilGoingOn = 2.0;
 
 layout(binding = kSunDepthUnit) uniform sampler3D t_sunDepth;  // to the sun, about
 
@@ -70,11 +76,17 @@ float shareOfSun(float density) {
     return 1.0 / (1.0 + density * sunSolidAngle());
 }
 
-/// Whether the way ahead ends on the ground; then moves there.
-bool reachesGround(inout Path p) {
+/// Whether the way ahead ends on the ground.
+bool endsOnGround(Path p) {
     float heightM = u_.eyeM.w + p.positionM.z;
     float highest = hasAir() ? horizonSine(heightM) : 0.0;
-    if (u_.ground.w < 0.5 || p.dir.z >= highest || heightM < -1.0) return false;
+    return u_.ground.w > 0.5 && p.dir.z < highest && heightM >= -1.0;
+}
+
+/// The same; then moves there.
+bool reachesGround(inout Path p) {
+    if (!endsOnGround(p)) return false;
+    float heightM = u_.eyeM.w + p.positionM.z;
     if (p.dir.z < 0.0) p.positionM += max(heightM, 0.0) / -p.dir.z * p.dir;
     return true;
 }
@@ -109,6 +121,7 @@ void begin(inout Path p) {
     p.scatterings = 0;
     p.toSun = false;
     p.direct = true;
+    p.veil = false;
     p.waiting = 0;
     p.density = 0.0;
     p.firstM = -1.0;
@@ -126,7 +139,8 @@ void begin(inout Path p) {
 /// work would go into the few longest; a chance of (n / (n + 1))^1/2 each time, and weights that
 /// make up for it, spread the work over all lengths. docs/architecture.md
 float chanceToGoOn(Path p, float lobe) {
-    float chance = min(1.0, 4.0 * largestOf(p.throughput) * max(1.0, 4.0 * kPi * lobe));
+    float goingOn = p.veil && p.kind == kParticle ? kVeilGoingOn : kGoingOn;
+    float chance = min(1.0, goingOn * largestOf(p.throughput) * max(1.0, 4.0 * kPi * lobe));
     float n = float(p.scatterings);
     return n < rouletteFrom ? chance : chance * sqrt(n / (n + 1.0));
 }
@@ -136,6 +150,12 @@ Sent sentTo(Path p, MediumSample medium, Mixture mixture, vec3 dir) {
     if (p.kind == kParticle) {
         return sentInto(medium, mixture, versineBetween(p.axis, dir), p.wavelengths);
     }
+#if AIR
+    if (p.kind == kAir) {
+        BoxAir air = boxAirAt(altitudeM(p.positionM));
+        return sentByAir(air, versineBetween(p.axis, dir), p.wavelengths);
+    }
+#endif
     float share = p.kind == kSurface ? max(dot(p.axis, dir), 0.0) / kPi : kInverseFourPi;
     return Sent(vec3(share), share);
 }
@@ -197,8 +217,13 @@ void scatter(inout Path p, uint lane) {
     vec4 u = draw(p);
     vec4 v = draw(p);
     int chosen = classBy(u.x, mixture);
+#if AIR
+    BoxAir air = boxAirAt(altitudeM(p.positionM));
+    vec3 hazes = chancesOfHaze(air);
+    if (p.kind == kAir) chosen = u.x < hazes[p.hero] ? kHazeRow : kMoleculesRow;
+#endif
     vec2 drawn = vec2(p.kind == kSurface ? versineByCosine(u.y) : 2.0 * u.y, 0.0);
-    if (p.kind == kParticle) drawn = drawVersine(chosen, p.hero, u.y);
+    if (p.kind == kParticle || p.kind == kAir) drawn = drawVersine(chosen, p.hero, u.y);
     vec2 drawnNear = drawVersine(LOBE_CLASS, p.hero, v.x);
     vec3 next = directionAround(p.axis, drawn.x, u.z);
     vec3 near = directionAround(towards, drawnNear.x, v.y);
@@ -214,12 +239,21 @@ void scatter(inout Path p, uint lane) {
     vec3 wavelengths = p.wavelengths;
     vec3 throughput = p.throughput;
 
-    if (p.kind == kParticle) {
-        vec3 colour = u_.classes[chosen].colourAlbedo.rgb;
+    if (p.kind == kParticle || p.kind == kAir) {
         vec3 phase = phaseOf(chosen, drawn.x);
-        p.throughput *= colour / max(largestOf(colour), 1e-30) *
-                        (mixture.scatteringPerM / mixture.extinctionPerM * phase[p.hero] / drawn.y);
+        p.throughput *= phase[p.hero] / drawn.y;
         p.wavelengths *= phase;
+        if (p.kind == kParticle) {
+            vec3 colour = u_.classes[chosen].colourAlbedo.rgb;
+            p.throughput *= colour / max(largestOf(colour), 1e-30) *
+                            (mixture.scatteringPerM / mixture.extinctionPerM);
+        }
+#if AIR
+        if (p.kind == kAir) {
+            p.throughput *= (air.molecules + air.haze) / max(air.extinction, vec3(1e-30));
+            p.wavelengths *= chosen == kHazeRow ? hazes : 1.0 - hazes;
+        }
+#endif
         p.wavelengths /= p.wavelengths.r + p.wavelengths.g + p.wavelengths.b;
         ++p.scatterings;
         ++scatterings_;
@@ -244,96 +278,27 @@ void scatter(inout Path p, uint lane) {
     p.stage = largestOf(p.throughput) > 0.0 ? kAiming : kDone;
 }
 
-/// Finds where in the grid the way begins that lies ahead.
-void aim(inout Path p) {
-    p.depth = -log(1.0 - draw(p).x);
-    bool bent = bends(p);
-    vec3 lowerM = vec3(0.0), upperM = u_.gridExtentM.xyz;
-#if PERIODIC
-    bool repeats = meetsRepeats(p);
-    if (repeats) {
-        // A level path would never leave: a ten-thousandth of all are turned by less than that.
-        const float kLeastSlope = 1e-4, kFarM = 1e20;
-        p.dir.z = p.dir.z < 0.0 ? min(p.dir.z, -kLeastSlope) : max(p.dir.z, kLeastSlope);
-        lowerM.xy = vec2(-kFarM);
-        upperM.xy = vec2(kFarM);
-    }
-#endif
-    vec2 inside = bent ? partInBoxM(Ray(p.positionM, p.dir), lowerM, upperM)
-                       : rayBox(p.positionM, p.dir, lowerM, upperM);
-    if (inside.x >= inside.y || inside.y <= 0.0) {
-        p.stage = kLeft;
-        return;
-    }
-    if (bent) {
-        p.positionM = pointAlong(Ray(p.positionM, p.dir), inside.x);
-        bend(p, inside.x);
-    } else if (inside.x > 0.0) {
-        p.positionM += inside.x * p.dir;
-    }
-#if PERIODIC
-    if (repeats) p.positionM = repeated(p.positionM);
-#endif
-    if (inside.x > 0.0) p.positionM = clamp(p.positionM, vec3(0.0), u_.gridExtentM.xyz);
-    p.cell = cellAt(p.positionM);
-    p.stage = kFlying;
-}
-
-/// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
-/// that says so, else 0.
-float cross(inout Path p) {
-    const int kWalls = 4;
-    for (int i = 0; i < kWalls && p.stage == kFlying; ++i) {
-        Stretch s = stretchAhead(p.positionM, p.dir, p.cell);
-        float depth = s.boundPerM * s.lengthM;
-        if (depth > p.depth) {
-            p.positionM += p.depth / s.boundPerM * p.dir;
-            return s.boundPerM;
-        }
-        p.depth -= depth;
-        if (!crossWall(s, p.dir, meetsRepeats(p), p.positionM, p.cell)) p.stage = kLeft;
-        if (bends(p)) bend(p, s.lengthM);
-    }
-    return 0.0;
-}
-
-/// There is a particle with the chance that the extinction has of the bound. On the way to the sun
-/// none stops the light, but each place takes that share of it.
-void meet(inout Path p, float boundPerM) {
-    ++collisions_;
-    float share = totalExtinctionPerM(sampleMedium(p.positionM)) / boundPerM;
-    vec4 u = draw(p);
-    p.depth = -log(1.0 - u.x);
-    if (!p.toSun) {
-        if (u.y < share) {
-            p.stage = kMet;
-            p.kind = kParticle;
-            if (!bends(p)) p.axis = p.dir;
-        }
-        return;
-    }
-    p.sunlight *= 1.0 - share;
-    float faint = kFaint;
-    if (savesOnSunlight(p)) faint /= worthOfSunlight(p);
-    if (p.sunlight < faint) {
-        bool goesOn = u.z * faint < p.sunlight;
-        p.sunlight = goesOn ? faint : 0.0;
-        if (!goesOn) p.stage = kLeft;
-    }
-}
+#include "flight.glsl"
 
 /// The ground, the sky or the sun is at the end of the way.
 void arrive(inout Path p) {
     bool seen = p.scatterings == 0;
     p.stage = kDone;
     if (seen && !showsBackdrop()) return;
+    // Air between the vertex and here has been met.
+    vec3 fromM = AIR == 1 ? p.positionM : p.vertexM;
     if (p.density > 0.0) {
-        p.radiance += worthOf(p) * sunIrradianceAt(p.vertexM) / sunSolidAngle() *
-                      (1.0 - shareOfSun(p.density));
+        p.radiance +=
+            worthOf(p) * sunIrradianceAt(fromM) / sunSolidAngle() * (1.0 - shareOfSun(p.density));
     }
+#if AIR
+    if (meetsAir(p) && p.dir.z < 0.0 && endsOnGround(p)) {
+        if (meetsAirBelow(p, altitudeM(p.positionM), draw(p).xy)) return;
+    }
+#endif
     bool ground = seen ? reachesSeenGround(p) : reachesGround(p);
     if (!ground) {
-        p.radiance += worthOf(p) * (seen ? seenSky(p) : skyFrom(p.vertexM, p.dir));
+        p.radiance += worthOf(p) * (seen ? seenSky(p) : skyFrom(fromM, p.dir));
         return;
     }
     p.positionM.z = -u_.eyeM.w;
@@ -378,10 +343,13 @@ void main() {
             float boundPerM = cross(p);
             if (boundPerM > 0.0) meet(p, boundPerM);
         }
-        if (p.stage == kMet && p.kind == kParticle) {
-            if (p.scatterings == 0) noteFirst(p);
-            if (maxScatterings > 0 && p.scatterings >= maxScatterings) p.stage = kDone;
-        }
+        bool ended = p.stage == kMet || (p.stage == kLeft && !p.toSun);
+        bool seen = ended && p.scatterings == 0;
+        vec3 way = p.axis;
+#if AIR
+        if (ended && meetsAir(p)) weighByAir(p, altitudeM(p.positionM));
+#endif
+        if (p.stage == kMet && seen && p.kind == kParticle) noteFirst(p);
         if (p.stage == kLeft) {
             if (p.toSun) {
                 receive(p);
@@ -389,6 +357,13 @@ void main() {
                 arrive(p);
             }
         }
+        if (p.stage == kMet && p.kind != kSurface && maxScatterings > 0 &&
+            p.scatterings >= maxScatterings) {
+            p.stage = kDone;
+        }
+#if AIR
+        if (seen) meetAirBefore(p, way, lane);
+#endif
     }
     savePath(p, lane);
     atomicAdd(counters_.collisions, collisions_);

@@ -39,6 +39,11 @@ const int kTraceCellLocation = 7;
 const int kTraceVoxelLocation = 8;
 const int kTraceDiscLocation = 9;
 const int kTraceRouletteLocation = 10;
+const int kTraceMoleculesLocation = 11;
+const int kTraceHazeLocation = 12;
+const int kTraceMoleculesHeightLocation = 13;
+const int kTraceHazeHeightLocation = 14;
+const int kTraceHazeAlbedoLocation = 15;
 
 // gather.comp
 const int kGatherHalfImage = 0;

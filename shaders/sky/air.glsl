@@ -56,7 +56,7 @@ AirRay airRay(vec3 dir) {
 /// What is left of the radiance at a distance from the eye, and what the air before it adds, of
 /// which the share `covered` counts.
 vec3 throughAir(AirRay ray, float distanceM, vec3 radiance, float covered) {
-    float at = tableCoordinate(lengthShare(distanceM - ray.fromM, kAirRangeM), kAirDistances);
+    float at = lengthCoordinate(lengthShare(distanceM - ray.fromM, kAirRangeM), kAirDistances);
     return textureLod(t_clearAir, vec2(ray.at.y, at), 0.0).rgb * radiance +
            covered * u_.sky.w * textureLod(t_air, vec3(ray.at, at), 0.0).rgb;
 }

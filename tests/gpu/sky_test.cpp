@@ -149,10 +149,13 @@ TEST_CASE("The sky of every engine is what air sends along each ray") {
                 }
             }
         }
-        for (const Engine engine : {Engine::slicing, Engine::reference}) {
-            const ImageF other = averageOn(nothing, seenBy(engine, nothing, look, pose, {5, 4}), 1);
-            CHECK(meanLightOf(other) == doctest::Approx(meanLightOf(image)).epsilon(1e-4));
-        }
+        const ImageF sliced =
+            averageOn(nothing, seenBy(Engine::slicing, nothing, look, pose, {5, 4}), 1);
+        CHECK(meanLightOf(sliced) == doctest::Approx(meanLightOf(image)).epsilon(1e-4));
+        // Its paths choose between sky and ground in the pixels of the horizon.
+        const ImageF traced =
+            averageOn(nothing, seenBy(Engine::reference, nothing, look, pose, {5, 4}), 512);
+        CHECK(meanLightOf(traced) == doctest::Approx(meanLightOf(image)).epsilon(0.01));
     }
 }
 

@@ -16,6 +16,7 @@ class SkyTextures {
     void update(const Look& look, double eyeAltitudeM);
     /// Whether there is an atmosphere; else a gradient, for which the textures are empty.
     bool hasAir() const { return air_ != nullptr; }
+    const Atmosphere& air() const { return *air_; }  ///< where there is one
     void bind() const;
 
     const SkyTables& tables() const { return tables_; }

@@ -136,6 +136,24 @@ TEST_CASE("Air up to distances adds up to all the air") {
     }
 }
 
+TEST_CASE("Air goes on beneath the ground up to the first distance there") {
+    const Atmosphere air({});
+    const SkyRay ray{1000.0, -0.5, 0.4, 0.3};
+    // The Earth is nearly flat so near.
+    const std::array<double, 4> distancesM{1000.0, 1999.0, 2500.0, 9000.0};
+    std::array<AirLight, 4> parts;
+    air.along(ray, distancesM, parts);
+    const AirLight all = air.along(ray);
+    for (std::size_t i = 0; i < kSpectrumSize; ++i) {
+        CHECK(parts[1].clear.at[i] == doctest::Approx(all.clear.at[i]).epsilon(1e-3));
+        const float perM = air.moleculesPerM().at[i] + air.hazePerM().at[i];
+        const float below = std::log(parts[1].clear.at[i] / parts[2].clear.at[i]);
+        CHECK(below == doctest::Approx(501.0f * perM).epsilon(0.02));
+        CHECK(parts[2].radiance.at[i] > parts[1].radiance.at[i]);
+        CHECK(parts[3].radiance.at[i] == parts[2].radiance.at[i]);
+    }
+}
+
 TEST_CASE("From space the air begins far from the eye") {
     const Atmosphere air({});
     const std::array<double, 2> distancesM{250e3, 500e3};

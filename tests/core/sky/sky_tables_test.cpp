@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/sky/air_columns.h"
 #include "shaders/lib/glsl_cpp.h"
@@ -21,6 +23,32 @@ glm::dvec3 towardsSun(double elevationDeg) {
 const Atmosphere& clearAir() {
     static const Atmosphere air({});
     return air;
+}
+
+/// Light of the air up to a distance, and what it leaves of other light.
+struct AirUpTo {
+    glm::dvec3 light, clear;
+};
+
+/// Halfway between texel k and the next of the tables of air, at an elevation and an azimuth of
+/// theirs.
+AirUpTo tabled(const SkyTables& tables, int elevation, int azimuth, int k) {
+    const auto at = [&](int distance) {
+        return static_cast<std::size_t>(distance * glsl::kAirElevations + elevation);
+    };
+    const auto lit = [&](int distance) {
+        return at(distance) * static_cast<std::size_t>(glsl::kAirAzimuths) +
+               static_cast<std::size_t>(azimuth);
+    };
+    return {glm::dvec3(0.5f * (tables.air[lit(k)] + tables.air[lit(k + 1)])),
+            glm::dvec3(0.5f * (tables.clear[at(k)] + tables.clear[at(k + 1)]))};
+}
+
+AirUpTo integrated(const SkyRay& ray, double atM) {
+    AirLight air;
+    clearAir().along(ray, std::array{atM}, std::span(&air, 1));
+    return {4.0 * std::numbers::pi * rgbOfSunlight(air.radiance),
+            rgbOfSunlight(air.clear) / rgbOfSunlight(Spectrum(1.0f))};
 }
 
 }  // namespace
@@ -108,4 +136,60 @@ TEST_CASE("A pattern of the sky has irradiance pi") {
         }
         CHECK(sum / (kSide * kSide) == doctest::Approx(1.0).epsilon(0.02));
     }
+}
+
+TEST_CASE("A table over lengths is interpolated evenly in length") {
+    for (const float lengthM : {0.0f, 100.0f, 5000.0f, 123e3f, 399e3f, 400e3f}) {
+        const float place = glsl::lengthCoordinate(glsl::lengthShare(lengthM, 400e3f), 24) * 24.0f;
+        const float texel = std::min(std::floor(place - 0.5f), 22.0f);
+        const float lowerM = glsl::lengthOfShare(texel / 23.0f, 400e3f);
+        const float upperM = glsl::lengthOfShare((texel + 1.0f) / 23.0f, 400e3f);
+        CHECK(std::lerp(lowerM, upperM, place - 0.5f - texel) ==
+              doctest::Approx(lengthM).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("Between its distances the table of air has the air that there is") {
+    using namespace glsl;
+    constexpr int kAzimuth = 12;
+    const glm::dvec3 sun = towardsSun(10.0);
+    double sum = 0.0, clearSum = 0.0;
+    int count = 0;
+    const auto azimuth = static_cast<double>(
+        azimuthOfShare(static_cast<float>(kAzimuth) / static_cast<float>(kAirAzimuths - 1)));
+    for (const double altitudeM : {2.0, 1500.0, 12e3}) {
+        const SkyTables tables = makeSkyTables(clearAir(), sun, altitudeM);
+        const float horizon = horizonSine(static_cast<float>(altitudeM));
+        for (int j = 0; j < kAirElevations; ++j) {
+            const float up = airUpOfShare(
+                static_cast<float>(j) / static_cast<float>(kAirElevations - 1), horizon);
+            const float groundM =
+                groundAlongM(static_cast<float>(altitudeM), {std::sqrt(1.0f - up * up), 0.0f, up},
+                             bendPerM(static_cast<float>(altitudeM)));
+            for (int k = 0; k + 1 < kAirDistances; ++k) {
+                const double halfway = (k * k + (k + 1) * (k + 1)) / 2.0;
+                const double last = (kAirDistances - 1) * (kAirDistances - 1);
+                const double atM = static_cast<double>(kAirRangeM) * halfway / last;
+                if (groundM >= 0.0f && atM > static_cast<double>(groundM)) break;
+                CAPTURE(altitudeM);
+                CAPTURE(up);
+                CAPTURE(atM);
+                const AirUpTo seen = tabled(tables, j, kAzimuth, k);
+                const AirUpTo there =
+                    integrated({altitudeM, static_cast<double>(up), azimuth, sun.z}, atM);
+                for (int c = 0; c < 3; ++c) {
+                    const double off =
+                        std::abs(seen.light[c] - there.light[c]) / (there.light[c] + 0.02);
+                    CHECK(off < 0.15);
+                    clearSum += std::abs(seen.clear[c] - there.clear[c]);
+                    sum += off;
+                    ++count;
+                }
+            }
+        }
+    }
+    CAPTURE(sum / count);
+    CAPTURE(clearSum / count);
+    CHECK(clearSum < 0.01 * count);
+    CHECK(sum < 0.01 * count);
 }

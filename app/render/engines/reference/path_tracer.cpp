@@ -64,6 +64,14 @@ gl::Texture sunDepthOf(const MediumTextures& medium, bool periodic, const gl::Bu
     return depth;
 }
 
+void setAir(const AirBands& air, const gl::Program& program) {
+    program.setVec3(kTraceMoleculesLocation, glm::vec3(air.moleculesPerM));
+    program.setVec3(kTraceHazeLocation, glm::vec3(air.hazePerM));
+    program.setFloat(kTraceMoleculesHeightLocation, static_cast<float>(air.moleculesHeightM));
+    program.setFloat(kTraceHazeHeightLocation, static_cast<float>(air.hazeHeightM));
+    program.setFloat(kTraceHazeAlbedoLocation, static_cast<float>(air.hazeAlbedo));
+}
+
 }  // namespace
 
 void PathTracer::restart(const TraceSetup& setup) {
@@ -77,8 +85,8 @@ void PathTracer::restart(const TraceSetup& setup) {
 
 bool PathTracer::isIn(const TraceSetup& setup) const {
     return lanes_ > 0 && firstPass_ == 0 && setup.seed == setup_.seed &&
-           setup.periodic == setup_.periodic && setup.detectors == setup_.detectors &&
-           setup.maxScatterings == setup_.maxScatterings &&
+           setup.periodic == setup_.periodic && setup.air == setup_.air &&
+           setup.detectors == setup_.detectors && setup.maxScatterings == setup_.maxScatterings &&
            setup.sunRadiusRad == setup_.sunRadiusRad &&
            std::memcmp(&setup.block, &setup_.block, sizeof(setup.block)) == 0;
 }
@@ -104,6 +112,7 @@ const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathM
                                        const gl::Texture* noise, gl::ProgramCache& programs) {
     std::vector<std::string> defines = mediumDefines(medium);
     defines.push_back(fmt::format("PERIODIC {}", setup_.periodic ? 1 : 0));
+    defines.push_back(fmt::format("AIR {}", setup_.air ? 1 : 0));
     defines.push_back(fmt::format("DETECTORS {}", setup_.detectors != nullptr ? 1 : 0));
     defines.push_back(fmt::format("LOBE_CLASS {}", paths.lobeClass));
     const gl::Program& program = programs.get("reference/trace.comp", defines);
@@ -118,6 +127,7 @@ const gl::Program& PathTracer::tracing(const MediumTextures& medium, const PathM
     const double sine = std::sin(0.5 * setup_.sunRadiusRad);
     program.setFloat(kTraceDiscLocation, static_cast<float>(2.0 * sine * sine));
     program.setFloat(kTraceRouletteLocation, kRouletteFrom);
+    if (setup_.air) setAir(*setup_.air, program);
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
     medium.first.bind(kMedium0Unit);
     if (medium.second) medium.second.bind(kMedium1Unit);

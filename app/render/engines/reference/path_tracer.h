@@ -7,6 +7,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/gl/objects.h"
@@ -15,6 +16,7 @@
 #include "app/render/frame/frame_block.h"
 #include "core/base/progress.h"
 #include "core/image/reference_progress.h"
+#include "core/sky/air_bands.h"
 
 namespace neph::render {
 namespace block {
@@ -27,6 +29,7 @@ inline constexpr double kSunRadiusRad = 0.004675;
 struct TraceSetup {
     FrameBlock block{};                     ///< `image` and `whole` have the size
     bool periodic = false;                  ///< in x and y, but for what the eye sees first
+    std::optional<AirBands> air;            ///< that paths meet within the grid
     const gl::Buffer* detectors = nullptr;  ///< where paths begin; none: at the eye
     int seed = 0;
     int maxScatterings = 0;  ///< 0: no limit

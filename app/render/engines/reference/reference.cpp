@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "app/render/frame/rows.h"
@@ -76,6 +77,11 @@ void addSunDisc(const FrameRequest& frame, const MediumTextures& medium,
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
+std::optional<AirBands> airOf(const Look& look, const SkyTextures& sky) {
+    if (!sky.hasAir() || look.referenceAir == ReferenceAir::tables) return std::nullopt;
+    return airBandsOf(sky.air());
+}
+
 }  // namespace
 
 void ReferenceEngine::prepare(const Look& look, RenderContext& context) {
@@ -99,6 +105,7 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
         // A first pass that yielded goes on.
         const TraceSetup setup{.block = blockOf(inputs, grid, medium, context.sky),
                                .periodic = sidesRepeat(inputs.look),
+                               .air = airOf(inputs.look, context.sky),
                                .seed = inputs.sampling.seed};
         if (!tracer_.isIn(setup)) tracer_.restart(setup);
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/sky/atmosphere.h"
+
 namespace neph::render {
 namespace {
 
@@ -77,9 +79,13 @@ std::vector<float> scatteringVersines(const PhaseTable& table, int wavelength) {
 }
 
 ScatteringTables makeScatteringTables(std::span<const PhaseSpec> phases) {
+    std::vector<PhaseSpec> all(phases.begin(), phases.end());
+    if (all.empty()) all.emplace_back();  // shaders have at least one class
+    all.push_back({.kind = PhaseKind::rayleigh});
+    all.push_back({.kind = PhaseKind::cornetteShanks, .g = static_cast<float>(kHazeG)});
     std::vector<glm::vec4> values;
     std::vector<float> versines;
-    for (const PhaseSpec& spec : phases) {
+    for (const PhaseSpec& spec : all) {
         const PhaseTable table = normalised(makePhaseTable(spec));
         for (const glm::vec3& value : table) values.emplace_back(value, 0.0f);
         for (int wavelength = 0; wavelength < 3; ++wavelength) {
@@ -87,10 +93,7 @@ ScatteringTables makeScatteringTables(std::span<const PhaseSpec> phases) {
             versines.insert(versines.end(), row.begin(), row.end());
         }
     }
-    // A sampler must have something bound.
-    const int rows = std::max(1, static_cast<int>(phases.size()));
-    values.resize(static_cast<std::size_t>(rows) * kPhaseTableSize);
-    versines.resize(static_cast<std::size_t>(3 * rows) * (kScatteringIntervals + 1));
+    const int rows = static_cast<int>(all.size());
     ScatteringTables tables;
     tables.phases = gl::Texture::make2D(GL_RGBA32F, {kPhaseTableSize, rows});
     tables.phases.upload(GL_RGBA, GL_FLOAT, values.data());

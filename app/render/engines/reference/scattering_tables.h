@@ -24,6 +24,7 @@ struct ScatteringTables {
     gl::Texture phases;      ///< RGBA32F, one row a phase function
     gl::Texture scattering;  ///< R32F, one row a phase function and wavelength
 };
+/// Of classes, and of molecules and haze after them.
 ScatteringTables makeScatteringTables(std::span<const PhaseSpec> phases);
 
 }  // namespace neph::render

@@ -145,6 +145,7 @@ std::vector<Measured> TraceMeter::measure(const MeterScene& scene,
     PathTracer& tracer = impl_->tracer;
     tracer.restart({.block = blockOf(scene, medium.plan, sizePx),
                     .periodic = scene.periodic,
+                    .air = scene.air,
                     .detectors = &list,
                     .seed = static_cast<int>(settings.seed),
                     .maxScatterings = settings.maxScatterings,

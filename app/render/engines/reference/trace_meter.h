@@ -61,6 +61,8 @@ struct MeterScene {
     double sunRadiusRad = kSunRadiusRad;
     double skyRadiance = 0.0;             ///< the same from everywhere
     std::optional<double> surfaceAlbedo;  ///< of a Lambert plane at z = 0; none: open
+    std::optional<AirBands> air;  ///< above sea level at z = 0, within the grid; it does not dim
+                                  ///< the sun, whose irradiance at a point tables have elsewhere
 };
 
 struct MeterSettings {
