@@ -19,8 +19,8 @@ namespace {
 
 using glm::dvec3, glm::dmat3;
 
-// Of the lower and the upper part of deep clouds: after sunset the sun shines on one of them.
-constexpr std::array kMeterAltitudesM{4000.0, 12000.0};
+// Of deep clouds: after sunset the sun shines on their upper part alone.
+constexpr std::array kMeterAltitudesM{4000.0, 8000.0, 12000.0, 16000.0};
 /// Dusk is shown darker than day, by these powers of what falls on the cloud: while the sun shines
 /// on it, and once there is less than such light and only the sky is left. Tuned by eye.
 constexpr double kFollowed = 0.75, kFollowedInDusk = 0.62, kDusk = 0.01;
@@ -108,14 +108,13 @@ dvec3 meteredColour(const Look& look) {
     if (last && std::get<0>(*last) == air->spec() && std::get<1>(*last) == sunUp) {
         return std::get<2>(*last);
     }
-    dvec3 most(0.0);
+    dvec3 sum(0.0);
     for (const double altitudeM : kMeterAltitudesM) {
-        const dvec3 light =
-            rgbOfSunlight(air->sunlight(altitudeM, sunUp) + skyOnLevel(*air, altitudeM, sunUp));
-        if (luminanceOf(light) > luminanceOf(most)) most = light;
+        sum += rgbOfSunlight(air->sunlight(altitudeM, sunUp) + skyOnLevel(*air, altitudeM, sunUp));
     }
-    last = {air->spec(), sunUp, most};
-    return most;
+    const dvec3 mean = sum / static_cast<double>(kMeterAltitudesM.size());
+    last = {air->spec(), sunUp, mean};
+    return mean;
 }
 
 double meteredLight(const Look& look) {

@@ -13,8 +13,8 @@ std::shared_ptr<const Atmosphere> atmosphereOf(const Look& look);
 /// Irradiance of the sky on a level surface over 4 pi, of sunlight outside the atmosphere.
 Spectrum skyOnLevel(const Atmosphere& air, double altitudeM, double sunUp);
 
-/// Light that falls on a deep cloud from sun and sky, of its lower and its upper part the
-/// one that has more: 1 from a sun without air.
+/// Light that falls on a deep cloud from sun and sky, the mean of its heights: 1 from a sun without
+/// air.
 double meteredLight(const Look& look);
 
 /// The same with its colour, linear sRGB; of the sun, also where the moon stands in its place.

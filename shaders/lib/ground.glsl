@@ -66,6 +66,12 @@ vec3 sectionOfGround(vec2 at) {
     return watered ? cropOfGround(0.5f, 0.3f + 0.5f * draw.y) : cropOfGround(draw.x, draw.y);
 }
 
+/// Grain of one size, where it is seen.
+float grainOfGround(vec2 positionM, float sizeM, uint kind, float pixelM) {
+    float seen = seenOfGround(sizeM, pixelM);
+    return seen < 0.03f ? 0.0f : seen * bumpsOfGround(positionM / sizeM, kind);
+}
+
 /// `pixelM`: what a pixel covers.
 vec3 fieldsOfGround(vec2 positionM, float pixelM) {
     float hills = bumpsOfGround(positionM / 9000.0f, 3u);
@@ -78,14 +84,20 @@ vec3 fieldsOfGround(vec2 positionM, float pixelM) {
         mix(vec3(1.0f), sectionOfGround(positionM / kSectionM), seenOfGround(kFieldM, pixelM));
     // Rough pasture where the land is broken, with the grain of its slopes.
     float rough = smoothstep(0.1f, 0.16f, range);
-    float grain = bumpsOfGround(positionM / 1100.0f, 9u) + bumpsOfGround(positionM / 420.0f, 10u);
-    pattern = mix(pattern, vec3(1.0f) + 0.35f * grain * seenOfGround(700.0f, pixelM), rough);
+    float slopes = grainOfGround(positionM, 1100.0f, 9u, pixelM) +
+                   grainOfGround(positionM, 420.0f, 10u, pixelM);
+    pattern = mix(pattern, vec3(1.0f + 0.35f * slopes), rough);
     vec2 toRoad = kSectionM * abs(positionM / kSectionM - floor(positionM / kSectionM + 0.5f));
     float road = max(lineOfGround(toRoad.x, 7.0f, pixelM), lineOfGround(toRoad.y, 7.0f, pixelM));
     pattern = mix(pattern, vec3(1.7f, 1.55f, 1.9f), 0.7f * road * (1.0f - rough));
     // Trees along creeks: some 10 000 m of ground to one of `creeks`.
     float wood = lineOfGround(abs(creeks) * 9000.0f, 90.0f, pixelM) * (0.6f + 0.8f * rough);
     pattern = mix(pattern, vec3(0.45f, 0.62f, 0.5f), 0.9f * min(wood, 1.0f));
+    float growth = grainOfGround(positionM, 130.0f, 14u, pixelM) +
+                   grainOfGround(positionM, 29.0f, 15u, pixelM) +
+                   grainOfGround(positionM, 7.0f, 16u, pixelM) +
+                   grainOfGround(positionM, 1.7f, 17u, pixelM);
+    pattern *= 1.0f + 0.16f * growth;
     return pattern * (1.0f + 0.16f * hills * seenOfGround(9000.0f, pixelM) +
                       0.2f * regions * seenOfGround(41000.0f, pixelM));
 }

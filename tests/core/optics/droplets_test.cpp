@@ -229,7 +229,8 @@ TEST_CASE("Droplets at 800 nm are those of the IPRT intercomparison") {
     const auto droplets = waterDroplets(10e-6f, 800e-9f);
     CHECK(static_cast<double>(droplets->extinctionEfficiency.y) ==
           doctest::Approx(158.707e-3 * 4.0 / 3.0 * 10.0).epsilon(1e-3));
-    for (const auto& [angle, value] : kPublished) {
+    for (const auto& each : kPublished) {
+        const double angle = each[0], value = each[1];
         CAPTURE(angle);
         const auto cosine = static_cast<float>(std::cos(angle * std::numbers::pi / 180.0));
         CHECK(4.0 * std::numbers::pi * static_cast<double>(lookUp(droplets->phase, cosine).y) ==

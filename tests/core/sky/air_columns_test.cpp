@@ -103,7 +103,8 @@ TEST_CASE("Refraction at sea level is that of the almanac") {
 TEST_CASE("Bent rays are those that follow from the gradient of the refractive index") {
     constexpr std::array<std::array<double, 2>, 6> kRays{
         {{0.0, 30.0}, {0.0, 1.0}, {0.0, 0.0}, {3e3, 0.5}, {12e3, -1.5}, {12e3, -3.2}}};
-    for (const auto& [altitudeM, elevation] : kRays) {
+    for (const auto& each : kRays) {
+        const double altitudeM = each[0], elevation = each[1];
         CAPTURE(altitudeM);
         CAPTURE(elevation);
         const BentRay expected = followed(altitudeM, elevation);

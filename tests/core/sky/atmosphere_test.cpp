@@ -91,7 +91,8 @@ TEST_CASE("Haze scatters forwards without darkening what is behind it") {
                                                            {20.0, 10.0, 45.0, 0.0950},
                                                            {40.0, 10.0, 0.0, 0.2326}}};
     const Atmosphere air({.visibilityM = 14e3, .groundAlbedo = 0.2});
-    for (const auto& [sun, elevation, azimuth, radiance] : kExact) {
+    for (const auto& each : kExact) {
+        const double sun = each[0], elevation = each[1], azimuth = each[2], radiance = each[3];
         CAPTURE(sun);
         CAPTURE(elevation);
         const SkyRay ray{0.0, upOf(elevation), azimuth * kHalfTurn / 180.0, upOf(sun)};
