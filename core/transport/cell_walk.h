@@ -79,6 +79,7 @@ void walkCells(const TransportGrid& grid, const glm::dvec3& start, const glm::dv
         entry = std::max(entry, std::min(a, b));
         exit = std::min(exit, std::max(a, b));
     }
+    if (entry >= exit) return;  // it misses, by as far as a level axis takes it
     glm::ivec3 cell(0);
     glm::dvec3 still(0.0);  // shares where the ray does not move
     glm::dvec3 next(kFar);  // metres to the next face of each axis
