@@ -116,8 +116,10 @@ TEST_CASE("An option that acts on one of two sides is no fault") {
 TEST_CASE("An error is typed in percent, and kept in the metadata as a share") {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.png").string();
-    const Outcome outcome =
-        runProgram("render cumulus --size 4x4 --engine reference --error 50 --out '" + file + "'");
+    const Outcome outcome = runProgram(
+        "render cumulus --size 4x4 --engine reference --error 50 --set reference.air=tables "
+        "--out '" +
+        file + "'");
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     for (const auto& [key, text] : readPngMetadata(file)) {
         if (key == "nephoscope.sampling") CHECK(contains(text, "view.target_error=0.5"));

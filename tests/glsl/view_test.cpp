@@ -96,10 +96,10 @@ TEST_CASE("The ground is as bright on average as its colour, near and far, land 
             CAPTURE(kind);
             CAPTURE(pixelM);
             glm::dvec3 sum(0.0);
-            constexpr int kAcross = 1400;
+            constexpr int kAcross = 300;
             for (int i = 0; i < kAcross * kAcross; ++i) {
-                const glm::vec2 at(1237.0f * static_cast<float>(i % kAcross) - 700e3f,
-                                   1151.0f * static_cast<float>(i / kAcross) - 650e3f);
+                const glm::vec2 at(4237.0f * static_cast<float>(i % kAcross) - 700e3f,
+                                   4151.0f * static_cast<float>(i / kAcross) - 650e3f);
                 sum += glm::dvec3(glsl::groundPattern(kind, at, pixelM));
             }
             sum /= kAcross * kAcross;
@@ -110,7 +110,7 @@ TEST_CASE("The ground is as bright on average as its colour, near and far, land 
 
 TEST_CASE("All that strays in a lens falls somewhere ahead") {
     double sum = 0.0;
-    constexpr int kRings = 200000;
+    constexpr int kRings = 20000;
     for (int i = 0; i < kRings; ++i) {
         const double angle = 0.5 * std::numbers::pi * (i + 0.5) / kRings;
         sum += 2.0 * std::numbers::pi * std::sin(angle) * (0.5 * std::numbers::pi / kRings) *
