@@ -141,14 +141,6 @@ double exposureValue(const Look& look) {
     return static_cast<double>(kUnitEv100) - std::log2(static_cast<double>(exposureGain(look)));
 }
 
-dvec3 sunIrradiance(const Look& look, double altitudeM) {
-    if (look.skyModel != SkyModel::atmosphere) return dvec3(0.0);
-    const Spectrum share =
-        atmosphereOf(look)->sunlight(std::max(altitudeM, 0.0), sunDirWorld(look).z);
-    return 4.0 * std::numbers::pi * static_cast<double>(shownIntensity(look)) *
-           rgbOfSunlight(share);
-}
-
 dvec3 discIrradiance(const Look& look, double altitudeM) {
     if (look.skyModel != SkyModel::atmosphere) return dvec3(0.0);
     const Spectrum share =

@@ -26,11 +26,8 @@ float exposureGain(const Look& look);
 /// Exposure value at ISO 100 of a camera that shows them so.
 double exposureValue(const Look& look);
 
-/// Irradiance of the sun outside clouds at an altitude, linear sRGB in the units of images; 0 with
-/// a sky of two colours.
-glm::dvec3 sunIrradiance(const Look& look, double altitudeM);
-
-/// The same of a disc that the horizon does not hide.
+/// Irradiance at an altitude of all of the disc, which neither cloud nor horizon hides, linear sRGB
+/// in the units of images; 0 with a sky of two colours.
 glm::dvec3 discIrradiance(const Look& look, double altitudeM);
 
 /// Of the glare of the sun in the lens by shaders/lib/sun_disc.glsl: what glareAt() is multiplied

@@ -19,7 +19,7 @@ struct LunarPosition {
 LunarPosition lunarPosition(UtcTime time, double latitudeDeg, double longitudeDeg);
 
 /// Light of the moon outside the air as a share of the sun's, by its phase: 2.5e-6 when it is full.
-/// [Allen76] §66
+/// [Allen76]
 double moonShare(double phaseDeg);
 
 }  // namespace neph

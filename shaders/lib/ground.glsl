@@ -1,7 +1,7 @@
 // ground.glsl: farmland on a square survey, or waves of wind on a sea, so that ground has a scale.
 //
 // What colours are multiplied by, whose mean over the ground is 1 in each channel. All is tuned by
-// eye on photographs from aircraft over the Great Plains.
+// eye.
 #pragma once
 #include "random.glsl"
 
@@ -62,7 +62,7 @@ vec3 sectionOfGround(vec2 at) {
     vec4 draw = squareOfGround(field, 2u);
     vec2 inField = within * parts - floor(within * parts) - 0.5f;
     bool watered = parts.x == parts.y && draw.z < 0.2f && dot(inField, inField) < 0.23f;
-    // A circle takes the colour of a green crop; what its share brings is taken off elsewhere.
+    // A circle has the colour of a green crop.
     return watered ? cropOfGround(0.5f, 0.3f + 0.5f * draw.y) : cropOfGround(draw.x, draw.y);
 }
 

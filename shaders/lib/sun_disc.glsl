@@ -30,7 +30,7 @@ float moonDiscShare(vec3 offset, vec3 towards, vec3 towardsSun, float pixel) {
 }
 
 /// Radiance of stray light at an angle from the sun, for an irradiance of 1 of which all strays,
-/// 1/sr. It falls with the square of the angle, as that of lenses does [Talvala07].
+/// 1/sr. It falls with the square of the angle, about as that of lenses does [Talvala07].
 float glareAt(float angle) {
     const float kCore = 0.0052f;  // what lenses blur; tuned by eye
     const float kWhole = 34.7f;   // of the rest, over the half space ahead

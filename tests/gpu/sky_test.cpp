@@ -64,7 +64,7 @@ TEST_CASE("The sun's disc is seen through air and cloud alike in every engine") 
     CHECK(behindCloud.y < 0.5);
     // All of the sun's irradiance, from 1.5 x 1.5 degrees.
     const double frame = 1.5 * 1.5 * std::pow(std::numbers::pi / 180.0, 2.0);
-    CHECK(clearDisc == doctest::Approx(sunIrradiance(look, 0.0).g / frame).epsilon(0.1));
+    CHECK(clearDisc == doctest::Approx(discIrradiance(look, 0.0).g / frame).epsilon(0.1));
     CHECK(behindCloud.x == doctest::Approx(clearDisc * behindCloud.y).epsilon(0.02));
     for (const Engine engine : {Engine::march, Engine::reference}) {
         CAPTURE(static_cast<int>(engine));

@@ -92,9 +92,9 @@ TEST_CASE("The reflectance factor of a white surface in full sunlight is 1 at an
 TEST_CASE("Glare is a share of the sun's light, and there is none without a disc") {
     Look look = skyLook(50.0f);
     look.glare = 0.02f;
-    CHECK(glareOf(look, 0.0).g == doctest::Approx(0.02 * sunIrradiance(look, 0.0).g));
-    CHECK(sunIrradiance(look, 0.0).g < sunIrradiance(look, 12e3).g);
-    CHECK(sunIrradiance(look, 40e3).g == doctest::Approx(12.5).epsilon(0.03));
+    CHECK(glareOf(look, 0.0).g == doctest::Approx(0.02 * discIrradiance(look, 0.0).g));
+    CHECK(discIrradiance(look, 0.0).g < discIrradiance(look, 12e3).g);
+    CHECK(discIrradiance(look, 40e3).g == doctest::Approx(12.5).epsilon(0.03));
     look.sunDisc = false;
     CHECK(glareOf(look, 0.0) == glm::vec3(0.0f));
 }
