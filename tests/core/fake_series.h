@@ -103,3 +103,12 @@ inline neph::OpenSeries openFake(const std::shared_ptr<FakeSeries>& series) {
         return std::make_shared<FakeDataset>(series, paths.front());
     };
 }
+
+/// Lets a session load; whether a volume is there within some ten seconds.
+inline bool waitUntilShown(neph::Session& session) {
+    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
+        session.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return session.shown() != nullptr;
+}

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <thread>
 
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/shell/actions.h"
@@ -27,11 +26,7 @@ struct Fixture {
 
     Fixture() {
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-        for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-            session.poll();
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        REQUIRE(session.shown() != nullptr);
+        REQUIRE(waitUntilShown(session));
         state.columns.shown = false;
         state.report.time = -1;
         frame();

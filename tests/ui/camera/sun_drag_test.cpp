@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <thread>
 
 #include "app/ui/camera/sun_chart.h"
 #include "app/ui/shell/actions.h"
@@ -43,11 +42,7 @@ struct SunFixture {
             series->firstUtc = utcOfText("2010-03-15T12:10:00Z");
         }
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-        for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-            session.poll();
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        REQUIRE(session.shown() != nullptr);
+        REQUIRE(waitUntilShown(session));
         state.columns.shown = false;
         setSunAngles(look(), 0.0, 5.0);
         session.history.restart(session.document);

@@ -33,11 +33,7 @@ class Scene {
   public:
     Scene() {
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-        for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-            session.poll();
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        REQUIRE(session.shown() != nullptr);
+        REQUIRE(waitUntilShown(session));
     }
 
     void show(const Window& window) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <thread>
 
 #include "app/ui/shell/actions.h"
 #include "app/ui/shell/frame.h"
@@ -85,11 +84,7 @@ TEST_CASE("Ten thousand random events leave a document that is whole and can be 
     Headless gui;
     Session session(openFake(std::make_shared<FakeSeries>()));
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-        session.poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(session.shown() != nullptr);
+    REQUIRE(waitUntilShown(session));
     ui::Ui state(session);
     std::mt19937 random(20261122);
     for (int i = 0; i < kEvents; i += kEventsAFrame) {

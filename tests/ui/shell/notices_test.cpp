@@ -28,11 +28,7 @@ class NoClouds : public FakeDataset {
 
 void openAndWait(Session& session) {
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-        session.poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(session.shown() != nullptr);
+    REQUIRE(waitUntilShown(session));
 }
 
 /// Lays the panels out; checks that this notice, and no other, is there and within the image.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <thread>
 
 #include "app/ui/shell/actions.h"
 #include "app/ui/shell/frame.h"
@@ -101,11 +100,7 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     Session session(openFake(series));
     session.setBudget({2000, kSoftwareGpuBytes});  // of 16 KiB: coarsened
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-        session.poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(session.shown() != nullptr);
+    REQUIRE(waitUntilShown(session));
     ui::Ui state(session);
     const Document before = session.document;
     for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
@@ -140,11 +135,7 @@ TEST_CASE("The status line says so where the image is not to scale") {
     session.document.look.of(Species::cloud).mixingScale = 0.5f;
     CHECK_FALSE(marked());  // without data there is no scale
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
-    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-        session.poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(session.shown() != nullptr);
+    REQUIRE(waitUntilShown(session));
     CHECK(marked());
     session.document.look.of(Species::cloud).mixingScale = 1.0f;
     CHECK_FALSE(marked());

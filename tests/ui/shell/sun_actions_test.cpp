@@ -31,11 +31,7 @@ std::shared_ptr<FakeSeries> brasilia() {
 
 void openAndShow(Session& session, int time) {
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, time);
-    for (int i = 0; i < 10000 && session.shown() == nullptr; ++i) {
-        session.poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(session.shown() != nullptr);
+    REQUIRE(waitUntilShown(session));
 }
 
 }  // namespace
