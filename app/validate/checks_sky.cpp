@@ -200,7 +200,7 @@ std::vector<Row> standardRows(const TypicalAir& typical) {
 
 /// At 560 nm, against light that is scattered exactly as often as it is.
 std::vector<Row> exactRows(const ExactSky& exact) {
-    constexpr double kTolerance = 0.15;  // relative; of scatter that is isotropic after the first
+    constexpr double kTolerance = 0.10;  // relative; of scatter that is isotropic after the first
     const Atmosphere air({.visibilityM = exact.visibilityM, .groundAlbedo = 0.2});
     std::vector<Row> rows;
     for (const ExactRadiance& at : exact.radiances) {

@@ -19,6 +19,9 @@ constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
 /// is then scattered elsewhere; near the sun, where it is seen itself, less of it. Tuned to exact
 /// solutions: docs/sky.md.
 constexpr double kForward = 0.35, kForwardAtSun = 0.14;
+/// How much more light that is scattered many times molecules send along level rays than along
+/// vertical ones: it comes from around the horizon, where the sky is brightest. Tuned to the same.
+constexpr float kLevelGain = 0.6f;
 constexpr double kContrast = 3.912;  // -ln 0.02: what a visibility is the optical depth of
 /// Molecules of 1 Dobson unit, 1/m², spread over the tent of ozone, m.
 constexpr double kDobsonPerM2 = 2.6868e20, kOzoneTentM = 15e3;
@@ -110,8 +113,11 @@ struct Atmosphere::Place {
             std::sqrt(path.fromM * path.fromM + atM * (atM + 2.0 * path.fromM * path.up));
         altitudeM = radiusM - kEarthRadiusM;
         sunUp = (path.fromM * path.sunUp + atM * path.cosSun) / radiusM;
+        const double level = 1.0 - std::min(std::abs(path.fromM * path.up + atM) / radiusM, 1.0);
+        gain = 1.0f + kLevelGain * static_cast<float>(level * level);
     }
     double altitudeM, sunUp;
+    float gain;  ///< kLevelGain
 };
 
 /// Of light scattered many times as it begins: isotropic but for what goes on.
@@ -123,7 +129,7 @@ struct Atmosphere::Phases {
 };
 
 struct Atmosphere::Sum {
-    Spectrum radiance;
+    Spectrum radiance, once, byMolecules, byHaze;
     Spectrum reaches{1.0f};  ///< of light that is scattered, with what goes on forwards
     Spectrum depth;          ///< of what is seen through it
 };
@@ -218,13 +224,17 @@ void Atmosphere::add(const Place& place, double lengthM, const Phases& phases, S
     constexpr auto kSpread = static_cast<float>(1.0 - kForward);
     for (std::size_t i = 0; i < kSpectrumSize; ++i) {
         const float once =
-            local.molecules.at[i] * phases.molecules + local.haze.at[i] * phases.haze;
-        const float source =
-            once * sun.at[i] + (local.molecules.at[i] + kSpread * local.haze.at[i]) * many.at[i];
+            sun.at[i] * (local.molecules.at[i] * phases.molecules + local.haze.at[i] * phases.haze);
+        const float byMolecules = place.gain * local.molecules.at[i];
+        const float scattered = byMolecules + kSpread * local.haze.at[i];
         const float x = depth.at[i];
         // (1 - e^-x) / x.
         const float mean = x < 0.02f ? 1.0f - x * (0.5f - x / 6.0f) : (1.0f - clear.at[i]) / x;
-        sum.radiance.at[i] += sum.reaches.at[i] * source * mean * length;
+        const float seen = sum.reaches.at[i] * mean * length;
+        sum.radiance.at[i] += seen * (once + scattered * many.at[i]);
+        sum.once.at[i] += seen * once;
+        sum.byMolecules.at[i] += seen * byMolecules;
+        sum.byHaze.at[i] += seen * local.haze.at[i];
         sum.reaches.at[i] *= clear.at[i];
     }
 }
@@ -273,6 +283,18 @@ Spectrum Atmosphere::manyTimesAt(double altitudeM, double trueUp) const {
     return many;
 }
 
+/// Into how many parts a stretch has to be divided so that none of them passes through much of the
+/// haze at once, as rays from far above do.
+int Atmosphere::partsOf(const Path& path, double fromM, double toM) {
+    constexpr double kHazyM = 10e3, kHazeM = 400.0, kClearM = 2500.0;
+    constexpr int kMostParts = 24;
+    const double middle = Place(path, 0.5 * (fromM + toM)).altitudeM;
+    const double begin = Place(path, fromM).altitudeM, end = Place(path, toM).altitudeM;
+    const double changeM = std::max(std::abs(begin - middle), std::abs(end - middle));
+    const double wantedM = std::min(middle, end) < kHazyM ? kHazeM : kClearM;
+    return std::clamp(static_cast<int>(std::ceil(changeM / wantedM)), 1, kMostParts);
+}
+
 AirLight Atmosphere::along(const SkyRay& ray) const {
     const Reach reach = reachOf(ray.altitudeM, ray.up);
     AirLight all;
@@ -282,7 +304,8 @@ AirLight Atmosphere::along(const SkyRay& ray) const {
 
 void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
                        std::span<AirLight> to) const {
-    constexpr int kSteps = 40;  // of the whole
+    constexpr int kSteps = 40;       // of the whole
+    constexpr double kHighM = 10e3;  // of eyes above which steps near the ground are long
     const Reach reach = reachOf(ray.altitudeM, ray.up);
     const double lengthM = std::max(reach.toM - reach.fromM, 1.0);
     const Path path(ray, trueSunUp(ray.sunUp));
@@ -306,11 +329,15 @@ void Atmosphere::along(const SkyRay& ray, std::span<const double> distancesM,
         for (int step = 0; step < steps; ++step) {
             const double a = std::lerp(from, until, step / static_cast<double>(steps));
             const double b = std::lerp(from, until, (step + 1.0) / steps);
-            const double aM = lengthM * a * a, bM = lengthM * b * b;
-            add(Place(path, reach.fromM + 0.5 * (aM + bM)), bM - aM, phases, sum);
+            const double aM = reach.fromM + lengthM * a * a, bM = reach.fromM + lengthM * b * b;
+            const int parts = ray.altitudeM > kHighM ? partsOf(path, aM, bM) : 1;
+            for (int part = 0; part < parts; ++part) {
+                const double atM = std::lerp(aM, bM, (part + 0.5) / parts);
+                add(Place(path, atM), (bM - aM) / parts, phases, sum);
+            }
         }
         from = std::max(from, until);
-        to[i] = {sum.radiance, expMinus(sum.depth)};
+        to[i] = {sum.radiance, sum.once, sum.byMolecules, sum.byHaze, expMinus(sum.depth)};
     }
 }
 

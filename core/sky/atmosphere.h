@@ -39,6 +39,10 @@ struct SkyRay {
 /// What a stretch of air adds to the light that comes through it, and what it leaves of it.
 struct AirLight {
     Spectrum radiance;
+    Spectrum once;  ///< of the radiance, sunlight scattered once
+    Spectrum
+        byMolecules;  ///< what each scatters of light that comes from all directions alike, per
+    Spectrum byHaze;  ///< radiance, without what goes on as if it were not scattered
     Spectrum clear{1.0f};
 };
 
@@ -79,6 +83,7 @@ class Atmosphere {
     Spectrum depthOf(const glm::dvec3& columnsM, double forward = 0.0) const;
     Spectrum sunlightOf(double altitudeM, double trueUp, double forward) const;
     Spectrum manyTimes(double altitudeM, double trueUp) const;
+    static int partsOf(const Path& path, double fromM, double toM);
     void add(const Place& place, double lengthM, const Phases& phases, Sum& sum) const;
     Spectrum manyTimesAt(double altitudeM, double trueUp) const;
 

@@ -32,10 +32,10 @@ vec4 colourOf(const Spectrum& radiance) {
     return {vec3(4.0 * std::numbers::pi * rgbOfSunlight(radiance)), 0.0f};
 }
 
-/// What is left of white light.
-vec4 clearOf(const Spectrum& clear) {
+/// Of white light.
+vec4 shareOfWhite(const Spectrum& share) {
     static const dvec3 white = rgbOfSunlight(Spectrum(1.0f));
-    return {vec3(rgbOfSunlight(clear) / white), 0.0f};
+    return {vec3(rgbOfSunlight(share) / white), 0.0f};
 }
 
 /// Tables of the sky, of one altitude.
@@ -58,7 +58,10 @@ void fillAir(const Atmosphere& air, double altitudeM, double sunUp, SkyTables& t
     using namespace glsl;
     const float horizon = horizonSine(static_cast<float>(altitudeM));
     tables.air.resize(size(kAirAzimuths) * size(kAirElevations) * size(kAirDistances));
+    tables.sunnyAir.resize(tables.air.size());
     tables.clear.resize(size(kAirElevations) * size(kAirDistances));
+    tables.byMolecules.resize(tables.clear.size());
+    tables.byHaze.resize(tables.clear.size());
     const auto row = [&](std::size_t j, std::size_t, const Progress&) {
         const float up = airUpOfShare(shareOf(j, kAirElevations), horizon);
         std::array<double, kAirDistances> distancesM{};
@@ -74,7 +77,11 @@ void fillAir(const Atmosphere& air, double altitudeM, double sunUp, SkyTables& t
             for (std::size_t k = 0; k < distancesM.size(); ++k) {
                 const std::size_t at = k * size(kAirElevations) + j;
                 tables.air[at * size(kAirAzimuths) + i] = colourOf(light[k].radiance);
-                if (i == 0) tables.clear[at] = clearOf(light[k].clear);
+                tables.sunnyAir[at * size(kAirAzimuths) + i] = colourOf(light[k].once);
+                if (i > 0) continue;
+                tables.clear[at] = shareOfWhite(light[k].clear);
+                tables.byMolecules[at] = shareOfWhite(light[k].byMolecules);
+                tables.byHaze[at] = shareOfWhite(light[k].byHaze);
             }
         }
     };
@@ -187,6 +194,31 @@ void fillAltitudes(const Atmosphere& air, double sunUp, const std::vector<Around
     }
 }
 
+/// What a cloud sees of the air between it and the ground.
+void fillAirBelow(const Atmosphere& air, double sunUp, const dvec3& irradiance, SkyDome& dome) {
+    constexpr int kUps = 4, kAzimuths = 6;
+    dvec3 flux(0.0), clear(0.0);
+    for (int i = 0; i < kUps; ++i) {
+        // Evenly in the square of the sine, so that each has the same part in the flux.
+        const double up = -std::sqrt((i + 0.5) / kUps);
+        for (int j = 0; j < kAzimuths; ++j) {
+            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuths;
+            const AirLight light = air.along({kPatternAltitudeM, up, azimuth, sunUp});
+            flux += dvec3(colourOf(light.radiance));
+            clear += dvec3(shareOfWhite(light.clear));
+        }
+    }
+    const auto luminance = [](const dvec3& of) { return glm::dot(of, dvec3(glsl::kLuminance)); };
+    constexpr double kMostAlbedo = 0.5;  // at night there is no telling
+    const double perDirection = 1.0 / (kUps * kAzimuths);
+    const double falls = luminance(irradiance);
+    if (falls > 0.0) {
+        dome.airAlbedo =
+            std::min(std::numbers::pi * perDirection * luminance(flux) / falls, kMostAlbedo);
+    }
+    dome.airClear = perDirection * luminance(clear);
+}
+
 }  // namespace
 
 double SkyPattern::at(const dvec3& towards, const dvec3& towardsSun) const {
@@ -241,6 +273,8 @@ SkyTables makeSkyTables(const Atmosphere& air, const dvec3& towardsSun, double e
     for (std::size_t i = 0; i < size(glsl::kAltitudes); ++i) {
         dome->sunByAltitude.push_back(glm::dot(vec3(tables.byAltitude[i]), glsl::kLuminance));
     }
+    const dvec3 sun = 4.0 * std::numbers::pi * std::max(sunUp, 0.0) * dvec3(tables.byAltitude[0]);
+    fillAirBelow(air, sunUp, sun + levels.front().irradiance(), *dome);
     fillEyeTables(eyeAltitudeM, air, towardsSun, tables);
     return tables;
 }

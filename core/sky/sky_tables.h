@@ -28,13 +28,20 @@ struct SkyDome {
     glm::dvec3 towardsSun{0.0, 0.0, 1.0};
     std::array<SkyPattern, kSkyPatterns> patterns;
     std::vector<float> sunByAltitude;  ///< luminance of the sun, 1 outside the atmosphere
+    /// Flux upwards of the air beneath a cloud, over the flux that falls on the ground: the albedo
+    /// that it has as seen from above; and what it leaves of light that comes from the ground.
+    double airAlbedo = 0.0, airClear = 1.0;
     double sunAt(double altitudeM) const;
 };
 
 struct SkyTables {
-    std::vector<glm::vec4> eyeSky;  ///< the sky from the eye
-    std::vector<glm::vec4> air;     ///< that air between the eye and a distance sends
-    std::vector<glm::vec4> clear;   ///< that it leaves; elevations x distances
+    std::vector<glm::vec4> eyeSky;    ///< the sky from the eye
+    std::vector<glm::vec4> air;       ///< that air between the eye and a distance sends
+    std::vector<glm::vec4> sunnyAir;  ///< of it, sunlight scattered once
+    std::vector<glm::vec4> clear;     ///< that it leaves; elevations x distances
+    /// That its molecules, and its haze, send where light of radiance 1 comes from all directions;
+    /// likewise.
+    std::vector<glm::vec4> byMolecules, byHaze;
     std::vector<glm::vec4> around;  ///< the sky from other altitudes
     /// By altitude: the sun, and the colours of the sky's patterns; a row each.
     std::vector<glm::vec4> byAltitude;

@@ -91,20 +91,10 @@ LightSolver::LightSolver(const LightSolver& other, const LightScene& scene,
 
 void LightSolver::restart(const LightScene& scene) {
     assert(scene.source == scene_.source && scene.periodicSides == scene_.periodicSides);
-    const bool moved = beam_.empty() || scene.towardsSun != scene_.towardsSun ||
+    const bool moved = !hasBeam() || scene.towardsSun != scene_.towardsSun ||
                        scene.sunByLayer != scene_.sunByLayer;
     scene_ = scene;
-    if (scene.source == LightSource::sun && moved) {
-        const TransportLevel& fine = level();
-        beam_ = beamIrradiance(fine, scene.towardsSun, settings_.threads);
-        dimBeam(scene.sunByLayer);
-        groundBeam_ = beam_;
-        groundBeam_.resize(std::min(beam_.size(), fine.grid.columnCount()));
-        underResolved_ = 0.0;
-        if (hasBeam() && fine.thick()) {
-            underResolved_ = blendDeposit(fine, scene.towardsSun, settings_.threads, beam_);
-        }
-    }
+    if (scene.source == LightSource::sun && moved) beam_ = beamOn(level());
     cycles_ = 0;
     replacing_ = settings_.warmCycles;
     remaining_ = 1.0;
@@ -112,12 +102,27 @@ void LightSolver::restart(const LightScene& scene) {
     for (auto& half : halves_) half.assign(level().activeCount, 0.0f);
 }
 
-/// By what the air takes of it on its way to each layer.
-void LightSolver::dimBeam(const std::vector<float>& sunByLayer) {
-    if (sunByLayer.empty()) return;
-    const std::size_t layer = level().grid.columnCount();
-    assert(sunByLayer.size() * layer >= beam_.size());
-    for (std::size_t i = 0; i < beam_.size(); ++i) beam_[i] *= sunByLayer[i / layer];
+LevelBeam LightSolver::beamOn(const TransportLevel& level) const {
+    LevelBeam beam;
+    if (scene_.source != LightSource::sun) return beam;
+    const std::size_t columns = level.grid.columnCount();
+    beam.atNodes = beamIrradiance(level, scene_.towardsSun, settings_.threads);
+    beam.onGround = beam.atNodes;
+    beam.onGround.resize(std::min(beam.atNodes.size(), columns));
+    if (level.thick()) {
+        beam.underResolved =
+            blendDeposit(level, scene_.towardsSun, settings_.threads, beam.atNodes);
+    }
+    // What the air takes of it on its way to each layer.
+    const std::vector<float>& sun = scene_.sunByLayer;
+    if (sun.empty()) return beam;
+    const double perLayer = level.grid.spacingM.z / levels_->front().grid.spacingM.z;
+    for (std::size_t i = 0; i < beam.atNodes.size(); ++i) {
+        const auto layer = std::lround(perLayer * static_cast<double>(i / columns));
+        beam.atNodes[i] *= sun[std::min(static_cast<std::size_t>(layer), sun.size() - 1)];
+    }
+    for (float& light : beam.onGround) light *= sun.front();
+    return beam;
 }
 
 void LightSolver::startFrom(const LightSolver& other) {
@@ -142,12 +147,17 @@ void LightSolver::startFrom(const LightSolver& other) {
 }
 
 Swept LightSolver::sweepFine(const LightField& field, const LightDirections& directions) const {
+    return swept(sweepInput(level(), field, beam_), directions, settings_.threads);
+}
+
+SweepInput LightSolver::sweepInput(const TransportLevel& level, const LightField& field,
+                                   const LevelBeam& beam) const {
     SweepInput input;
-    input.level = &level();
+    input.level = &level;
     input.field = &field;
     input.sunTravel = -scene_.towardsSun;
     const double sine = std::max(scene_.towardsSun.z, 0.0);  // of light on the ground
-    if (hasBeam()) input.beam = beam_.data();
+    if (hasBeam()) input.beam = beam.atNodes.data();
     if (scene_.source == LightSource::sky) input.sky = scene_.sky;
     const double sun = scene_.sunByLayer.empty() ? 1.0 : static_cast<double>(scene_.sunByLayer[0]);
     const double farFlux = hasBeam() ? sine * sun : input.sky.irradiance();
@@ -157,10 +167,10 @@ Swept LightSolver::sweepFine(const LightField& field, const LightDirections& dir
     };
     input.farGroundRadiance = upwards(farFlux);
     for (std::size_t i = 0; i < field.groundFlux.size(); ++i) {
-        const double direct = hasBeam() ? sine * static_cast<double>(groundBeam_[i]) : 0.0;
+        const double direct = hasBeam() ? sine * static_cast<double>(beam.onGround[i]) : 0.0;
         input.groundRadiance.push_back(upwards(direct + static_cast<double>(field.groundFlux[i])));
     }
-    return swept(input, directions, settings_.threads);
+    return input;
 }
 
 void LightSolver::cycle() {
@@ -183,7 +193,7 @@ LightField LightSolver::thickCycle(const LightDirections& directions, const Mult
     // Mean radiance over irradiance / pi, or over radiance: more is a node that overshoots.
     constexpr double kBrightest = 1.7;
     const TransportLevel& fine = level();
-    const float* beam = hasBeam() ? beam_.data() : nullptr;
+    const float* beam = hasBeam() ? beam_.atNodes.data() : nullptr;
     LightField next = field_;
     {
         const Swept sums = sweepFine(field_, directions);
@@ -248,7 +258,8 @@ std::vector<float> LightSolver::momentsOfAllNodes() const {
 }
 
 std::size_t LightSolver::bytes() const {
-    std::size_t shared = 0, own = beam_.size() + groundBeam_.size() + 2 * halves_[0].size();
+    std::size_t shared = 0,
+                own = beam_.atNodes.size() + beam_.onGround.size() + 2 * halves_[0].size();
     for (const TransportLevel& level : *levels_) {
         shared += level.bytes();
         own += level.activeCount * static_cast<std::size_t>(level.momentCount);

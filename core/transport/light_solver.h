@@ -18,6 +18,18 @@
 
 namespace neph {
 
+/// What reaches a level straight from the sun; empty without a sun.
+struct LevelBeam {
+    /// Across the beam with scaled extinction, of active nodes and on the ground. Where nodes are
+    /// balanced, that which would bring in what the beam loses around them.
+    std::vector<float> atNodes;
+    /// The same of the ground, everywhere what the beam has left; x fastest.
+    std::vector<float> onGround;
+    /// Which part of the sunlight that the medium catches it catches between nodes further apart
+    /// than a scaled optical depth of 4, 0 ... 1.
+    double underResolved = 0.0;
+};
+
 class LightSolver {
   public:
     /// The medium is not needed afterwards. Its nodes are at least 2 on each axis.
@@ -41,6 +53,8 @@ class LightSolver {
     /// kBroadMoments, or kAlignedMoments for the sun with `aligned`.
     int momentCount() const { return levels_->front().momentCount; }
     const TransportLevel& level() const { return levels_->front(); }
+    /// The grids of the multigrid, the finest first.
+    const std::vector<TransportLevel>& levels() const { return *levels_; }
     const LightScene& scene() const { return scene_; }
     const LightSettings& settings() const { return settings_; }
 
@@ -50,20 +64,20 @@ class LightSolver {
     std::span<const float> momentsAt(std::size_t node) const;
     /// Of all nodes, x fastest, momentCount() side by side, 0 where not active.
     std::vector<float> momentsOfAllNodes() const;
-    /// Across the beam with scaled extinction, of active nodes and on the ground; empty without a
-    /// beam. Where nodes are balanced, that which would bring in what the beam loses around them.
-    const std::vector<float>& beam() const { return beam_; }
-    /// The same of the ground, everywhere what the beam has left; x fastest.
-    const std::vector<float>& groundBeam() const { return groundBeam_; }
+    const std::vector<float>& beam() const { return beam_.atNodes; }
+    const std::vector<float>& groundBeam() const { return beam_.onGround; }
+    /// Of another level of the same medium.
+    LevelBeam beamOn(const TransportLevel& level) const;
+    /// What a sweep of a level is given, of which field and beam are.
+    SweepInput sweepInput(const TransportLevel& level, const LightField& field,
+                          const LevelBeam& beam) const;
     /// How optically thick every node is, 0 ... 2 (`lightThickness`); where the medium is thick, of
     /// the mean around it.
     const std::vector<float>& thickness() const { return level().thickness; }
     /// Of every node: the share of l = 0 that follows from its energy balance, 0 ... 1; empty
     /// unless the medium is thick.
     const std::vector<float>& balanced() const { return level().balanced; }
-    /// Which part of the sunlight that the medium catches it catches between nodes further apart
-    /// than a scaled optical depth of 4, 0 ... 1; 0 without a beam.
-    double underResolved() const { return underResolved_; }
+    double underResolved() const { return beam_.underResolved; }
     /// Downward irradiance at the ground without the beam, x fastest.
     const std::vector<float>& groundFlux() const { return field_.groundFlux; }
 
@@ -81,15 +95,13 @@ class LightSolver {
     Swept sweepFine(const LightField& field, const LightDirections& directions) const;
     LightField thickCycle(const LightDirections& directions, const MultigridPass& pass);
     void average(const LightField& next);
-    void dimBeam(const std::vector<float>& sunByLayer);
-    bool hasBeam() const { return !beam_.empty(); }
+    bool hasBeam() const { return !beam_.atNodes.empty(); }
 
     LightScene scene_;
     LightSettings settings_;
     std::shared_ptr<const std::vector<TransportLevel>> levels_;
     LightField field_;
-    std::vector<float> beam_, groundBeam_;
-    double underResolved_ = 0.0;
+    LevelBeam beam_;
     DirectionSource directions_;
     std::array<std::vector<float>, 2> halves_;  ///< averages of l = 0 over every other cycle
     std::array<int, 2> halfCycles_{};

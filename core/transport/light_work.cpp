@@ -38,6 +38,11 @@ LightScene sceneOf(const LightRequest& request, LightPart part, int layers, doub
     LightScene scene;
     scene.towardsSun = request.towardsSun;
     scene.groundAlbedo = request.groundHidden ? 0.0 : request.groundAlbedo;
+    // Air below a cloud lights it as ground does.
+    if (request.dome) {
+        const SkyDome& dome = *request.dome;
+        scene.groundAlbedo = dome.airClear * scene.groundAlbedo + dome.airAlbedo;
+    }
     scene.periodicSides = request.periodicSides;
     if (part == LightPart::sun) {
         for (int k = 0; request.dome && k < layers; ++k) {
@@ -72,6 +77,7 @@ struct LightWork::Solution {
                 kAveragedCycles[i] + (start != nullptr ? settings.warmCycles : settings.coldCycles);
         }
         sunFirst = start != nullptr;
+        if (start != nullptr) around = start->around;
         albedo = filledAlbedo(solvers[0]->level());
         const auto& place = solvers[0]->level().place;
         for (std::size_t node = 0; node < place.size(); ++node) {
@@ -130,7 +136,8 @@ struct LightWork::Solution {
         const int averaged = solvers[0]->cyclesDone() - (toSettle[0] - kAveragedCycles[0]);
         return averaged <= 0 || averaged % kShownOf == 0 || settled();
     }
-    std::shared_ptr<const LightState> state(bool whole) const {
+    std::shared_ptr<const LightState> state(bool whole) {
+        if (!around || settled()) lookAround();
         auto made = std::make_shared<LightState>();
         made->request = request;
         made->size = solvers[0]->level().grid.nodes;
@@ -141,6 +148,7 @@ struct LightWork::Solution {
         made->chance = solvers[0]->chance();
         made->underResolved = solvers[0]->underResolved();
         made->nodes = nodes;
+        made->around = around;
         made->balanced = balancedAlbedo(solvers[0]->level(), albedo);
         const int degrees = solvers[0]->level().degreeCount;
         for (std::size_t i = 0; i < kLightParts; ++i) {
@@ -151,12 +159,22 @@ struct LightWork::Solution {
         return made;
     }
 
+    void lookAround() {
+        auto made = std::make_shared<std::array<LightAround, kLightParts>>();
+        shareOut(kLightParts, workerCount(kLightParts),
+                 [&](std::size_t i, std::size_t, const Progress&) {
+                     (*made)[i] = lightAround(*solvers[i]);
+                 });
+        around = std::move(made);
+    }
+
     LightRequest request;
     std::array<std::unique_ptr<LightSolver>, kLightParts> solvers;
     std::array<int, kLightParts> toSettle{};
     bool sunFirst = false;  ///< the next cycle is of the sun alone
     std::vector<float> albedo;
     std::vector<std::uint32_t> nodes;
+    std::shared_ptr<const std::array<LightAround, kLightParts>> around;
 };
 
 LightWork::LightWork(std::function<void()> wake)

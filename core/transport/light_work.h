@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/transport/light_around.h"
 #include "core/transport/light_solver.h"
 
 namespace neph {
@@ -54,6 +55,8 @@ struct LightState {
     std::vector<float> balanced;
     /// Downward irradiance at the ground of each part, without the beam, x fastest.
     std::array<std::vector<float>, kLightParts> groundFlux;
+    /// Of each part: of the settled field, or of one before.
+    std::shared_ptr<const std::array<LightAround, kLightParts>> around;
     std::size_t bytes = 0;  ///< that the solvers hold
 };
 

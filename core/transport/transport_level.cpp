@@ -89,6 +89,16 @@ void TransportLevel::numberActive() {
     forEachNode(grid, [&](const glm::ivec3& node, std::size_t index) {
         if (extinctionPerM[index] > 0.0f) markAround(grid, node, place);
     });
+    numberMarked();
+}
+
+void TransportLevel::numberAll() {
+    place.assign(grid.nodeCount(), 0);
+    numberMarked();
+}
+
+/// Nodes whose place is 0.
+void TransportLevel::numberMarked() {
     activeCount = 0;
     for (std::int32_t& number : place) {
         if (number == 0) number = static_cast<std::int32_t>(activeCount++);

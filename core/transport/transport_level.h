@@ -82,6 +82,8 @@ struct TransportLevel {
     }
     /// Finds the active nodes from the extinctions, and makes room for their albedos.
     void numberActive();
+    /// The same with all nodes active.
+    void numberAll();
     RowSpan activeRow(int axis, int slice, int row) const {
         const auto rows = static_cast<std::size_t>(grid.nodes[sliceAxes(axis)[1]]);
         return activeRows[static_cast<std::size_t>(axis)]
@@ -91,6 +93,9 @@ struct TransportLevel {
 
     LightField emptyField() const;
     std::size_t bytes() const;
+
+  private:
+    void numberMarked();
 };
 
 /// TransportLevel::thickness of the finest level alone.

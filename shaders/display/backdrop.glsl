@@ -53,14 +53,12 @@ vec3 groundBehind(Ray ray, float groundM, int lastLayer) {
 vec3 backdrop(Ray ray, int lastLayer, float discShown) {
     if (u_.sampling.y == 0) return vec3(0.0);
     float groundM = groundDistanceM(ray);
-    if (hasAir() && u_.ground.w > 0.5) {
-        float above = pixelsAboveHorizon(ray.dir);
-        if (abs(above) < 0.5) {  // the pixel has some of both
-            Ray lower = Ray(ray.originM, besideHorizon(ray.dir, -1.0));
-            vec3 ground = groundBehind(lower, groundDistanceM(lower), lastLayer);
-            return mix(ground, eyeSky(besideHorizon(ray.dir, 1.0)), above + 0.5) +
-                   (groundM <= 0.0 ? discShown * sunDisc(ray.dir) : vec3(0.0));
-        }
+    float sky = skyShareOf(ray.dir);
+    if (sky > 0.0 && sky < 1.0) {  // the pixel has some of both
+        Ray lower = Ray(ray.originM, besideHorizon(ray.dir, -1.0));
+        vec3 ground = groundBehind(lower, groundDistanceM(lower), lastLayer);
+        return mix(ground, eyeSky(besideHorizon(ray.dir, 1.0)), sky) +
+               (groundM <= 0.0 ? discShown * sunDisc(ray.dir) : vec3(0.0));
     }
     if (groundM <= 0.0) return eyeSky(ray.dir) + discShown * sunDisc(ray.dir);
     return groundBehind(ray, groundM, lastLayer);

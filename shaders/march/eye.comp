@@ -13,6 +13,7 @@ layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
 #include "../medium/phases.glsl"
 #include "../medium/ray_in_box.glsl"
 #include "../shared/march_blocks.glsl"
+#include "cloudy_air.glsl"
 #include "packed_sample.glsl"
 #include "sunlight.glsl"
 
@@ -40,6 +41,8 @@ layout(r32ui, binding = kMarchTakenImage) readonly uniform uimage2D i_taken;
 layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 #endif
 
+// Of cloudy_air.comp.
+layout(binding = kCloudyAirUnit) uniform sampler3D t_cloudyAir;
 #if FULL
 // Of source_to_eye.comp.
 layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
@@ -81,6 +84,7 @@ struct Eye {
     vec3 radiance;
     float through;
     float forward;  // optical depth of scattering that full transport does not count as such
+    float atM;      // sum of the distances of what is seen, each times how much of it is
     uint taken, skipped;
 };
 
@@ -323,6 +327,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     if (hasAir()) {
         eye.radiance = nearer + throughAir(path.air, met.atM, eye.radiance - nearer,
                                            throughNearer - eye.through);
+        eye.atM += (throughNearer - eye.through) * met.atM;
     }
     last = stations[kRun - 1];
 }
@@ -330,7 +335,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
 
 Eye march(Path path, uint most) {
     lookUpSunlight(path.ray.dir, path.sunwards);
-    Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0u, 0u);
+    Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);
     Station last = stationAt(path, index);
@@ -354,10 +359,33 @@ Eye march(Path path, uint most) {
     return eye;
 }
 
+/// What clouds change of the light that air sends up to a distance.
+vec3 cloudyAir(ivec2 pixel, float distanceM) {
+    return textureLod(t_cloudyAir, inCloudyAir(pixel, distanceM, textureSize(t_cloudyAir, 0)), 0.0)
+        .rgb;
+}
+
+/// Of the air before what is seen of the medium.
+void addCloudyAir(ivec2 pixel, inout Eye eye) {
+    if (u_.cloudyAir.w < 0.5) return;
+    float covered = 1.0 - eye.through;
+    vec3 change = cloudyAir(pixel, eye.atM / max(covered, 1e-6));
+    eye.radiance = max(eye.radiance + covered * change, 0.0);
+}
+
+/// Sky or ground as it is seen through air among clouds; the pixel has one of both.
+vec3 cloudyBackdrop(ivec2 pixel, Ray ray, float discShown) {
+    vec3 behind = backdrop(ray, u_.slices.z, discShown);
+    if (u_.cloudyAir.w < 0.5 || u_.sampling.y == 0) return behind;
+    float groundM = groundDistanceM(ray);
+    return max(behind + cloudyAir(pixel, groundM > 0.0 ? groundM : kAirRangeM), 0.0);
+}
+
 /// What lies behind a ray that ended early is taken to be like what lies before.
 void closeRay(Path path, inout Eye eye) {
     if (eye.through > path.opaque) return;
     eye.radiance /= 1.0 - eye.through;
+    eye.atM /= 1.0 - eye.through;
     eye.through = 0.0;
 }
 
@@ -372,6 +400,10 @@ void main() {
     pixel.y += firstRow;
     if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     Ray ray = rayThrough(pixel);
+    float sky = skyShareOf(ray.dir);
+    vec3 pixelDir = ray.dir;
+    bool hasBoth = sky > 0.0 && sky < 1.0;  // clouds stand before the pixel's sky
+    if (hasBoth) ray.dir = besideHorizon(pixelDir, 1.0);
     vec2 insideM = insideBoxM(ray);
     uint most = 0xffffffffu;
 #if FLOOR
@@ -380,8 +412,13 @@ void main() {
     Path path = pathOf(pixel, ray, insideM);
     Eye eye = march(path, most);
     closeRay(path, eye);
-    vec3 behind = backdrop(ray, u_.slices.z, exp(-eye.forward));
+    addCloudyAir(pixel, eye);
+    vec3 behind = cloudyBackdrop(pixel, ray, exp(-eye.forward));
     vec4 seen = vec4(eye.radiance + eye.through * behind, 1.0 - eye.through);
+    if (hasBoth) {
+        ray.dir = besideHorizon(pixelDir, -1.0);
+        seen = mix(vec4(cloudyBackdrop(pixel, ray, 0.0), 0.0), seen, sky);
+    }
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);
     imageStore(io_linear, pixel, seen);
 #if PROFILE

@@ -13,9 +13,14 @@ struct Ray {
     vec3 dir;
 };
 
-Ray rayThrough(ivec2 pixel) {
-    vec2 ndc = 2.0 * (vec2(pixel + u_.whole.zw) + 0.5) / vec2(u_.whole.xy) - 1.0;
+/// `place`: in pixels of the whole image.
+Ray rayThroughPlace(vec2 place) {
+    vec2 ndc = 2.0 * place / vec2(u_.whole.xy) - 1.0;
     return Ray(u_.eyeM.xyz, normalize(u_.forward.xyz + ndc.x * u_.right.xyz + ndc.y * u_.up.xyz));
+}
+
+Ray rayThrough(ivec2 pixel) {
+    return rayThroughPlace(vec2(pixel + u_.whole.zw) + 0.5);
 }
 
 /// Gain in height of a ray from the eye over a plane, per square of the distance, 1/m: the Earth is

@@ -34,6 +34,8 @@ struct FrameBlock {
     vec4 boxLowerM;   ///< occupied part of the volume
     vec4 boxUpperM;
     vec4 gridExtentM;     ///< of the whole volume
+    vec4 cloudyAir;       ///< xy: distances between which clouds change what air sends, z: pixels
+                          ///< between two rays of their table, w: 1 where there is one
     vec4 mixtureExtentM;  ///< of the half-resolution texture of the march
     vec4 brickM;          ///< size of an occupancy brick
     vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye

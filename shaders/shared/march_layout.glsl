@@ -12,6 +12,10 @@ const int kMarchBlueNoiseUnit = 6;
 const int kMarchFloorUnit = 7;
 const int kMarchThicknessUnit = 9;
 const int kMarchSourceUnit = 10;
+const int kCloudyAirUnit = 12;
+const int kSunThroughUnit = 13;
+const int kAroundMoleculesUnit = 14;
+const int kAroundHazeUnit = 15;
 
 // eye.comp. Its work groups are squares.
 const int kMarchEyeGroup = 8;
@@ -56,6 +60,23 @@ const int kWordsOfSky = (2 * kSkyMoments + 1) / 2;
 const int kWordsOfNode = kWordsOfSun + kWordsOfSky;
 const int kBalancedDegrees = 5;
 const int kWordsOfBalanced = (kBalancedDegrees + 1) / 2;
+
+// sun_through.comp
+const int kSunThroughImage = 0;
+const int kSunThroughLayerLocation = 0;
+const int kSunThroughGroup = 8;
+const int kSlicesPerSunThrough = 2;
+
+// cloudy_air.comp
+const int kCloudyAirImage = 0;
+const int kCloudyAirGroup = 8;
+
+// light_around.comp, which also has kSourceGroup; the locations are of both.
+const int kAroundMoleculesImage = 0;
+const int kAroundHazeImage = 1;
+const int kAroundMomentsBuffer = 4;
+const int kAroundLowerLocation = 0;
+const int kAroundSpacingLocation = 1;
 
 // pack_mixture.comp
 const int kPackMixture0Image = 0;

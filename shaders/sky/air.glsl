@@ -71,6 +71,11 @@ float pixelsAboveHorizon(vec3 dir) {
     return (dir.z - u_.sky.y) / (sqrt(max(1.0 - u_.sky.y * u_.sky.y, 1e-6)) * pixelAngle());
 }
 
+/// How much of a pixel lies above the horizon, where there is ground.
+float skyShareOf(vec3 dir) {
+    return hasAir() && u_.ground.w > 0.5 ? clamp(pixelsAboveHorizon(dir) + 0.5, 0.0, 1.0) : 1.0;
+}
+
 /// The same direction with half a pixel of sky or of ground between it and the horizon.
 vec3 besideHorizon(vec3 dir, float side) {
     float elevation = asin(u_.sky.y) + 0.5 * side * pixelAngle();

@@ -66,14 +66,20 @@ void SkyTextures::uploadEye() {
     using namespace glsl;
     fill(eyeSky_, {kEyeSkyAzimuths, kEyeSkyElevations, 1}, tables_.eyeSky);
     fill(airLight_, {kAirAzimuths, kAirElevations, kAirDistances}, tables_.air);
+    fill(sunnyAir_, {kAirAzimuths, kAirElevations, kAirDistances}, tables_.sunnyAir);
     fill(clear_, {kAirElevations, kAirDistances, 1}, tables_.clear);
+    fill(byMolecules_, {kAirElevations, kAirDistances, 1}, tables_.byMolecules);
+    fill(byHaze_, {kAirElevations, kAirDistances, 1}, tables_.byHaze);
 }
 
 void SkyTextures::bind() const {
     if (!hasAir()) return;
     eyeSky_.bind(kEyeSkyUnit);
     airLight_.bind(kAirUnit);
+    sunnyAir_.bind(kSunnyAirUnit);
     clear_.bind(kClearAirUnit);
+    byMolecules_.bind(kByMoleculesUnit);
+    byHaze_.bind(kByHazeUnit);
     around_.bind(kAroundUnit);
     byAltitude_.bind(kByAltitudeUnit);
 }
@@ -87,8 +93,8 @@ glm::vec3 SkyTextures::patternOnGround(std::size_t pattern) const {
 }
 
 std::size_t SkyTextures::bytes() const {
-    return eyeSky_.bytes() + airLight_.bytes() + clear_.bytes() + around_.bytes() +
-           byAltitude_.bytes();
+    return eyeSky_.bytes() + airLight_.bytes() + sunnyAir_.bytes() + clear_.bytes() +
+           byMolecules_.bytes() + byHaze_.bytes() + around_.bytes() + byAltitude_.bytes();
 }
 
 }  // namespace neph::render

@@ -34,7 +34,7 @@ class SkyTextures {
     SkyTables tables_;
     glm::dvec3 towardsSun_{0.0};
     double eyeAltitudeM_ = -1.0;
-    gl::Texture eyeSky_, airLight_, clear_, around_, byAltitude_;
+    gl::Texture eyeSky_, airLight_, sunnyAir_, clear_, byMolecules_, byHaze_, around_, byAltitude_;
 };
 
 }  // namespace neph::render

@@ -248,10 +248,44 @@ void DiffuseLight::upload(const LightState& state) {
     if (!balanced.empty()) {
         balanced_.write(balanced.data(), balanced.size() * sizeof(std::uint32_t));
     }
+    if (shownAround_ != state.around) uploadAround(*state.around);
+    shownAround_ = state.around;
     const glm::ivec3 held = shownGrid_.held();
     if (source_.size() != held) source_ = makeLinear(GL_RGBA16F, held);
     // Other voxels may have been occupied before.
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+void DiffuseLight::uploadAround(const std::array<LightAround, kLightParts>& around) {
+    std::vector<float> moments;
+    const std::size_t nodes = around[0].grid.nodeCount();
+    moments.reserve(nodes * kLightParts * kBroadMoments);
+    for (std::size_t node = 0; node < nodes; ++node) {
+        for (const LightAround& part : around) {
+            const float* from = &part.change[node * kBroadMoments];
+            moments.insert(moments.end(), from, from + kBroadMoments);
+        }
+    }
+    aroundMoments_.write(moments.data(), moments.size() * sizeof(float));
+    const glm::ivec3 size = around[0].grid.nodes;
+    if (aroundMolecules_.size() == size) return;
+    aroundMolecules_ = makeLinear(GL_RGBA16F, size);
+    aroundHaze_ = makeLinear(GL_RGBA16F, size);
+}
+
+void DiffuseLight::placeAround(const gl::Program& program) const {
+    program.setVec3(kAroundLowerLocation, glm::vec3(grid_.lowerM));
+    program.setVec3(kAroundSpacingLocation, glm::vec3(shownAround_->front().grid.spacingM));
+}
+
+void DiffuseLight::lookAround(const gl::Program& program) {
+    placeAround(program);
+    aroundMoments_.bind(GL_SHADER_STORAGE_BUFFER, kAroundMomentsBuffer);
+    aroundMolecules_.bindImage(kAroundMoleculesImage, GL_WRITE_ONLY);
+    aroundHaze_.bindImage(kAroundHazeImage, GL_WRITE_ONLY);
+    const auto nodes = static_cast<int>(shownAround_->front().grid.nodeCount());
+    program.dispatchGroups((nodes + kSourceGroup - 1) / kSourceGroup);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void DiffuseLight::lookFrom(const FrameBlock& block, const SkyTextures& sky,
@@ -299,12 +333,15 @@ void DiffuseLight::lightGround(const FrameBlock& block, const SkyTextures& sky) 
 
 void DiffuseLight::bind() const {
     thickness_.bind(kMarchThicknessUnit);
+    aroundMolecules_.bind(kAroundMoleculesUnit);
+    aroundHaze_.bind(kAroundHazeUnit);
     source_.bind(kMarchSourceUnit);
     groundLight_.bind(kGroundLightUnit);
 }
 
 std::size_t DiffuseLight::bytes() const {
-    return thickness_.bytes() + source_.bytes() + groundLight_.bytes() + extinctions_.bytes() +
+    return thickness_.bytes() + aroundMolecules_.bytes() + aroundHaze_.bytes() +
+           aroundMoments_.bytes() + source_.bytes() + groundLight_.bytes() + extinctions_.bytes() +
            nodes_.bytes() + moments_.bytes() + balanced_.bytes();
 }
 

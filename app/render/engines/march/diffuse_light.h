@@ -37,6 +37,11 @@ class DiffuseLight {
     /// What the voxels of light send towards the eye of the block, which is bound.
     void lookFrom(const FrameBlock& block, const SkyTextures& sky, const gl::Program& sourceToEye);
     void bind() const;
+    /// What the light around clouds sends towards the eye of the block, which is bound; `program`:
+    /// march/light_around.comp.
+    void lookAround(const gl::Program& program);
+    /// Tells march/cloudy_air.comp where its nodes are.
+    void placeAround(const gl::Program& program) const;
     /// Whether some of the light that is shown is balanced: BALANCED of source_to_eye.comp.
     bool isBalanced() const { return shown_ && !shown_->balanced.empty(); }
 
@@ -50,6 +55,7 @@ class DiffuseLight {
     LightClass lightClassOf(const MediumClass& c);
     void uploadThickness(const std::vector<float>& ofNodes);
     void upload(const LightState& state);
+    void uploadAround(const std::array<LightAround, kLightParts>& around);
     void lightGround(const FrameBlock& block, const SkyTextures& sky);
 
     LightWork work_;
@@ -64,7 +70,9 @@ class DiffuseLight {
     gl::Texture thickness_;                                   ///< R8, half of lightThickness
     gl::Texture source_;                                      ///< RGBA16F
     gl::Texture groundLight_;                                 ///< RGBA16F
-    gl::Buffer extinctions_, nodes_, moments_, balanced_;
+    gl::Texture aroundMolecules_, aroundHaze_;                ///< RGBA16F, of light_around.comp
+    std::shared_ptr<const std::array<LightAround, kLightParts>> shownAround_;
+    gl::Buffer extinctions_, nodes_, moments_, balanced_, aroundMoments_;
 };
 
 }  // namespace neph::render

@@ -218,10 +218,26 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
         }
         diffuse_->bind();
     }
+    if (bound_.cloudyAir.w > 0.0f) lookThroughAir(frame, context);
     context.timer.pass(kEyePass);
     if (inputs.profile) openCounts(inputs.sizePx);
     march(frame, context.programs.get("march/eye.comp", eyeDefines(inputs, medium, false)),
           context.progress);
+}
+
+/// What clouds change of the light that air sends to the eye.
+void MarchEngine::lookThroughAir(const FrameRequest& frame, RenderContext& context) {
+    context.timer.pass("air among clouds");
+    const gl::Program& program = context.programs.get(
+        "march/cloudy_air.comp",
+        {fmt::format("FULL {}", full_ ? 1 : 0), fmt::format("PERIODIC {}", plan_.repeats ? 1 : 0)});
+    if (full_) {
+        if (frame.sample == 0) {
+            diffuse_->lookAround(context.programs.get("march/light_around.comp"));
+        }
+        diffuse_->placeAround(program);
+    }
+    cloudyAir_.look(bound_, program);
 }
 
 void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
@@ -239,6 +255,7 @@ void MarchEngine::bind(const FrameRequest& frame, const PackedMedium& medium,
     const float mostDimming = isNoisy(medium.plan) ? kMostDimmingDetailed : kMostDimming;
     block.march = glm::vec4(glm::vec3(perM), mostDimming / inputs.sampling.quality);
     if (full_) diffuse_->fill(block, inputs.look, medium.plan.classes, context.sky);
+    if (context.sky.hasAir() && plan_.count > 0) CloudyAir::fill(block, plan_.repeats);
     bound_ = block;
     block_.write(&block, sizeof(block));
     block_.bind(GL_UNIFORM_BUFFER, block::kFrameBinding);
@@ -282,6 +299,7 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
     light_.resize(plan_.lightSizePx, batch + 1, GL_R16, plan_.repeats);
     light_.open(-1);
     lastLayer_ = 0;
+    cloudyAir_.open(plan_);
     const BlockOrder blocks(volume, plan_);
     const auto names = defines(inputs.look, medium);
     for (int first = 0; first < plan_.count; first += batch) {
@@ -295,6 +313,7 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
                      context.progress);
         context.timer.pass("light to medium");
         lightToMedium(blocks.within(first, slices), medium, context.programs);
+        cloudyAir_.keep(plan_, first, slices, context.programs.get("march/sun_through.comp"));
         lastLayer_ = slices;
     }
 }
@@ -373,7 +392,8 @@ void MarchEngine::describe(const FrameInputs& inputs, RenderContext& context) {
 }
 
 std::size_t MarchEngine::otherBytes() const {
-    return phases_.bytes() + block_.bytes() + blueNoise_.bytes() + taken_.bytes() + floor_.bytes();
+    return phases_.bytes() + cloudyAir_.bytes() + block_.bytes() + blueNoise_.bytes() +
+           taken_.bytes() + floor_.bytes();
 }
 
 template <>

@@ -7,6 +7,7 @@
 
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
+#include "app/render/engines/march/cloudy_air.h"
 #include "app/render/engines/march/diffuse_light.h"
 #include "app/render/engines/march/packed_medium.h"
 #include "app/render/frame/frame_block.h"
@@ -40,6 +41,7 @@ class MarchEngine final : public Integrator {
                        gl::ProgramCache& programs);
     void bind(const FrameRequest& frame, const PackedMedium& medium, RenderContext& context,
               glm::ivec2 batch);
+    void lookThroughAir(const FrameRequest& frame, RenderContext& context);
     void openCounts(glm::ivec2 sizePx);
     void march(const FrameRequest& frame, const gl::Program& program, const Progress& progress);
     SampleCounts counts() const;
@@ -55,6 +57,7 @@ class MarchEngine final : public Integrator {
     std::optional<DiffuseLight> diffuse_;  ///< since full transport was first wanted
     /// Version of the medium that it knows, voxels that were asked for, periodic sides.
     std::tuple<std::uint64_t, int, bool> diffuseOf_{0, 0, false};
+    CloudyAir cloudyAir_;
     FrameBlock bound_{};
     gl::Buffer block_, counts_, blocks_;
     gl::Texture blueNoise_;
