@@ -402,7 +402,7 @@ void main() {
     Ray ray = rayThrough(pixel);
     float sky = skyShareOf(ray.dir);
     vec3 pixelDir = ray.dir;
-    bool hasBoth = sky > 0.0 && sky < 1.0;  // clouds stand before the pixel's sky
+    bool hasBoth = sky > 0.0 && sky < 1.0;
     if (hasBoth) ray.dir = besideHorizon(pixelDir, 1.0);
     vec2 insideM = insideBoxM(ray);
     uint most = 0xffffffffu;
@@ -417,7 +417,11 @@ void main() {
     vec4 seen = vec4(eye.radiance + eye.through * behind, 1.0 - eye.through);
     if (hasBoth) {
         ray.dir = besideHorizon(pixelDir, -1.0);
-        seen = mix(vec4(cloudyBackdrop(pixel, ray, 0.0), 0.0), seen, sky);
+        vec3 ground = cloudyBackdrop(pixel, ray, 0.0);
+        bool before = eye.atM < (1.0 - eye.through) * groundDistanceM(ray);
+        vec4 lower = before ? vec4(eye.radiance + eye.through * ground, 1.0 - eye.through)
+                            : vec4(ground, 0.0);
+        seen = mix(lower, seen, sky);
     }
     if (blend < 1.0) seen = mix(imageLoad(io_linear, pixel), seen, blend);
     imageStore(io_linear, pixel, seen);
