@@ -20,8 +20,9 @@ constexpr double kHazeAngstrom = 1.3;   // of continental haze [Angstrom29]
 /// solutions: docs/sky.md.
 constexpr double kForward = 0.35, kForwardAtSun = 0.14;
 /// How much more light that is scattered many times molecules send along level rays than along
-/// vertical ones: it comes from around the horizon, where the sky is brightest. Tuned to the same.
-constexpr float kLevelGain = 0.6f;
+/// vertical ones: it comes from around the horizon, where the sky is brightest, the more so the
+/// lower the sun. Tuned to the same.
+constexpr double kLevelGain = 0.6, kHighSunGain = 0.18;
 constexpr double kContrast = 3.912;  // -ln 0.02: what a visibility is the optical depth of
 /// Molecules of 1 Dobson unit, 1/m², spread over the tent of ozone, m.
 constexpr double kDobsonPerM2 = 2.6868e20, kOzoneTentM = 15e3;
@@ -114,7 +115,8 @@ struct Atmosphere::Place {
         altitudeM = radiusM - kEarthRadiusM;
         sunUp = (path.fromM * path.sunUp + atM * path.cosSun) / radiusM;
         const double level = 1.0 - std::min(std::abs(path.fromM * path.up + atM) / radiusM, 1.0);
-        gain = 1.0f + kLevelGain * static_cast<float>(level * level);
+        const double most = std::lerp(kLevelGain, kHighSunGain, std::clamp(sunUp, 0.0, 1.0));
+        gain = static_cast<float>(1.0 + most * level * level);
     }
     double altitudeM, sunUp;
     float gain;  ///< kLevelGain
