@@ -23,7 +23,10 @@ TEST_CASE("info tells model, scheme, grid, times and where each hydrometeor is d
          {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1 km", "110 x 120 km",
           "Cloud    base 0.00 km, top 15.46 km", "at full resolution",
           "0001-01-01_00:30:00 to 0001-01-01_02:00:00, 90 min, every 30 min",
-          "Bases    of cloudy columns: 5th percentile ", "main updraft (", "updraft   top km"}) {
+          "Bases    of cloudy columns: 5th percentile ", "main updraft (", "updraft   top km",
+          "Humidity 65 to 71 % in the lowest layer; visibility by it (sky.haze=humidity) 29 to "
+          "33.3 "
+          "km"}) {
         CAPTURE(part);
         CHECK(contains(outcome.out, part));
     }
@@ -47,6 +50,11 @@ TEST_CASE("info --json has it all, as numbers") {
     CHECK(rain.at("maximum_g_per_kg").get<double>() == doctest::Approx(14.09912));
     CHECK(rain.at("height_km").get<double>() < 5.0);
     CHECK(json.at("species")[4].at("time") == "0001-01-01_01:30:00");
+    // As in supercell_test.cpp; the visibility by the formula of docs/sky.md.
+    const auto& lowest = json.at("times")[1].at("lowest_layer");
+    CHECK(lowest.at("relative_humidity").get<double>() == doctest::Approx(0.663426).epsilon(1e-5));
+    CHECK(lowest.at("visibility_by_humidity_km").get<double>() ==
+          doctest::Approx(32.5608).epsilon(1e-4));
     CHECK(json.at("notes").empty());
 }
 

@@ -69,9 +69,9 @@ TEST_CASE("Two names of the same water are not added up, and the second is named
 }
 
 TEST_CASE("A hydrometeor that is not drawn is named") {
-    const DatasetInfo info =
-        infoOf(withNames({"qc", "qr 0 99 rain at the ground (kg/kg)", "qx", "qz", "qv", "qir",
-                          "qib {} 99 rime volume (m^3/kg)", "th {} 99 theta (K)"}));
+    const DatasetInfo info = infoOf(withNames({"qc", "qr 0 99 rain at the ground (kg/kg)", "qx",
+                                               "qz", "qv", "qir", "qib {} 99 rime volume (m^3/kg)",
+                                               "th {} 99 theta (K)", "prs {} 99 pressure (Pa)"}));
     CHECK(hasNote(info, "qr: is not drawn"));
     CHECK(hasNote(info, "qx, qz: are listed and not drawn"));
     CHECK_FALSE(hasNote(info, "qv"));
@@ -113,4 +113,17 @@ TEST_CASE("Of a folder with model levels and the same interpolated, the model le
     std::filesystem::copy_file(ctl, folder / "cm1out_i.ctl");
     const auto attributes = openFiles({folder.path()})->info().attributes;
     CHECK(attributes.at("descriptor") == "cm1out_s.ctl");
+}
+
+TEST_CASE("Vapour has its role where pressure and temperature of the air are known") {
+    const DatasetInfo info = infoOf({});
+    REQUIRE(info.find(VariableRole::waterVapour) != nullptr);
+    CHECK(info.find(VariableRole::waterVapour)->name == "qv");
+    CHECK(info.find(VariableRole::waterVapour)->standardName == "humidity_mixing_ratio");
+    GradsSpec without;
+    without.variables = {"th {} 99 potential temperature (K)", "qv {} 99 vapour (kg/kg)",
+                         "qc {} 99 qc (kg/kg)"};
+    const DatasetInfo standard = infoOf(without);
+    CHECK(standard.find(VariableRole::waterVapour) == nullptr);
+    CHECK(hasNote(standard, "qv gives no humidity"));
 }

@@ -8,15 +8,17 @@
 #include "app/cli/info/info_findings.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
+#include "core/sky/humidity.h"
 
 namespace neph {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 8> kRoleIds{
+constexpr std::array<std::string_view, kVariableRoles> kRoleIds{
     "other",        "mixing_ratio",    "dry_air_density",  "interface_height",
-    "air_pressure", "air_temperature", "effective_radius", "number_concentration"};
+    "air_pressure", "air_temperature", "effective_radius", "number_concentration",
+    "water_vapour", "x_wind",          "y_wind",           "upward_wind"};
 
 Json gridJson(const DatasetInfo& info, const LayerSummary& layers) {
     const glm::dvec2 extentM = info.extentM();
@@ -100,6 +102,11 @@ Json summaryJson(const TimeSummary& summary) {
               {"cloud", cloudJson(summary)},
               {"precipitation", rangeJson(summary.precipitation)}};
     if (summary.hasColumns) json["condensate"] = columnJson(summary.condensate);
+    if (const auto& humidity = summary.lowestAir.humidity) {
+        json["lowest_layer"] = {
+            {"relative_humidity", *humidity},
+            {"visibility_by_humidity_km", visibilityOfHumidityM(*humidity) * kKmPerM}};
+    }
     return json;
 }
 
