@@ -64,6 +64,8 @@ struct TimeInfo {
     std::filesystem::path file;  ///< filled in by the series
     int indexInFile = 0;
     std::optional<UtcTime> utc = {};  ///< where the data state a date
+    /// How far the grid has moved over the ground since it lay where `map` has it, along x and y.
+    glm::dvec2 gridOffsetM{0.0};
     bool operator==(const TimeInfo&) const = default;
 };
 
@@ -91,6 +93,8 @@ struct DatasetInfo {
 
     /// Size of the domain in x and y, metres.
     glm::dvec2 extentM() const;
+    /// Whether the grid lies elsewhere on the ground at some of its times.
+    bool moves() const;
     /// Position of face `face` along x (0) or y (1), metres; 0 to `size`.
     double edgeM(int axis, int face) const;
 

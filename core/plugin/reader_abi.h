@@ -20,7 +20,8 @@ extern "C" {
 
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
- * 1: the first. 2: place and date (from projection on), roles of vapour and wind. */
+ * 1: the first. 2: place and date (from projection on), roles of vapour and wind,
+ * grids that move. */
 #define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
@@ -102,6 +103,12 @@ typedef struct NephTime {
     NephHeader header;
     const char* label; /* as the model writes it */
     double seconds;    /* on one clock that all files of a series share; any origin */
+    /* Since version 2. */
+
+    /* How far the grid has moved over the ground, in metres along its x and y, since its
+     * south-west corner lay at map_origin_m, or, without a map, since the origin of the clock. 0
+     * where the grid stands still. */
+    double grid_offset_m[2];
 } NephTime;
 
 typedef struct NephVariable {
