@@ -98,7 +98,9 @@ void WrfFile::describeGrid() {
     description_.spacingM = spacingOf(tiles_, description_.notes);
     description_.domain = domainOf(tiles_);
     describePlaceAndDate();
-    const std::string motion = motionNote(tiles_, times_.records.front(), times_.records.back());
+    const bool placed = !description_.projection.empty();
+    const std::string motion =
+        motionNote(tiles_, times_.records.front(), times_.records.back(), placed);
     if (!motion.empty()) description_.notes.push_back(motion);
     if (!tiles_.partNote().empty()) description_.notes.push_back(tiles_.partNote());
     const auto paths = tiles_.paths();
@@ -115,6 +117,10 @@ void WrfFile::describePlaceAndDate() {
         description_.projection = place->projection;
         description_.mapOriginM = place->mapOriginM;
         description_.mapPerGrid = place->mapPerGrid;
+        const auto offsetsM = offsetsOf(tiles_, *place, description_.spacingM, times_.records);
+        for (std::size_t i = 0; i < offsetsM.size(); ++i) {
+            times_.times[i].gridOffsetM = offsetsM[i];
+        }
     }
     const bool dated = times_.times.front().seconds >= *shared::secondsOfDate("1583-01-01");
     if (dated && times_.gregorian) {

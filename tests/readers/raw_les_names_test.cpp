@@ -127,3 +127,22 @@ TEST_CASE("Vapour has its role where pressure and temperature of the air are kno
     CHECK(standard.find(VariableRole::waterVapour) == nullptr);
     CHECK(hasNote(standard, "qv gives no humidity"));
 }
+
+TEST_CASE("The grid of a CM1 run moves by its namelist where no metadata say how far it is") {
+    // 540 and 720 s at 12.5 and 3 m/s.
+    const DatasetInfo info = infoOf({}, " imove = 1,\n umove = 12.5,\n vmove = 3.0,\n");
+    CHECK(info.moves());
+    CHECK(info.times[0].gridOffsetM == glm::dvec2(6750.0, 1620.0));
+    CHECK(info.times[1].gridOffsetM == glm::dvec2(9000.0, 2160.0));
+    CHECK_FALSE(infoOf({}, " imove = 0,\n umove = 12.5,\n vmove = 3.0,\n").moves());
+    CHECK_FALSE(infoOf({}).moves());
+}
+
+TEST_CASE("The grid of a CM1 run lies where its metadata have it, whatever the namelist says") {
+    GradsSpec spec;
+    spec.locations = {1000.0f, -250.0f, 1800.0f, -300.0f};
+    const DatasetInfo info = infoOf(spec, " imove = 1,\n umove = 12.5,\n vmove = 3.0,\n");
+    CHECK(info.times[0].seconds == 0.0);
+    CHECK(info.times[0].gridOffsetM == glm::dvec2(1000.0, -250.0));
+    CHECK(info.times[1].gridOffsetM == glm::dvec2(1800.0, -300.0));
+}
