@@ -191,3 +191,30 @@ TEST_CASE("readers lists the plugin with file, version and ABI, and why another 
     CHECK(contains(rejected.out, "Rejected"));
     CHECK(contains(rejected.out, "LICENSE: "));
 }
+
+TEST_CASE("info lists where a grid that moves lies at each time, and the sun over it there") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mapProjection = 6;
+    spec.dx = spec.dy = 1111.775f;  // 0.01 degrees on WRF's sphere
+    spec.times = {"2010-03-15_12:30:00", "2010-03-15_12:40:00"};
+    spec.attributes = {{"POLE_LAT", 90.0}, {"POLE_LON", 0.0}, {"STAND_LON", 0.0}};
+    spec.flat["XLAT"] = [](int, int y, int, int) { return static_cast<float>(0.02 + 0.01 * y); };
+    spec.flat["XLONG"] = [](int x, int, int, int t) {
+        return static_cast<float>(10.0 + 0.01 * (x + 300 * t));
+    };
+    writeWrf(folder / "a", spec);
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const auto json = nlohmann::json::parse(runProgram("info --json " + path).out);
+    const auto& times = json.at("times");
+    CHECK(times[0].at("grid_offset_m") == nlohmann::json({0.0, 0.0}));
+    CHECK(times[1].at("grid_offset_m")[0].get<double>() ==
+          doctest::Approx(300.0 * json.at("grid").at("spacing_m")[0].get<double>()));
+    CHECK(std::abs(times[1].at("south_west").at("longitude_deg").get<double>() - 12.995) < 1e-4);
+    // Near the equator near an equinox, after noon: 3 degrees further east and ten minutes later
+    // the sun is about 3 + 2.5 degrees lower.
+    CHECK(times[1].at("sun").at("elevation_deg").get<double>() -
+              times[0].at("sun").at("elevation_deg").get<double>() <
+          -5.0);
+    CHECK(contains(runProgram("info " + path).out, "Corner of the grid"));
+}

@@ -135,24 +135,27 @@ Json placeJson(const DatasetInfo& info, const std::optional<PlaceSummary>& place
 }
 
 /// Null where place or date is not known.
-Json sunJson(const TimeInfo& time, const std::optional<PlaceSummary>& place) {
-    const auto sun = sunAt(time, place);
+Json sunJson(const DatasetInfo& info, int time) {
+    const auto sun = sunAt(info, time);
     if (!sun) return nullptr;
     return {{"elevation_deg", sun->elevationDeg},
             {"apparent_elevation_deg", sun->apparentElevationDeg},
             {"azimuth_deg", sun->azimuthDeg}};
 }
 
-Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries,
-               const std::optional<PlaceSummary>& place) {
+Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
     Json times = Json::array();
     for (const TimeInfo& time : info.times) {
+        const auto index = static_cast<int>(times.size());
         times.push_back({{"label", time.label},
                          {"seconds", time.seconds},
                          {"utc", time.utc ? Json(utcText(*time.utc)) : Json(nullptr)},
-                         {"sun", sunJson(time, place)},
+                         {"sun", sunJson(info, index)},
                          {"file", time.file.string()},
                          {"index_in_file", time.indexInFile}});
+        if (!info.moves()) continue;
+        times.back()["grid_offset_m"] = {time.gridOffsetM.x, time.gridOffsetM.y};
+        times.back()["south_west"] = geoJson(cornerAt(info, index));
     }
     for (const TimeSummary& summary : summaries) {
         times[static_cast<std::size_t>(summary.time)].update(summaryJson(summary));
@@ -220,7 +223,7 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
               {"cloud", cloudJson(summaries)},
               {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
               {"species", speciesJson(info, summaries)},
-              {"times", timesJson(info, summaries, place)},
+              {"times", timesJson(info, summaries)},
               {"variables", variablesJson(info)},
               {"attributes", info.attributes},
               {"notes", allNotes(info, found)}};

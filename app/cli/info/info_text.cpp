@@ -177,7 +177,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += humidityLine(summaries);
-    text += seriesLines(info, summaries) + sunLines(info, summaries);
+    text += seriesLines(info, summaries) + motionLines(info) + sunLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, found);
     if (!notes.empty()) text += fmt::format("\nNotes\n  {}\n", fmt::join(notes, "\n  "));
     return text;

@@ -13,7 +13,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 34 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 35 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -91,6 +91,7 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     }
     const float visible = inputs.look.groundVisible ? 1.0f : 0.0f;
     block.ground = vec4(shownGroundColour(inputs.look), visible);
+    block.moved = v4({grid.movedM, 0.0});
     block.boxLowerM = v4(bricks.occupied.lowerM);
     block.boxUpperM = v4(bricks.occupied.upperM);
     block.gridExtentM = v4(grid.extentM());
