@@ -298,11 +298,17 @@ void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
 }
 
 /// Poses are relative to the grid that is shown: another part of the same domain must be seen from
-/// the same place, now and in every step of the history.
+/// the same place, now and in every step of the history; and so must the ground by those that are
+/// fixed to it, when the grid has moved.
 void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
-    if (sameExtent(before, now)) return;
+    const bool same = sameExtent(before, now);
+    const glm::dvec2 movedM = now.movedM - before.movedM;
+    if (same && movedM == glm::dvec2(0.0)) return;
     const auto change = [&](Document& state) {
-        state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+        if (!same) state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+        keepOnGround(state.camera, now, movedM);
+        for (Bookmark& bookmark : state.bookmarks) keepOnGround(bookmark.pose, now, movedM);
+        keepOnGround(state.path, now, movedM);
     };
     change(document);
     history.adapt(change);
