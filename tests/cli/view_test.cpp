@@ -87,11 +87,11 @@ TEST_CASE("A camera that is fixed to the ground falls back as the grid moves on"
                        "--samples 1 --size 24x16 --camera default --time 0:1 " + more + " --out '" +
                        file.string() + "'");
         CHECK_MESSAGE(outcome.status == 0, outcome.err);
-        for (const auto& [key, text] :
+        for (const auto& entry :
              readPngMetadata(folder / ("a_000" + std::to_string(time) + ".png"))) {
-            if (key != "nephoscope.camera") continue;
+            if (entry.first != "nephoscope.camera") continue;
             glm::dvec3 target;
-            CHECK(std::sscanf(text.c_str(), "target %lf,%lf,%lf", &target.x, &target.y,
+            CHECK(std::sscanf(entry.second.c_str(), "target %lf,%lf,%lf", &target.x, &target.y,
                               &target.z) == 3);
             return target;
         }

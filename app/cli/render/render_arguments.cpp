@@ -2,6 +2,8 @@
 // does not go together.
 #include "app/cli/render/render_arguments.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "app/cli/common/progress_lines.h"

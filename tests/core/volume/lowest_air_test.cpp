@@ -66,16 +66,19 @@ TEST_CASE("What is supersaturated counts as saturated") {
 }
 
 TEST_CASE("Without vapour, pressure or temperature there is no humidity but a reason") {
-    for (const auto& [name, reason] : {std::pair{"qv", "the data have no water vapour"},
-                                       std::pair{"p", "the data have no pressure of the air"},
-                                       std::pair{"T", "the data have no temperature of the air"}}) {
-        CAPTURE(name);
+    struct Case {
+        const char *name, *reason;
+    };
+    for (const Case& each : {Case{"qv", "the data have no water vapour"},
+                             Case{"p", "the data have no pressure of the air"},
+                             Case{"T", "the data have no temperature of the air"}}) {
+        CAPTURE(each.name);
         MemoryDataset dataset = humidAir();
         std::erase_if(dataset.stated().variables,
-                      [&](const VariableInfo& variable) { return variable.name == name; });
+                      [&](const VariableInfo& variable) { return variable.name == each.name; });
         const LowestAir air = readLowestAir(dataset, 0);
         CHECK_FALSE(air.humidity.has_value());
-        CHECK(air.reason == reason);
+        CHECK(air.reason == each.reason);
     }
     MemoryDataset dataset = humidAir();
     dataset.addTime("2024-05-06_21:10:00", "second", {"qv"});
