@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/workbench/profile_text.h"
+#include "core/look/haze.h"
 #include "core/look/known_error.h"
-#include "core/look/sun.h"
 
 namespace neph {
 namespace {
@@ -47,9 +47,13 @@ void Slot::takeData() {
 }
 
 void Slot::noteChanges() {
-    if (session.document == seen_) return;
+    const std::optional<double> humidity = session.where().humidity;
+    const bool sameAir = humidity == seenHumidity_;
+    if (session.document == seen_ && sameAir) return;
     changed_ = Clock::now();
-    if (drawn_ && drawn_->step == ui::kFullStep && sameSamples(session.document, seen_)) {
+    seenHumidity_ = humidity;
+    if (drawn_ && drawn_->step == ui::kFullStep && sameAir &&
+        sameSamples(session.document, seen_)) {
         retone_ = true;
     } else {
         drawn_.reset();
@@ -87,7 +91,7 @@ Slot::Waiting Slot::waiting(bool moving) const {
 
 render::FrameInputs Slot::inputsOf(const ui::Draft& draft, const DrawRequest& request) const {
     render::FrameInputs inputs;
-    inputs.look = withSun(session.document.look, session.where());
+    inputs.look = lookAsDrawn(session.document.look, session.where());
     inputs.sampling = session.document.sampling;
     inputs.sizePx = draft.sizePx;
     inputs.draftLight = draft.step == 0;

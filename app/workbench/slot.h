@@ -125,6 +125,7 @@ class Slot {
     render::Renderer renderer_{resourcePath("shaders")};
     std::array<ui::QualityControl, kEngineCount> qualities_ = ui::qualityOfEachEngine();
     Document seen_;  // as of the last look
+    std::optional<double> seenHumidity_;
     glm::ivec2 placePx_{0};
     render::Accumulation image_;
     std::optional<ui::Draft> drawn_;  // none: to be drawn again

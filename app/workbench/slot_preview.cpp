@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "app/workbench/slot.h"
-#include "core/look/sun.h"
+#include "core/look/haze.h"
 
 namespace neph {
 
@@ -33,7 +33,7 @@ bool Slot::updatePreview(bool wanted) {
     try {
         if (const auto made = preview_.take(DenoisedPreview::Clock::now())) {
             // Its tones may be others by now.
-            previewOf_.look = withSun(session.document.look, session.where());
+            previewOf_.look = lookAsDrawn(session.document.look, session.where());
             renderer_.showPreview(made->image, previewOf_);
             report.previewSamples = made->of.samples;
             report.gpuBytes = renderer_.gpuBytes();

@@ -127,7 +127,13 @@ void Slots::link() {
     if (follower == nullptr) return;
     const Session& leader = active().session;
     Session& led = follower->session;
-    if (compare_.linkedCameras) led.document.camera = leader.document.camera;
+    if (compare_.linkedCameras) {
+        led.document.camera = leader.document.camera;
+        if (leader.shown() && led.shown()) {
+            const RegularGrid &from = leader.shown()->grid, &to = led.shown()->grid;
+            keepOnGround(led.document.camera, to, to.movedM - from.movedM);
+        }
+    }
     const int time = leader.document.time;
     const int stepped =
         linkedTime_ < 0 || linkedActive_ != compare_.active ? 0 : time - linkedTime_;

@@ -18,12 +18,24 @@ struct CameraPose {
     float azimuthDeg = 180.0f;   ///< direction from the target to the eye, clockwise from north
     float elevationDeg = 12.0f;  ///< of the eye above the horizon of the target
     float fovDeg = 40.0f;        ///< vertical field of view
+    /// Eye and target stay where they are on the ground while the grid moves: see keepOnGround().
+    bool fixedToGround = false;
     bool operator==(const CameraPose&) const = default;
 };
 
 inline constexpr float kMinFovDeg = 5.0f, kMaxFovDeg = 75.0f;
 inline constexpr float kMinDistance = 1e-3f, kMaxDistance = 20.0f;
-inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  ///< limits of pan()
+inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;
+/// Of what is fixed to the ground, which a grid that moves leaves behind: 4000 km of one of 40 km,
+/// with a precision of half a metre.
+inline constexpr float kFarTarget = 100.0f;
+
+/// What the target of a pose can be, shares of the domain.
+struct TargetLimits {
+    explicit TargetLimits(const CameraPose& pose);
+    glm::vec3 lower{kMinTarget}, upper{kMaxTarget};
+    glm::vec3 nearest(const glm::vec3& target) const { return glm::clamp(target, lower, upper); }
+};
 
 /// A camera in world space, ready for rendering; axes are orthonormal.
 struct Camera {
@@ -45,6 +57,10 @@ Camera placeCamera(const CameraPose& pose, const RegularGrid& grid, double aspec
 /// a pose.
 std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& from,
                                    const RegularGrid& to);
+
+/// After `grid` has moved by metres over the ground: a pose that is fixed to it sees the same place
+/// as before.
+void keepOnGround(CameraPose& pose, const RegularGrid& grid, glm::dvec2 movedM);
 
 /// Rotates the eye around the target; avoids the poles.
 void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg);

@@ -29,32 +29,37 @@ float cameraNumber(const Json& value, const CameraKey& row, std::string_view whe
                  excerpt(value), fmt::format("a number from {} to {}", row.lo, row.hi), ""});
 }
 
-glm::vec3 cameraTarget(const Json& value, std::string_view where) {
+glm::vec3 cameraTarget(const Json& value, const TargetLimits& limits, std::string_view where) {
     bool fits = value.is_array() && value.size() == 3;
     glm::vec3 target{0.0f};
     for (int i = 0; fits && i < 3; ++i) {
         const Json& item = value[static_cast<std::size_t>(i)];
         fits = item.is_number();
         if (fits) target[i] = static_cast<float>(item.get<double>());
-        fits = fits && target[i] >= kMinTarget && target[i] <= kMaxTarget;
+        fits = fits && target[i] >= limits.lower[i] && target[i] <= limits.upper[i];
     }
     if (fits) return target;
     throw Error({std::string(where), "camera \"target\" cannot take this value", excerpt(value),
-                 fmt::format("three numbers from {} to {}", kMinTarget, kMaxTarget), ""});
+                 fmt::format("three numbers from {} to {}", limits.lower.x, limits.upper.x), ""});
 }
 
 CameraPose readCamera(const Json& values, std::string_view where,
                       std::vector<std::string>& warnings) {
     CameraPose pose;
-    std::vector<std::string_view> known{"target"};
+    std::vector<std::string_view> known{"target", kFixedKey};
     for (const CameraKey& row : kCameraKeys) known.push_back(row.key);
+    const auto fixed = values.find(std::string(kFixedKey));  // decides on the target's limits
+    if (fixed != values.end()) {
+        if (!fixed->is_boolean()) refuseJson(where, kFixedKey, excerpt(*fixed), "true or false");
+        pose.fixedToGround = fixed->get<bool>();
+    }
     for (const auto& [key, value] : values.items()) {
         const auto row = std::ranges::find(kCameraKeys, key, &CameraKey::key);
         if (key == "target") {
-            pose.target = cameraTarget(value, where);
+            pose.target = cameraTarget(value, TargetLimits(pose), where);
         } else if (row != kCameraKeys.end()) {
             pose.*(row->member) = cameraNumber(value, *row, where);
-        } else {
+        } else if (key != kFixedKey) {
             warnings.push_back(unknownJsonKey(where, key, known));
         }
     }
@@ -97,6 +102,7 @@ std::string formatCamera(const CameraPose& pose) {
     for (const CameraKey& row : kCameraKeys) {
         text += fmt::format(R"(, "{}": {})", row.key, pose.*(row.member));
     }
+    if (pose.fixedToGround) text += fmt::format(R"(, "{}": true)", kFixedKey);
     return text + "}";
 }
 

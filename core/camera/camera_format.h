@@ -1,9 +1,10 @@
 // camera_format.h: the JSON format of cameras and camera paths in presets, sessions and separate
 // files.
 //
-// A camera is {"target": [x, y, z], "distance", "azimuth_deg", "elevation_deg", "fov_deg"}, a path
-// {"type": "nephoscope-camera-path", "version": 1, "with_time": true, "keys": [{"at_s": 0,
-// "camera": {...}}, ...]}. Functions exchange text, so that headers need no JSON library.
+// A camera is {"target": [x, y, z], "distance", "azimuth_deg", "elevation_deg", "fov_deg"} and,
+// where it does not follow a grid that moves, "fixed_to_ground": true; a path {"type":
+// "nephoscope-camera-path", "version": 1, "with_time": true, "keys": [{"at_s": 0, "camera": {...}},
+// ...]}. Functions exchange text, so that headers need no JSON library.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -28,6 +29,8 @@ inline constexpr std::array kCameraKeys{
     CameraKey{"elevation_deg", &CameraPose::elevationDeg, -90.0f, 90.0f},
     CameraKey{"fov_deg", &CameraPose::fovDeg, kMinFovDeg, kMaxFovDeg},
 };
+
+inline constexpr std::string_view kFixedKey = "fixed_to_ground";
 
 inline constexpr std::string_view kPathType = "nephoscope-camera-path";
 inline constexpr int kPathVersion = 1;

@@ -68,7 +68,7 @@ void fitBoxes(CameraPose& pose, const RegularGrid& grid, std::span<const BoxM> b
     const double depth = (near + far) / 2.0;
     const glm::dvec3 target =
         camera.right * horizontal.middle() + camera.up * vertical.middle() + camera.forward * depth;
-    pose.target = glm::clamp(shareOf(target, grid), kMinTarget, kMaxTarget);
+    pose.target = TargetLimits(pose).nearest(shareOf(target, grid));
     pose.distance =
         std::clamp(static_cast<float>((depth - eye) / unitM(grid)), kMinDistance, kMaxDistance);
 }
@@ -87,17 +87,20 @@ void zoomTo(CameraPose& pose, const RegularGrid& grid, glm::dvec2 ndc, double as
     dolly(pose, factor);
     const double scale = static_cast<double>(pose.distance) / static_cast<double>(before);
     const glm::dvec3 moved = point + (target - point) * scale;
-    pose.target = glm::clamp(shareOf(moved, grid), kMinTarget, kMaxTarget);
+    pose.target = TargetLimits(pose).nearest(shareOf(moved, grid));
 }
 
 bool standAt(CameraPose& pose, const RegularGrid& grid, const glm::dvec3& eyeM) {
     const glm::dvec3 forward = placeCamera(pose, grid, 1.0).forward;
     // Distances at which the target is within its limits: intersection of a ray and a box.
+    const TargetLimits limits(pose);
     double near = static_cast<double>(kMinDistance) * unitM(grid);
     double far = static_cast<double>(kMaxDistance) * unitM(grid);
     for (int i = 0; i < 3; ++i) {
-        const double lower = grid.originM[i] + static_cast<double>(kMinTarget) * grid.extentM()[i];
-        const double upper = grid.originM[i] + static_cast<double>(kMaxTarget) * grid.extentM()[i];
+        const double lower =
+            grid.originM[i] + static_cast<double>(limits.lower[i]) * grid.extentM()[i];
+        const double upper =
+            grid.originM[i] + static_cast<double>(limits.upper[i]) * grid.extentM()[i];
         if (std::abs(forward[i]) < 1e-12) {
             if (eyeM[i] < lower || eyeM[i] > upper) return false;
             continue;
@@ -108,7 +111,7 @@ bool standAt(CameraPose& pose, const RegularGrid& grid, const glm::dvec3& eyeM) 
     }
     if (!(near <= far)) return false;
     const double ahead = std::clamp(static_cast<double>(pose.distance) * unitM(grid), near, far);
-    pose.target = glm::clamp(shareOf(eyeM + forward * ahead, grid), kMinTarget, kMaxTarget);
+    pose.target = limits.nearest(shareOf(eyeM + forward * ahead, grid));
     pose.distance = std::clamp(static_cast<float>(ahead / unitM(grid)), kMinDistance, kMaxDistance);
     return true;
 }
@@ -150,6 +153,12 @@ std::optional<CameraPose> poseOf(const Observer& observer, const RegularGrid& gr
     pose.distance = static_cast<float>(std::max(ahead / unitM(grid), kLeastAhead));
     if (!standAt(pose, grid, eye)) return {};
     return pose;
+}
+
+void takeView(CameraPose& pose, const CameraPose& view) {
+    const bool fixed = pose.fixedToGround;
+    pose = view;
+    pose.fixedToGround = fixed;
 }
 
 CameraPose viewOf(View view, CameraPose pose, const RegularGrid& grid, std::span<const BoxM> boxes,

@@ -44,6 +44,9 @@ Observer observerOf(const CameraPose& pose, const RegularGrid& grid);
 /// if the eye is too far from the domain for a pose.
 std::optional<CameraPose> poseOf(const Observer& observer, const RegularGrid& grid);
 
+/// `pose` sees what `view` does; what it is fixed to stays.
+void takeView(CameraPose& pose, const CameraPose& view);
+
 /// Standard views: from above with north up, from the four sides, and from below. `fit` keeps the
 /// direction.
 enum class View : int { fit, plan, north, east, south, west, below };

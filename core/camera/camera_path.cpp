@@ -84,8 +84,9 @@ class Spline {
         const glm::dvec3 eye = heldEye(k, share) + correction(k, share);
         const glm::dvec3 target = eye - awayOf(v) * v[distance] * frame_.unitM();
         CameraPose pose;
-        pose.target = glm::clamp(glm::vec3((target - frame_.grid.originM) / frame_.grid.extentM()),
-                                 kMinTarget, kMaxTarget);
+        pose.fixedToGround = path_.keys.front().pose.fixedToGround;
+        pose.target = TargetLimits(pose).nearest(
+            glm::vec3((target - frame_.grid.originM) / frame_.grid.extentM()));
         pose.distance = static_cast<float>(v[distance]);
         pose.azimuthDeg = static_cast<float>(v[azimuth] - 360.0 * std::floor(v[azimuth] / 360.0));
         pose.elevationDeg = static_cast<float>(v[elevation]);
@@ -171,14 +172,32 @@ double durationS(const CameraPath& path) {
     return path.keys.empty() ? 0.0 : path.keys.back().atS;
 }
 
-CameraPose poseAt(const CameraPath& path, const RegularGrid& grid, double atS) {
-    if (path.keys.empty()) return {};
+namespace {
+
+CameraPose between(const CameraPath& path, const RegularGrid& grid, double atS) {
     const auto after = std::ranges::upper_bound(path.keys, atS, {}, &PathKey::atS);
     if (after == path.keys.begin()) return path.keys.front().pose;
     const auto before = std::prev(after);
     if (after == path.keys.end() || before->atS == atS) return before->pose;
     const double share = (atS - before->atS) / (after->atS - before->atS);
     return Spline(path, {grid}).pose(static_cast<std::size_t>(before - path.keys.begin()), share);
+}
+
+}  // namespace
+
+CameraPose poseAt(const CameraPath& path, const RegularGrid& grid, double atS) {
+    if (path.keys.empty()) return {};
+    CameraPose pose = between(path, grid, atS);
+    pose.fixedToGround = path.keys.front().pose.fixedToGround;
+    return pose;
+}
+
+void keepOnGround(CameraPath& path, const RegularGrid& grid, glm::dvec2 movedM) {
+    if (path.keys.empty() || !path.keys.front().pose.fixedToGround) return;
+    for (PathKey& key : path.keys) {
+        key.pose.fixedToGround = true;
+        keepOnGround(key.pose, grid, movedM);
+    }
 }
 
 std::optional<int> timeAt(const CameraPath& path, double atS, int count) {

@@ -36,8 +36,13 @@ double durationS(const CameraPath& path);
 
 /// The camera at a playback time: smooth between the keys, exactly theirs at their times, that of
 /// the first before it and of the last after it. Between two keys with the same target the eye
-/// moves around it; between two with the same eye the eye stays. Default pose without keys.
+/// moves around it; between two with the same eye the eye stays. Fixed to the ground where its
+/// first key is. Default pose without keys.
 CameraPose poseAt(const CameraPath& path, const RegularGrid& grid, double atS);
+
+/// After `grid` has moved by metres over the ground: a path that is fixed to it leads along the
+/// same places as before, and all its keys are fixed.
+void keepOnGround(CameraPath& path, const RegularGrid& grid, glm::dvec2 movedM);
 
 /// Which of `count` times of the data to show, each for an equal part of the path; empty if the
 /// path does not play the times.

@@ -11,9 +11,12 @@ Whereabouts whereaboutsOf(const DatasetInfo& info, int time, const RegularGrid& 
 
 Whereabouts whereaboutsOf(const DatasetInfo& info, int time, glm::dvec2 atM) {
     Whereabouts found;
-    if (!info.map.projection.empty()) found.place = MapPlace(info.map).at(atM);
     const auto index = static_cast<std::size_t>(time);
-    if (index < info.times.size()) found.utc = info.times[index].utc;
+    if (index < info.times.size()) {
+        found.utc = info.times[index].utc;
+        atM += info.times[index].gridOffsetM;
+    }
+    if (!info.map.projection.empty()) found.place = MapPlace(info.map).at(atM);
     return found;
 }
 

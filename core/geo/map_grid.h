@@ -35,10 +35,12 @@ struct PlacePoint {
     glm::dvec2 mapFactor{1.0};
 };
 
-/// What data say of where and when a scene is.
+/// What data say of where and when a scene is, and in what air.
 struct Whereabouts {
     std::optional<PlacePoint> place;
     std::optional<UtcTime> utc;
+    /// Of the lowest air, 0 to 1; where a look asks for it and the data have it.
+    std::optional<double> humidity = {};
 };
 
 }  // namespace neph

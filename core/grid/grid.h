@@ -1,7 +1,8 @@
 // grid.h: regular grids in metres and the arrays on them.
 //
 // World space: x east, y north, z up, metres; (0, 0) is the south-west corner of the model domain,
-// z is height above sea level. Arrays are cell-centred, x fastest, then y, then z.
+// z is height above sea level. It moves with a grid that moves over the ground. Arrays are
+// cell-centred, x fastest, then y, then z.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -28,6 +29,8 @@ struct RegularGrid {
     glm::ivec3 size{0};
     glm::dvec3 originM{0.0};
     glm::dvec3 spacingM{1.0};
+    /// How far world space has moved over the ground, in x and y, with a grid that moves.
+    glm::dvec2 movedM{0.0};
 
     std::size_t cellCount() const {
         return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -29,6 +30,7 @@ constexpr double kFollowedByMoon = 0.87;
 constexpr std::size_t kMostKept = 4;  // while sliders change them
 
 AtmosphereSpec specOf(const Look& look) {
+    assert(look.haze == Haze::fixed && "lookAsDrawn() makes the look that is drawn");
     AtmosphereSpec spec;
     spec.visibilityM = static_cast<double>(look.visibilityM);
     spec.ozoneDobson = static_cast<double>(look.ozoneDobson);

@@ -30,6 +30,8 @@ enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
+/// How thick haze is: by the look's visibility, or by the humidity of the data's lowest air.
+enum class Haze : int { fixed, humidity };
 /// What lights the scene: the sun, or the moon in its place.
 enum class LightBody : int { sun, moon };
 /// How paths of the reference meet the air within the grid. docs/sky.md
@@ -104,6 +106,7 @@ struct Look {
     glm::vec3 sunColour{1.0f, 0.96f, 0.90f};
 
     SkyModel skyModel = SkyModel::gradient;
+    Haze haze = Haze::fixed;
     float visibilityM = 100e3f;
     float ozoneDobson = 300.0f;
     ReferenceAir referenceAir = ReferenceAir::traced;

@@ -252,9 +252,19 @@ void addSunAndSky(std::vector<Parameter>& table) {
     const auto ofAtmosphere = [](Parameter& row) {
         row.acts = [](const Look& look) { return look.skyModel == SkyModel::atmosphere; };
     };
+    ofAtmosphere(rows.choice(
+        "sky.haze", "Haze", &Look::haze, Stage::data,
+        {{"fixed", "Fixed", "Of the visibility below."},
+         {"humidity", "By humidity",
+          "Of the visibility that the mean humidity of the lowest layer of the data brings [UPP]; "
+          "without water vapour in them, of the one below."}},
+        "Whether the haze is the same at all times or grows with the humidity of the data. "
+        "docs/sky.md"));
     Parameter& visibility = rows.number(
         "sky.visibility", "Visibility", "m", &Look::visibilityM, {2000.0, 300e3, true},
-        Stage::light, "How far one sees through the haze near the ground; it ends 1.2 km up.");
+        Stage::light,
+        "How far one sees through the haze near the ground, which thins by a factor e in 1.2 km; "
+        "where haze does not follow the humidity.");
     visibility.displayUnit = "km";
     visibility.displayScale = 1e-3;
     ofAtmosphere(visibility);

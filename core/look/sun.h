@@ -1,7 +1,7 @@
 // sun.h: where the sun of a look stands: by its angles, or by date and place.
 //
 // Engines draw looks whose sun stands by angles in the frame of the grid. `withSun` makes such a
-// look; whoever hands a look to a renderer calls it.
+// look; whoever hands a look to a renderer calls lookAsDrawn(), which does.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -33,7 +33,8 @@ constexpr double kMaxExtentM = 1e9;
 // The enumerations of dataset_info.h and of the ABI have the same values, so casts convert them.
 static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
 static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
-static_assert(kVariableRoles == NEPH_ROLE_NUMBER_CONCENTRATION + 1);
+static_assert(static_cast<int>(VariableRole::waterVapour) == NEPH_ROLE_WATER_VAPOUR);
+static_assert(kVariableRoles == NEPH_ROLE_UPWARD_WIND + 1);
 static_assert(kMicrophysics == NEPH_MICROPHYSICS_MORRISON + 1);
 static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
 static_assert(kSpeciesCount == NEPH_SPECIES_HAIL + 1);
@@ -121,13 +122,37 @@ void dropMisfits(DatasetInfo& description) {
     }
 }
 
+/// A struct as this host knows it: what a shorter one lacks, which has `firstForm` bytes at least,
+/// is zero.
+template <typename T>
+T completed(const T* pointer, std::size_t firstForm, std::string_view of) {
+    if (pointer == nullptr) throw ReaderFault{fmt::format("{} is null", of)};
+    const NephHeader header = pointer->header;
+    if (!servesAbi(header.abi_version) || header.struct_size < firstForm) {
+        throw ReaderFault{fmt::format("{} has ABI {} and {} bytes, not {} and {}", of,
+                                      header.abi_version, header.struct_size, servedAbiText(),
+                                      firstForm)};
+    }
+    T whole{};
+    std::memcpy(&whole, pointer, std::min<std::size_t>(header.struct_size, sizeof whole));
+    return whole;
+}
+
 std::vector<TimeInfo> checkedTimes(const NephDescription& raw) {
     std::vector<TimeInfo> times;
     for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
-        const NephTime& time = checkedStruct(pointer, "a time");
+        const NephTime time = completed(pointer, offsetof(NephTime, grid_offset_m), "a time");
         if (!std::isfinite(time.seconds)) throw ReaderFault{"a time is not a finite number"};
-        times.push_back(
-            {checkedText(time.label, "a time"), time.seconds, {}, static_cast<int>(times.size())});
+        const glm::dvec2 offsetM(time.grid_offset_m[0], time.grid_offset_m[1]);
+        for (const double metres : {offsetM.x, offsetM.y}) {
+            if (std::abs(metres) <= kMaxExtentM) continue;
+            throw ReaderFault{fmt::format("the grid has moved by {} m", metres)};
+        }
+        times.push_back({.label = checkedText(time.label, "a time"),
+                         .seconds = time.seconds,
+                         .file = {},
+                         .indexInFile = static_cast<int>(times.size()),
+                         .gridOffsetM = offsetM});
     }
     if (times.empty()) throw ReaderFault{"it has no times"};
     return times;
@@ -169,22 +194,6 @@ void addNewer(const NephDescription& raw, DatasetInfo& description) {
     for (const char* part : checkedList(raw.parts, raw.part_count, "parts")) {
         description.parts.emplace_back(checkedText(part, "a part"));
     }
-}
-
-/// The description as this host knows it: what a shorter one lacks is zero.
-NephDescription completed(const NephDescription* pointer) {
-    constexpr std::size_t kFirstForm = offsetof(NephDescription, edges_m);
-    if (pointer == nullptr) throw ReaderFault{"the description is null"};
-    const NephHeader header = pointer->header;
-    if (!servesAbi(header.abi_version) || header.struct_size < kFirstForm) {
-        throw ReaderFault{fmt::format("the description has ABI {} and {} bytes, not {} and {}",
-                                      header.abi_version, header.struct_size, servedAbiText(),
-                                      kFirstForm)};
-    }
-    NephDescription description{};
-    std::memcpy(&description, pointer,
-                std::min<std::size_t>(header.struct_size, sizeof description));
-    return description;
 }
 
 /// The place on the earth, if it can be used; else a note says why not.
@@ -236,7 +245,8 @@ void addDates(const NephDescription& raw, DatasetInfo& description) {
 }  // namespace
 
 DatasetInfo checkedDescription(const NephDescription* pointer) {
-    const NephDescription raw = completed(pointer);
+    const NephDescription raw =
+        completed(pointer, offsetof(NephDescription, edges_m), "the description");
     DatasetInfo description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");

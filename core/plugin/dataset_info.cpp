@@ -14,6 +14,11 @@ glm::dvec2 DatasetInfo::extentM() const {
     return {edgeM(0, size.x), edgeM(1, size.y)};
 }
 
+bool DatasetInfo::moves() const {
+    return std::ranges::any_of(
+        times, [&](const TimeInfo& time) { return time.gridOffsetM != times.front().gridOffsetM; });
+}
+
 const VariableInfo* DatasetInfo::find(std::string_view name) const {
     const auto found = std::ranges::find(variables, name, &VariableInfo::name);
     return found == variables.end() ? nullptr : &*found;

@@ -24,15 +24,19 @@ namespace neph {
 /// values are those of NephRole.
 enum class VariableRole : int {
     other,
-    mixingRatio,         ///< of `species`, kg per kg of dry air
-    dryAirDensity,       ///< kg/m³ at cell centres
-    interfaceHeight,     ///< m above sea level, nz + 1 levels, increasing
-    airPressure,         ///< Pa
-    airTemperature,      ///< K
-    effectiveRadius,     ///< of `species`, m
-    numberConcentration  ///< of `species`, per kg of dry air
+    mixingRatio,          ///< of `species`, kg per kg of dry air
+    dryAirDensity,        ///< kg/m³ at cell centres
+    interfaceHeight,      ///< m above sea level, nz + 1 levels, increasing
+    airPressure,          ///< Pa
+    airTemperature,       ///< K
+    effectiveRadius,      ///< of `species`, m
+    numberConcentration,  ///< of `species`, per kg of dry air
+    waterVapour,          ///< kg per kg of dry air
+    xWind,                ///< m/s along the grid's x, at cell centres
+    yWind,                ///< m/s along the grid's y, at cell centres
+    upwardWind            ///< m/s, at cell centres
 };
-inline constexpr int kVariableRoles = 8;
+inline constexpr int kVariableRoles = 12;
 
 /// The scheme whose particle size distributions the hydrometeors follow. The values are those of
 /// NephMicrophysics. docs/physics.md §7
@@ -60,6 +64,8 @@ struct TimeInfo {
     std::filesystem::path file;  ///< filled in by the series
     int indexInFile = 0;
     std::optional<UtcTime> utc = {};  ///< where the data state a date
+    /// How far the grid has moved over the ground since it lay where `map` has it, along x and y.
+    glm::dvec2 gridOffsetM{0.0};
     bool operator==(const TimeInfo&) const = default;
 };
 
@@ -87,6 +93,8 @@ struct DatasetInfo {
 
     /// Size of the domain in x and y, metres.
     glm::dvec2 extentM() const;
+    /// Whether the grid lies elsewhere on the ground at some of its times.
+    bool moves() const;
     /// Position of face `face` along x (0) or y (1), metres; 0 to `size`.
     double edgeM(int axis, int face) const;
 

@@ -20,7 +20,8 @@ extern "C" {
 
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
- * 1: the first. 2: place and date (from projection on). */
+ * 1: the first. 2: place and date (from projection on), roles of vapour and wind,
+ * grids that move. */
 #define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
@@ -62,6 +63,11 @@ typedef int32_t NephRole;
 #define NEPH_ROLE_AIR_TEMPERATURE 5      /* K */
 #define NEPH_ROLE_EFFECTIVE_RADIUS 6     /* of `species`, m */
 #define NEPH_ROLE_NUMBER_CONCENTRATION 7 /* of `species`, per kg of dry air */
+/* Since version 2; for a host of version 1 NEPH_ROLE_OTHER. With their CF standard names. */
+#define NEPH_ROLE_WATER_VAPOUR 8 /* kg per kg of dry air; humidity_mixing_ratio */
+#define NEPH_ROLE_X_WIND 9       /* m/s along the grid's x at cell centres; x_wind */
+#define NEPH_ROLE_Y_WIND 10      /* the same along y; y_wind */
+#define NEPH_ROLE_UPWARD_WIND 11 /* m/s at cell centres; upward_air_velocity */
 
 typedef int32_t NephSpecies;
 #define NEPH_SPECIES_NONE (-1)
@@ -97,6 +103,12 @@ typedef struct NephTime {
     NephHeader header;
     const char* label; /* as the model writes it */
     double seconds;    /* on one clock that all files of a series share; any origin */
+    /* Since version 2. */
+
+    /* How far the grid has moved over the ground, in metres along its x and y, since its
+     * south-west corner lay at map_origin_m, or, without a map, since the origin of the clock. 0
+     * where the grid stands still. */
+    double grid_offset_m[2];
 } NephTime;
 
 typedef struct NephVariable {

@@ -32,6 +32,8 @@ struct Cancelled {};
 struct Time {
     std::string label;     ///< as the model writes it
     double seconds = 0.0;  ///< on one clock that all files of a series share
+    /// How far the grid has moved over the ground, along x and y. reader_abi.h
+    std::array<double, 2> gridOffsetM{};
 };
 
 struct Variable {
@@ -116,7 +118,10 @@ class Layout {
   public:
     explicit Layout(const Description& from) {
         for (const Time& t : from.times) {
-            times_.push_back({header<NephTime>(), t.label.c_str(), t.seconds});
+            times_.push_back({header<NephTime>(),
+                              t.label.c_str(),
+                              t.seconds,
+                              {t.gridOffsetM[0], t.gridOffsetM[1]}});
         }
         for (const Variable& v : from.variables) {
             variables_.push_back({header<NephVariable>(),

@@ -113,17 +113,19 @@ void packTimes(Packer& to, const std::vector<TimeInfo>& times) {
     for (const TimeInfo& time : times) {
         to.text(time.label).number(time.seconds);
         to.number(time.utc ? time.utc->time_since_epoch().count() : kNoDate);
+        to.number(time.gridOffsetM);
     }
 }
 
 std::vector<TimeInfo> unpackTimes(Unpacker& from) {
-    std::vector<TimeInfo> times(from.count(3 * sizeof(std::uint64_t)));
+    std::vector<TimeInfo> times(from.count(5 * sizeof(std::uint64_t)));
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i].label = from.text();
         times[i].seconds = from.number<double>();
         times[i].indexInFile = static_cast<int>(i);
         const auto utc = from.number<double>();
         if (!std::isnan(utc)) times[i].utc = UtcTime(UtcTime::duration(utc));
+        times[i].gridOffsetM = from.number<glm::dvec2>();
     }
     return times;
 }

@@ -20,6 +20,7 @@ Json toJson(const CameraPose& pose) {
     Json camera = Json::object();
     camera["target"] = {pose.target.x, pose.target.y, pose.target.z};
     for (const CameraKey& row : kCameraKeys) camera[std::string(row.key)] = pose.*(row.member);
+    if (pose.fixedToGround) camera[std::string(kFixedKey)] = true;
     return camera;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/dataset/file_list.h"
+#include "core/look/haze.h"
 #include "core/volume/memory_setting.h"
 #include "core/volume/native_band.h"
 
@@ -67,7 +68,8 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
         const int count = static_cast<int>(dataset->info().times.size());
         const int wanted = time.value_or(defaultTime(dataset->info()));
         const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
-        const VolumeRequest request{region, budget, planRadii(look, dataset->info())};
+        const VolumeRequest request{region, budget, planRadii(look, dataset->info()),
+                                    asksHumidity(look)};
         const Held held = std::make_shared<const HeldVolume>(
             readVolume(*dataset, index, request, [&progress](double share) {
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
@@ -149,7 +151,8 @@ void Session::setBudget(const MemoryBudget& budget) {
 
 VolumeKey Session::keyOf(int time) const {
     const DatasetInfo& info = dataset_->info();
-    return keyFor(info, time, {region_, budget_, planRadii(document.look, info)});
+    const Look& look = document.look;
+    return keyFor(info, time, {region_, budget_, planRadii(look, info), asksHumidity(look)});
 }
 
 void Session::poll() {
@@ -199,9 +202,12 @@ void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
     readingKey_ = key;
     const std::string label =
         "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
-    auto work = [this, dataset = dataset_, time, key](const Progress& progress) {
-        const Held held =
-            std::make_shared<const HeldVolume>(readVolume(*dataset, time, key.request, progress));
+    auto work = [this, dataset = dataset_, time, key,
+                 known = key.request.humidity ? cache_.find(withHumidity(key, false))
+                                              : Held()](const Progress& progress) {
+        HeldVolume read = known ? *known : readVolume(*dataset, time, key.request, progress);
+        if (known) addHumidity(read, *dataset, time, progress);
+        const Held held = std::make_shared<const HeldVolume>(std::move(read));
         return Jobs::Finish([this, key, held] {
             readingKey_.reset();
             aheadDone_ = false;
@@ -257,7 +263,9 @@ void Session::goBackToShown() {
 /// Makes a volume the one that is shown, and reports what is notable about it.
 void Session::show(const VolumeKey& key, const Held& held) {
     if (shown_) keepView(shown_->summary.grid, held->summary.grid);
-    shown_ = fresh_ = held;
+    // The renderer has it already where the humidity alone is new.
+    if (!shown_ || shown_->volume != held->volume) fresh_ = held;
+    shown_ = held;
     shownKey_ = key;
     shownStale_ = false;
     failedKey_.reset();
@@ -277,21 +285,30 @@ void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
         messages.push_back({kind, text, ++lastSerial_, true});
     };
     const std::vector<std::string>& lasting = request.radii.notes;
-    for (const std::string& note : held.volume.notes) {
+    for (const std::string& note : held.volume->notes) {
         if (std::ranges::find(lasting, note) == lasting.end()) add(Message::Kind::note, note);
     }
+    const std::string haze =
+        hazeNote(document.look, held.volume->timeLabel, held.summary.noHumidity);
+    if (!haze.empty()) add(Message::Kind::note, haze);
     if (held.summary.empty()) {
         add(Message::Kind::warning,
-            fmt::format("{}: there is no hydrometeor at this time", held.volume.timeLabel));
+            fmt::format("{}: there is no hydrometeor at this time", held.volume->timeLabel));
     }
 }
 
 /// Poses are relative to the grid that is shown: another part of the same domain must be seen from
-/// the same place, now and in every step of the history.
+/// the same place, now and in every step of the history; and so must the ground by those that are
+/// fixed to it, when the grid has moved.
 void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
-    if (sameExtent(before, now)) return;
+    const bool same = sameExtent(before, now);
+    const glm::dvec2 movedM = now.movedM - before.movedM;
+    if (same && movedM == glm::dvec2(0.0)) return;
     const auto change = [&](Document& state) {
-        state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+        if (!same) state.camera = sameView(state.camera, before, now).value_or(homeCamera);
+        keepOnGround(state.camera, now, movedM);
+        for (Bookmark& bookmark : state.bookmarks) keepOnGround(bookmark.pose, now, movedM);
+        keepOnGround(state.path, now, movedM);
     };
     change(document);
     history.adapt(change);
@@ -299,7 +316,7 @@ void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
 
 std::shared_ptr<const SpeciesVolume> Session::takeVolume() {
     const Held held = std::exchange(fresh_, nullptr);
-    return held ? std::shared_ptr<const SpeciesVolume>(held, &held->volume) : nullptr;
+    return held ? held->volume : nullptr;
 }
 
 void Session::say(Message::Kind kind, std::string text) {

@@ -62,7 +62,7 @@ int Session::timesHeld() const {
 /// last step, except that the previous time comes second.
 std::vector<int> Session::timesAhead() const {
     const int count = static_cast<int>(dataset_->info().times.size());
-    const std::uint64_t each = std::max<std::uint64_t>(1, shown_->volume.bytes());
+    const std::uint64_t each = std::max<std::uint64_t>(1, shown_->volume->bytes());
     const auto room = static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(count),
                                                                cache_.limit() / each)) -
                       1;

@@ -41,7 +41,7 @@ std::string nameOf(const std::string& name, const fs::path& folder) {
 
 /// Limits a pose to the ranges of the reader, so that every file that is written can be read again.
 CameraPose bounded(CameraPose pose) {
-    for (int i = 0; i < 3; ++i) pose.target[i] = std::clamp(pose.target[i], kMinTarget, kMaxTarget);
+    pose.target = TargetLimits(pose).nearest(pose.target);
     for (const CameraKey& row : kCameraKeys) {
         pose.*(row.member) = std::clamp(pose.*(row.member), row.lo, row.hi);
     }

@@ -8,6 +8,7 @@
 
 #include "core/dataset/whereabouts.h"
 #include "core/volume/framing.h"
+#include "core/volume/lowest_air.h"
 #include "core/volume/resample.h"
 
 namespace neph {
@@ -109,7 +110,7 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
 
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress) {
-    constexpr double kPlanShare = 0.05;
+    constexpr double kPlanShare = 0.05, kVolumeShare = 0.97;
     const auto part = [&progress](double from, double to) {
         return Progress([&progress, from, to](double fraction) {
             return goOn(progress, from + (to - from) * fraction);
@@ -122,12 +123,20 @@ HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
     ResampleOptions options;
     options.plan = plan;
     options.radii = request.radii;
-    held.volume = resample(dataset, time, options, part(kPlanShare, 1.0));
-    held.summary = summarise(held.volume);
+    held.volume = std::make_shared<const SpeciesVolume>(
+        resample(dataset, time, options, part(kPlanShare, kVolumeShare)));
+    held.summary = summarise(*held.volume);
     held.summary.plan = plan;
     held.summary.domainHeightsM = heights;
     held.summary.where = whereaboutsOf(dataset.info(), time, held.summary.grid);
+    if (request.humidity) addHumidity(held, dataset, time, part(kVolumeShare, 1.0));
     return held;
+}
+
+void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& progress) {
+    const LowestAir air = readLowestAir(dataset, time, progress);
+    held.summary.where.humidity = air.humidity;
+    held.summary.noHumidity = air.reason;
 }
 
 BoxM withMargin(const BoxM& region) {

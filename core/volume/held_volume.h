@@ -5,6 +5,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ namespace neph {
 struct VolumeRequest {
     std::optional<BoxM> region;  ///< empty: the whole domain
     MemoryBudget budget;
-    RadiusPlan radii;  ///< as the look requires
+    RadiusPlan radii;       ///< as the look requires
+    bool humidity = false;  ///< of the lowest air, where the look asks for it
     bool operator==(const VolumeRequest&) const = default;
 };
 
@@ -55,13 +57,14 @@ struct VolumeSummary {
     std::optional<BoxM> clouds;  ///< bounding box of what is dense enough to be seen
     std::vector<BoxM> seen;      ///< as seenParts(); empty: nothing
     std::string timeLabel;
-    Whereabouts where;   ///< the middle of the grid, at this time
-    bool empty() const;  ///< no hydrometeor anywhere
+    Whereabouts where;       ///< the middle of the grid, at this time
+    std::string noHumidity;  ///< why it is not known although it was asked for; or empty
+    bool empty() const;      ///< no hydrometeor anywhere
 };
 
 /// A volume with its summary, as the cache keeps it.
 struct HeldVolume {
-    SpeciesVolume volume;
+    std::shared_ptr<const SpeciesVolume> volume;
     VolumeSummary summary;
 };
 
@@ -70,6 +73,8 @@ VolumeSummary summarise(const SpeciesVolume& volume);
 /// Plans, reads and summarises. Throws Error or Cancelled.
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress = {});
+/// Adds the humidity to what was read without. Throws Cancelled.
+void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& progress = {});
 
 /// `region` extended by a tenth of its extent on every side.
 BoxM withMargin(const BoxM& region);

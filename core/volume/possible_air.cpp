@@ -54,7 +54,7 @@ constexpr std::array kWrongUnits{
     WrongUnit{VariableRole::airTemperature, 400.0, 1000.0,
               "a potential temperature is probably taken for its deviation from 300 K: correct the "
               "variable, or name it as what it is"},
-    WrongUnit{VariableRole::other, 0.1, 60.0,
+    WrongUnit{VariableRole::waterVapour, 0.1, 60.0,
               "water vapour is probably in g/kg: correct the attribute units of the file"},
 };
 
@@ -62,6 +62,7 @@ std::optional<Limits> limitsOf(VariableRole role) {
     if (role == VariableRole::airPressure) return kPressure;
     if (role == VariableRole::airTemperature) return kTemperature;
     if (role == VariableRole::dryAirDensity) return kDensity;
+    if (role == VariableRole::waterVapour) return kVapour;
     return {};
 }
 
@@ -94,20 +95,24 @@ Fault faultOf(Dataset& dataset, int time, glm::ivec3 cell) {
     const DatasetInfo info = dataset.infoAt(time);
     const auto vapour =
         std::ranges::find(info.variables, "humidity_mixing_ratio", &VariableInfo::standardName);
-    const std::array<std::pair<const VariableInfo*, Limits>, 3> made{
-        {{info.find(VariableRole::airPressure), kPressure},
-         {info.find(VariableRole::airTemperature), kTemperature},
-         {vapour == info.variables.end() ? nullptr : &*vapour, kVapour}}};
-    for (const auto& [variable, limits] : made) {
+    struct Part {
+        const VariableInfo* variable;
+        VariableRole as;  // readers of version 1 had no role for vapour
+    };
+    const std::array<Part, 3> made{
+        {{info.find(VariableRole::airPressure), VariableRole::airPressure},
+         {info.find(VariableRole::airTemperature), VariableRole::airTemperature},
+         {vapour == info.variables.end() ? nullptr : &*vapour, VariableRole::waterVapour}}};
+    for (const auto& [variable, as] : made) {
         if (variable == nullptr) continue;
         CellBox one{glm::min(cell, variable->size - 1), {}};
         one.upper = one.lower + 1;
         const float value = dataset.read(variable->name, time, one).values.front();
+        const Limits limits = *limitsOf(as);
         if (limits.allow(value)) continue;
         return {fmt::format("{} is {} there", variable->name, valueText(value, limits.unit)),
                 // Next to any number is one near 0 with its bytes swapped, which vapour may be.
-                variable->role != VariableRole::other && fitsSwapped(value, limits),
-                unitHint(variable->role, value)};
+                as != VariableRole::waterVapour && fitsSwapped(value, limits), unitHint(as, value)};
     }
     return {};
 }
@@ -132,7 +137,8 @@ void requirePossibleAir(Dataset& dataset, int time, const VariableInfo& variable
     const std::size_t layer = field.index(0, 0, 1);
     const glm::ivec3 cell =
         box.lower + glm::ivec3(index % width, index % layer / width, index / layer);
-    Fault fault{"", fitsSwapped(*bad, *limits), unitHint(variable.role, *bad)};
+    const bool swapped = variable.role != VariableRole::waterVapour && fitsSwapped(*bad, *limits);
+    Fault fault{"", swapped, unitHint(variable.role, *bad)};
     if (variable.role == VariableRole::dryAirDensity && !fault.otherOrder) {
         fault = faultOf(dataset, time, cell);
     }

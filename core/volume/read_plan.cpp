@@ -204,6 +204,7 @@ ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
     ReadPlan plan;
     plan.even = touched(info, region);
     plan.box = nativeBox(info, plan.even);
+    plan.grid.movedM = info.times.at(static_cast<std::size_t>(time)).gridOffsetM;
     placeLevels(native, region, plan.grid);
     requireCells(dataset, plan, native, region);
     const int coarsest = std::max(plan.even.size().x, plan.even.size().y);

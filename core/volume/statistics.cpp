@@ -353,6 +353,7 @@ TimeSummary summarise(Dataset& dataset, int time, const Progress& progress) {
     all.found.layers.medianM = medianOf(all.depths);
     all.found.bases = basesOf(all.cloudy, wanted.wind);
     all.found.notes = notesOf(dataset, time, wanted, all.repairs);
+    all.found.lowestAir = readLowestAir(dataset, time);
     return std::move(all.found);
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/dataset/dataset.h"
 #include "core/grid/species.h"
+#include "core/volume/lowest_air.h"
 
 namespace neph {
 
@@ -66,6 +67,7 @@ struct TimeSummary {
     std::optional<HeightRange> cloud, precipitation;
     std::optional<CloudBases> bases;  ///< where there is cloud
     std::vector<std::string> notes;   ///< what resampling would clip
+    LowestAir lowestAir;
 };
 
 /// Reads heights, density and mixing ratios of one time, in bands of rows, so that little is in

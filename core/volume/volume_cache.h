@@ -21,6 +21,9 @@ struct VolumeKey {
     bool operator==(const VolumeKey&) const = default;
 };
 
+/// The same, whether humidity was read or not.
+VolumeKey withHumidity(VolumeKey key, bool humidity);
+
 /// A least-recently-used cache of volumes.
 class VolumeCache {
   public:
@@ -28,9 +31,11 @@ class VolumeCache {
     void setLimit(std::uint64_t bytes);
     std::uint64_t limit() const { return limit_; }
 
-    /// Adds a volume as the newest, or replaces it; drops the oldest until the rest fits.
+    /// Adds a volume as the newest, or replaces it; drops the oldest until the rest fits. One with
+    /// humidity also replaces the one without.
     void put(VolumeKey key, std::shared_ptr<const HeldVolume> volume);
-    /// The volume, which becomes the newest; nullptr if it is not in the cache.
+    /// The volume, which becomes the newest; nullptr if it is not in the cache. One with humidity
+    /// is found by a key without, too.
     std::shared_ptr<const HeldVolume> find(const VolumeKey& key);
     bool holds(const VolumeKey& key) const;
 

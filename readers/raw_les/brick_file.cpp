@@ -41,7 +41,7 @@ BrickMeaning meaningOf(BrickRole role) {
         case BrickRole::potentialTemperature:
             return {NEPH_ROLE_OTHER, Quantity::temperature, "air_potential_temperature"};
         case BrickRole::vapourMixingRatio:
-            return {NEPH_ROLE_OTHER, Quantity::ratio, "humidity_mixing_ratio"};
+            return {NEPH_ROLE_WATER_VAPOUR, Quantity::ratio, "humidity_mixing_ratio"};
         case BrickRole::other:
             break;
     }

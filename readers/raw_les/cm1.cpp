@@ -82,9 +82,46 @@ std::optional<std::vector<double>> secondsIn(const std::vector<double>& numbers,
     return seconds;
 }
 
+/// Where a variable stands in each record: after the planes of those that are listed before it.
+std::uint64_t placeOf(const Ctl& ctl, std::string_view name) {
+    std::uint64_t before = 0;
+    for (const CtlVariable& variable : ctl.variables) {
+        if (variable.name == name) break;
+        before += variable.planes();
+    }
+    return before;
+}
+
+/// domainlocx and domainlocy of every record; nothing unless both are there and lengths.
+std::array<std::vector<double>, 2> offsetsIn(const Ctl& ctl, const std::vector<double>& numbers) {
+    constexpr double kMostM = 1e8;  // farther than around the Earth
+    std::array<std::vector<double>, 2> offsets;
+    const std::array<std::string_view, 2> names{"domainlocx", "domainlocy"};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::uint64_t place = placeOf(ctl, names[axis]);
+        if (place == ctl.planes()) return {};
+        for (std::size_t i = place; i < numbers.size(); i += ctl.planes()) {
+            if (!(std::abs(numbers[i]) <= kMostM)) return {};
+            offsets[axis].push_back(numbers[i]);
+        }
+    }
+    return offsets;
+}
+
 }  // namespace
 
-std::optional<std::vector<double>> cm1Seconds(const std::string& folder, bool swapped) {
+std::vector<std::array<double, 2>> cm1Offsets(const Cm1Times& times, const Cm1Run& run) {
+    std::vector<std::array<double, 2>> offsets(times.seconds.size());
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::vector<double>& stated = times.offsetM[axis];
+            offsets[i][axis] = stated.empty() ? run.speedMPerS[axis] * times.seconds[i] : stated[i];
+        }
+    }
+    return offsets;
+}
+
+std::optional<Cm1Times> cm1Times(const std::string& folder, bool swapped) {
     constexpr std::size_t kMaxTimes = 1'000'000;
     const auto text = findText((std::filesystem::path(folder) / "cm1out_metadata.ctl").string());
     if (!text) return {};
@@ -103,14 +140,14 @@ std::optional<std::vector<double>> cm1Seconds(const std::string& folder, bool sw
         ctl.t.count > kMaxTimes || record * ctl.t.count * 4 > *bytes) {
         return {};
     }
-    // mtime stands after the planes of the variables listed before it, once per record.
-    std::uint64_t before = 0;
-    for (auto it = ctl.variables.begin(); it != mtime; ++it) before += it->planes();
+    const std::uint64_t first = placeOf(ctl, "mtime");
     const bool stated = ctl.byteOrder != ByteOrder::unstated;
     if (stated) swapped = isSwapped(ctl.byteOrder);
     for (const bool order : {swapped, !swapped}) {
         const auto numbers = readNumbers(data, NumberType::float32, order, record * ctl.t.count);
-        if (auto seconds = secondsIn(numbers, before, record)) return seconds;
+        if (auto seconds = secondsIn(numbers, first, record)) {
+            return Cm1Times{std::move(*seconds), offsetsIn(ctl, numbers)};
+        }
         if (stated) break;
     }
     return {};
@@ -120,6 +157,10 @@ Cm1Run parseCm1Namelist(std::string_view text) {
     Cm1Run run;
     run.terrain = namelistFlag(text, "terrain_flag");
     run.axisymmetric = namelistNumber(text, "axisymm") == 1.0;
+    if (namelistNumber(text, "imove") == 1.0) {
+        run.speedMPerS = {namelistNumber(text, "umove").value_or(0.0),
+                          namelistNumber(text, "vmove").value_or(0.0)};
+    }
     const auto number = namelistNumber(text, "ptype");
     if (!number || std::abs(*number) > 1000.0) return run;
     const auto ptype = static_cast<int>(*number);

@@ -226,6 +226,17 @@ void Contents::addDensity() {
                std::move(derived));
 }
 
+void Contents::withoutHumidity() {
+    const auto index = find(NEPH_ROLE_WATER_VAPOUR);
+    if (!index) return;
+    plugin::Variable& variable = description.variables[*index];
+    variable.role = NEPH_ROLE_OTHER;
+    description.notes.push_back(
+        fmt::format("{} gives no humidity: pressure or temperature of the air is neither in the "
+                    "files nor derivable from them.",
+                    variable.name));
+}
+
 void Contents::completeAir() {
     if (!find(NEPH_ROLE_INTERFACE_HEIGHT)) {
         addProfile({"interface_height", "altitude", "m", "height of layer interfaces",
@@ -245,6 +256,7 @@ void Contents::completeAir() {
     } else if (!find(NEPH_ROLE_AIR_TEMPERATURE)) {
         addTemperature();
     }
+    if (!pressureKnown || !temperatureKnown) withoutHumidity();
     if (find(NEPH_ROLE_DRY_AIR_DENSITY)) return;
     if (pressureKnown && temperatureKnown) return addDensity();
     addStandard({"dry_air_density", "", "kg m-3", "", NEPH_ROLE_DRY_AIR_DENSITY},

@@ -56,7 +56,8 @@ struct Contents {
 
     /// Adds interface heights that are the same everywhere, unless heights are there already, and
     /// pressure, temperature and density of the air that are not stored: derived if possible,
-    /// otherwise from the standard atmosphere, which a note reports. Call this last.
+    /// otherwise from the standard atmosphere, which a note reports. Vapour then loses its role:
+    /// with such air it has no humidity. Call this last.
     void completeAir();
 
   private:
@@ -64,6 +65,7 @@ struct Contents {
     void addStandard(neph::plugin::Variable variable, double Air::*part);
     void addTemperature();
     void addDensity();
+    void withoutHumidity();
 };
 
 /// Throws Error if two variables have the same name.

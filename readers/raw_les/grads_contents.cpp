@@ -243,19 +243,21 @@ void GradsContents::settleNumbers() {
 /// Times from cm1out_metadata for CM1, from tdef for other models.
 void GradsContents::describeTimes() {
     auto& d = contents_.description;
-    const auto seconds = cm1_ ? cm1Seconds(folder_.string(), data_->isSwapped()) : std::nullopt;
-    if (seconds && data_->times.back() < seconds->size()) {
+    const auto known = cm1_ ? cm1Times(folder_.string(), data_->isSwapped()) : std::nullopt;
+    if (known && data_->times.back() < known->seconds.size()) {
+        const auto offsetsM = cm1Offsets(*known, run_);
         for (const std::size_t i : data_->times) {
-            d.times.push_back({fmt::format("{:.6g} s", (*seconds)[i]), (*seconds)[i]});
+            const double seconds = known->seconds[i];
+            d.times.push_back({fmt::format("{:.6g} s", seconds), seconds, offsetsM[i]});
         }
         return;
     }
     if (cm1_) {
         d.notes.push_back(
-            seconds ? "cm1out_metadata does not contain all times: times are numbered, not in "
-                      "seconds."
-                    : "cm1out_metadata is missing or cannot be read: times are numbered, not in "
-                      "seconds.");
+            known ? "cm1out_metadata does not contain all times: times are numbered, not in "
+                    "seconds."
+                  : "cm1out_metadata is missing or cannot be read: times are numbered, not in "
+                    "seconds.");
     }
     for (const std::size_t i : data_->times) {
         if (cm1_) {

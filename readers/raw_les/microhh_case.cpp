@@ -12,6 +12,7 @@
 #include "readers/raw_les/ini.h"
 #include "readers/raw_les/levels.h"
 #include "readers/raw_les/microhh_air.h"
+#include "readers/raw_les/microhh_derived.h"
 #include "readers/raw_les/microhh_names.h"
 
 namespace raw {
@@ -37,7 +38,8 @@ class Case {
     void findFields();
     void chooseTimes();
     void noteMissing();
-    void addRainNumber();
+    bool atAllTimes(const std::string& name) const;
+    void addDerived();
     void describeModel();
     void addFields();
     void addAir();
@@ -290,24 +292,19 @@ void Case::addFields() {
     }
 }
 
-/// MicroHH's number of rain drops is per m³, the host's per kg of air.
-void Case::addRainNumber() {
-    const auto& variables = contents_.description.variables;
-    const auto number = std::ranges::find(variables, "nr", &plugin::Variable::name);
-    const auto density = contents_.find(NEPH_ROLE_DRY_AIR_DENSITY);
-    if (number == variables.end() || !density) return;
-    const auto& files = fields_.at("nr");
-    if (!std::ranges::all_of(times_, [&](std::int64_t t) { return files.contains(t); })) {
+bool Case::atAllTimes(const std::string& name) const {
+    return fields_.contains(name) &&
+           std::ranges::all_of(times_, [&](auto time) { return fields_.at(name).contains(time); });
+}
+
+void Case::addDerived() {
+    if (atAllTimes("nr")) {
+        addRainNumber(contents_);
+    } else if (fields_.contains("nr")) {
         contents_.description.notes.emplace_back(
             "nr, the number of rain drops, is not used, because it is not there at all times.");
-        return;
     }
-    const auto index = static_cast<std::size_t>(number - variables.begin());
-    contents_.addDerived(
-        {"nr/rho", "", "kg-1", "number of rain drops per kg of air", NEPH_ROLE_NUMBER_CONCENTRATION,
-         NEPH_SPECIES_RAIN, contents_.description.size},
-        {{{index}, {*density}},
-         [](std::span<const double> of, std::size_t) { return of[0] / of[1]; }});
+    if (atAllTimes("thl") && atAllTimes("qt")) addHumidity(contents_);
 }
 
 void Case::addAir() {
@@ -351,7 +348,7 @@ Contents Case::describe() {
     }
     addAir();
     addFields();
-    addRainNumber();
+    addDerived();
     contents_.completeAir();
     return std::move(contents_);
 }

@@ -273,7 +273,6 @@ std::vector<Field> otherFields(const Tiles& tiles, const std::vector<Field>& tak
         Field field;
         field.name = variable.name + (same != taken.end() ? kAlone : "");
         field.standardName = variable.standardName;
-        if (variable.name == "QVAPOR") field.standardName = "humidity_mixing_ratio";
         field.units = variable.units;
         field.description = variable.description;
         for (std::size_t axis = 0; axis < 3; ++axis) {

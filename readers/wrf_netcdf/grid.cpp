@@ -232,7 +232,7 @@ std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& no
     return spacing;
 }
 
-std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last) {
+std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last, bool placed) {
     constexpr double kMovedDegrees = 1e-3;
     for (const char* name : {"XLAT", "XLONG"}) {
         const auto before = cornerOf(tiles, name, first);
@@ -240,9 +240,11 @@ std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last) 
         if (before && after && std::abs(*after - *before) > kMovedDegrees) {
             return fmt::format(
                 "The domain moves between the times of the file (its corner from {:.3f} "
-                "to {:.3f} in {}): each time is shown from its own corner, and the "
-                "place on the earth is that of the first.",
-                *before, *after, name);
+                "to {:.3f} in {}): {}.",
+                *before, *after, name,
+                placed ? "each time has its own place, and the camera follows the grid unless it "
+                         "is fixed to the ground"
+                       : "each time is shown from its own corner, and where it lies is not known");
         }
     }
     return {};

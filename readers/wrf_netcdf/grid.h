@@ -19,8 +19,9 @@ std::vector<float> flatField(const Tiles& tiles, const char* name);
 /// map scale factor; without DX, from coordinates. Notes say what was applied. Throws Failure.
 std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& notes);
 
-/// A sentence if the domain moves between two records; empty otherwise.
-std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last);
+/// A sentence if the domain moves between two records; empty otherwise. `placed`: whether its
+/// place is known at each time.
+std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last, bool placed);
 
 /// A text that differs between domains: number, centre, and corner; empty if the file states none.
 std::string domainOf(const Tiles& tiles);

@@ -269,6 +269,38 @@ Place located(const Tiles& tiles, const std::array<double, 2>& spacingM,
 
 }  // namespace
 
+std::vector<std::array<double, 2>> offsetsOf(const Tiles& tiles, const Place& place,
+                                             const std::array<double, 2>& spacingM,
+                                             const std::vector<std::size_t>& records) {
+    std::vector<std::array<double, 2>> offsetsM(records.size());
+    const auto* latitude = tiles.first().variable("XLAT");
+    const auto* longitude = tiles.first().variable("XLONG");
+    if (latitude == nullptr || longitude == nullptr) return offsetsM;
+    const auto shape = tiles.shapeOf(*latitude);
+    if (!shape || !shape->timed || !shape->flat) return offsetsM;
+    const Map map(place.projection);
+    const auto cornerAt = [&](std::size_t record) {
+        const Box cell{{0, 0, 0}, {1, 1, 1}};
+        float north = 0.0f, east = 0.0f;
+        tiles.read(*latitude, record, cell, {&north, 1});
+        tiles.read(*longitude, record, cell, {&east, 1});
+        return map.metres(static_cast<double>(north), static_cast<double>(east));
+    };
+    const auto first = cornerAt(0);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const auto corner = cornerAt(records[i]);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            constexpr double kWhole = 0.1;  // single precision misses by some metres
+            const double stepM = place.mapPerGrid[axis] * spacingM[axis];
+            const double cells = (corner[axis] - first[axis]) / stepM;
+            if (!std::isfinite(cells)) return std::vector<std::array<double, 2>>(records.size());
+            const double whole = std::round(cells);
+            offsetsM[i][axis] = spacingM[axis] * (std::abs(cells - whole) < kWhole ? whole : cells);
+        }
+    }
+    return offsetsM;
+}
+
 bool isIdealised(const NcFile& file) {
     return file.number("MAP_PROJ") == 0.0;
 }

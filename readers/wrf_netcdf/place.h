@@ -22,6 +22,12 @@ struct Place {
 std::optional<Place> placeOf(const Tiles& tiles, const std::array<double, 2>& spacingM,
                              std::vector<std::string>& notes);
 
+/// How far the grid lies, at each of `records`, from where it is at the first time: metres along
+/// its x and y; 0 for a domain that stands still. Moves of whole cells are exact.
+std::vector<std::array<double, 2>> offsetsOf(const Tiles& tiles, const Place& place,
+                                             const std::array<double, 2>& spacingM,
+                                             const std::vector<std::size_t>& records);
+
 /// Whether a run states that it has no place: MAP_PROJ 0.
 bool isIdealised(const NcFile& file);
 

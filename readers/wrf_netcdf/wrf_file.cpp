@@ -30,6 +30,15 @@ Field derived(const char* name, const char* standardName, const char* units,
     return field;
 }
 
+Field vapourOf(const AirSources& air, const std::array<int, 3>& size) {
+    const NcVariable& stored = *air.vapour.front().variable;
+    Field field = derived(stored.name.c_str(), "humidity_mixing_ratio", "kg kg-1",
+                          stored.description, NEPH_ROLE_WATER_VAPOUR, Source::sum);
+    field.terms = air.vapour;
+    field.size = size;
+    return field;
+}
+
 /// "WRF V4.2.2" from " OUTPUT FROM WRF V4.2.2 MODEL".
 std::string modelOf(const NcFile& file) {
     const std::string title = file.text("TITLE").value_or("");
@@ -89,7 +98,9 @@ void WrfFile::describeGrid() {
     description_.spacingM = spacingOf(tiles_, description_.notes);
     description_.domain = domainOf(tiles_);
     describePlaceAndDate();
-    const std::string motion = motionNote(tiles_, times_.records.front(), times_.records.back());
+    const bool placed = !description_.projection.empty();
+    const std::string motion =
+        motionNote(tiles_, times_.records.front(), times_.records.back(), placed);
     if (!motion.empty()) description_.notes.push_back(motion);
     if (!tiles_.partNote().empty()) description_.notes.push_back(tiles_.partNote());
     const auto paths = tiles_.paths();
@@ -106,6 +117,10 @@ void WrfFile::describePlaceAndDate() {
         description_.projection = place->projection;
         description_.mapOriginM = place->mapOriginM;
         description_.mapPerGrid = place->mapPerGrid;
+        const auto offsetsM = offsetsOf(tiles_, *place, description_.spacingM, times_.records);
+        for (std::size_t i = 0; i < offsetsM.size(); ++i) {
+            times_.times[i].gridOffsetM = offsetsM[i];
+        }
     }
     const bool dated = times_.times.front().seconds >= *shared::secondsOfDate("1583-01-01");
     if (dated && times_.gregorian) {
@@ -165,6 +180,7 @@ void WrfFile::addFields() {
                        NEPH_ROLE_DRY_AIR_DENSITY, Source::dryAirDensity)};
     for (Field& field : fields_) field.size = description_.size;
     ++fields_.front().size[2];
+    if (!air_.vapour.empty()) fields_.push_back(vapourOf(air_, description_.size));
     auto hydrometeors = findHydrometeors(tiles_, scheme_, units, description_.notes);
     std::ranges::move(hydrometeors, std::back_inserter(fields_));
     auto others = otherFields(tiles_, fields_);

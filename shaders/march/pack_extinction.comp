@@ -24,6 +24,7 @@ layout(location = kPackAmountLocation) uniform float amount[SPECIES];  // of eac
 layout(location = kPackTexelsPerMLocation) uniform float noiseTexelsPerM[KINDS];
 layout(location = kPackCharacterLocation) uniform float character[KINDS];  // 0 billow, 1 wisp
 layout(location = kPackVoxelLocation) uniform vec3 voxelM;
+layout(location = kPackMovedLocation) uniform vec3 movedM;  // FrameBlock::moved
 const int kKindOfSpecies[SPECIES] = KIND_OF_SPECIES;
 
 float noiseOf(int kind, vec3 positionM) {
@@ -38,7 +39,7 @@ float noiseOf(int kind, vec3 positionM) {
 float extinctionAt(ivec3 voxel) {
 #if DETAIL
     float noise[KINDS];
-    for (int k = 0; k < KINDS; ++k) noise[k] = noiseOf(k, (vec3(voxel) + 0.5) * voxelM);
+    for (int k = 0; k < KINDS; ++k) noise[k] = noiseOf(k, (vec3(voxel) + 0.5) * voxelM + movedM);
 #endif
     float extinctionPerM = 0.0;
     for (int s = 0; s < SPECIES; ++s) {

@@ -21,11 +21,12 @@ layout(location = kBoundTexelsPerMLocation) uniform float texelsPerM[kMaxClasses
 // 0 billow, 1 wisp.
 layout(location = kBoundCharacterLocation) uniform float character[kMaxClasses];
 layout(location = kBoundVoxelLocation) uniform vec3 voxelM;
+layout(location = kBoundMovedLocation) uniform vec3 movedM;  // FrameBlock::moved
 
 /// The largest factor of detail of a class within a cell: texel i of level l of the bounds has the
 /// largest noise that interpolation gives between texels i 2^l and (i + 1) 2^l.
 float largestDetail(int index, ivec3 cell) {
-    vec3 lower = (vec3(cell * cellVoxels) - 0.5) * voxelM * texelsPerM[index] - 0.5;
+    vec3 lower = ((vec3(cell * cellVoxels) - 0.5) * voxelM + movedM) * texelsPerM[index] - 0.5;
     vec3 extent = float(cellVoxels) * voxelM * texelsPerM[index];
     float longest = max(max(extent.x, extent.y), extent.z);
     int level = clamp(int(ceil(log2(max(longest, 1.0)))), 0, textureQueryLevels(t_noiseBound) - 1);

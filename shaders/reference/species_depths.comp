@@ -21,7 +21,7 @@ layout(location = kDepthsStepLocation) uniform float longestStepM;
 float detailOf(int index, vec3 positionM) {
 #if NOISE
     vec4 noise = u_.classes[index].noise;
-    vec2 texel = textureLod(t_noise, positionM * noise.y, 0.0).rg;
+    vec2 texel = textureLod(t_noise, (positionM + u_.moved.xyz) * noise.y, 0.0).rg;
     return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
 #else
     return 1.0;

@@ -55,6 +55,7 @@ struct FrameBlock {
     vec4 skyHorizon;   ///< rgb × intensity
     vec4 ambient;      ///< rgb: radiance that skylight gives a sample under open sky
     vec4 ground;       ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible
+    vec4 moved;        ///< xy: how far a grid that moves has gone over the ground, m
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
     ivec4 sampling;  ///< x: number of this image among those averaged at rest; y: 1 for sky and

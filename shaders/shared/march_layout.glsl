@@ -37,6 +37,7 @@ const int kPackAmountLocation = kPackExtinctionPerTexelLocation + kSpeciesCount;
 const int kPackTexelsPerMLocation = kPackAmountLocation + kSpeciesCount;
 const int kPackCharacterLocation = kPackTexelsPerMLocation + kSpeciesCount;
 const int kPackVoxelLocation = kPackCharacterLocation + kSpeciesCount;
+const int kPackMovedLocation = kPackVoxelLocation + 1;
 
 // light_nodes.comp
 const int kNodesExtinctionBuffer = 4;

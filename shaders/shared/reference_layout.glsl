@@ -67,6 +67,7 @@ const int kBoundAmountLocation = kBoundCellVoxelsLocation + 1;
 const int kBoundTexelsPerMLocation = kBoundAmountLocation + kSpeciesCount;
 const int kBoundCharacterLocation = kBoundTexelsPerMLocation + kSpeciesCount;
 const int kBoundVoxelLocation = kBoundCharacterLocation + kSpeciesCount;
+const int kBoundMovedLocation = kBoundVoxelLocation + 1;
 
 // sun_depth.comp
 const int kSunDepthImage = 0;

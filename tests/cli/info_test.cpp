@@ -23,7 +23,10 @@ TEST_CASE("info tells model, scheme, grid, times and where each hydrometeor is d
          {"WRF V4.2.2", "Thompson (MP_PHYSICS 8)", "110 x 120 x 60 cells of 1 km", "110 x 120 km",
           "Cloud    base 0.00 km, top 15.46 km", "at full resolution",
           "0001-01-01_00:30:00 to 0001-01-01_02:00:00, 90 min, every 30 min",
-          "Bases    of cloudy columns: 5th percentile ", "main updraft (", "updraft   top km"}) {
+          "Bases    of cloudy columns: 5th percentile ", "main updraft (", "updraft   top km",
+          "Humidity 65 to 71 % in the lowest layer; visibility by it (sky.haze=humidity) 29 to "
+          "33.3 "
+          "km"}) {
         CAPTURE(part);
         CHECK(contains(outcome.out, part));
     }
@@ -47,6 +50,11 @@ TEST_CASE("info --json has it all, as numbers") {
     CHECK(rain.at("maximum_g_per_kg").get<double>() == doctest::Approx(14.09912));
     CHECK(rain.at("height_km").get<double>() < 5.0);
     CHECK(json.at("species")[4].at("time") == "0001-01-01_01:30:00");
+    // As in supercell_test.cpp; the visibility by the formula of docs/sky.md.
+    const auto& lowest = json.at("times")[1].at("lowest_layer");
+    CHECK(lowest.at("relative_humidity").get<double>() == doctest::Approx(0.663426).epsilon(1e-5));
+    CHECK(lowest.at("visibility_by_humidity_km").get<double>() ==
+          doctest::Approx(32.5608).epsilon(1e-4));
     CHECK(json.at("notes").empty());
 }
 
@@ -182,4 +190,31 @@ TEST_CASE("readers lists the plugin with file, version and ABI, and why another 
     const Outcome rejected = runProgram("readers");
     CHECK(contains(rejected.out, "Rejected"));
     CHECK(contains(rejected.out, "LICENSE: "));
+}
+
+TEST_CASE("info lists where a grid that moves lies at each time, and the sun over it there") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mapProjection = 6;
+    spec.dx = spec.dy = 1111.775f;  // 0.01 degrees on WRF's sphere
+    spec.times = {"2010-03-15_12:30:00", "2010-03-15_12:40:00"};
+    spec.attributes = {{"POLE_LAT", 90.0}, {"POLE_LON", 0.0}, {"STAND_LON", 0.0}};
+    spec.flat["XLAT"] = [](int, int y, int, int) { return static_cast<float>(0.02 + 0.01 * y); };
+    spec.flat["XLONG"] = [](int x, int, int, int t) {
+        return static_cast<float>(10.0 + 0.01 * (x + 300 * t));
+    };
+    writeWrf(folder / "a", spec);
+    const std::string path = "'" + (folder / "a").string() + "'";
+    const auto json = nlohmann::json::parse(runProgram("info --json " + path).out);
+    const auto& times = json.at("times");
+    CHECK(times[0].at("grid_offset_m") == nlohmann::json({0.0, 0.0}));
+    CHECK(times[1].at("grid_offset_m")[0].get<double>() ==
+          doctest::Approx(300.0 * json.at("grid").at("spacing_m")[0].get<double>()));
+    CHECK(std::abs(times[1].at("south_west").at("longitude_deg").get<double>() - 12.995) < 1e-4);
+    // Near the equator near an equinox, after noon: 3 degrees further east and ten minutes later
+    // the sun is about 3 + 2.5 degrees lower.
+    CHECK(times[1].at("sun").at("elevation_deg").get<double>() -
+              times[0].at("sun").at("elevation_deg").get<double>() <
+          -5.0);
+    CHECK(contains(runProgram("info " + path).out, "Corner of the grid"));
 }

@@ -1,8 +1,13 @@
 // view_test.cpp: images from a side and from a place, told on the command line.
 #include <doctest/doctest.h>
 
+#include <cstdio>
+#include <glm/glm.hpp>
+
 #include "app/image_io/png.h"
 #include "tests/cli/program.h"
+#include "tests/readers/raw_maker.h"
+#include "tests/temporary_folder.h"
 
 using namespace neph;
 
@@ -68,4 +73,36 @@ TEST_CASE("A view that is not known and an observer that cannot be are bad usage
     CHECK(contains(refusal("--observer 1,2,3,4,5 --view plan"), "give one of the two"));
     CHECK(contains(refusal("--view plan --path none.json"), "camera path as well"));
     CHECK(contains(refusal("--observer 9000,0,2,90,0"), "too far from the domain"));
+}
+
+TEST_CASE("A camera that is fixed to the ground falls back as the grid moves on") {
+    // One cell of fog at 540 and 720 s, in a grid of 0.5 km x 0.8 km that moves at 1 and -2 m/s.
+    const TemporaryFolder folder;
+    const std::string data = "'" + writeGrads(folder.path(), {}).string() + "'";
+    writeText(folder / "namelist.input", " imove = 1,\n umove = 1.0,\n vmove = -2.0,\n");
+    const auto targetOf = [&](const std::string& more, int time) {
+        const std::filesystem::path file = folder / "a.png";
+        const Outcome outcome =
+            runProgram("render " + data + " --set light.transport=low_albedo --quality 0.25 " +
+                       "--samples 1 --size 24x16 --camera default --time 0:1 " + more + " --out '" +
+                       file.string() + "'");
+        CHECK_MESSAGE(outcome.status == 0, outcome.err);
+        for (const auto& entry :
+             readPngMetadata(folder / ("a_000" + std::to_string(time) + ".png"))) {
+            if (entry.first != "nephoscope.camera") continue;
+            glm::dvec3 target;
+            CHECK(std::sscanf(entry.second.c_str(), "target %lf,%lf,%lf", &target.x, &target.y,
+                              &target.z) == 3);
+            return target;
+        }
+        return glm::dvec3(0.0);
+    };
+    const glm::dvec3 follows = targetOf("", 1);
+    CHECK(follows == targetOf("", 0));
+    CHECK(targetOf("--fix-camera", 0) == follows);
+    const glm::dvec3 fixed = targetOf("--fix-camera", 1);
+    // 180 m eastwards of 500 m, 360 m southwards of 800 m.
+    CHECK(fixed.x == doctest::Approx(follows.x - 180.0 / 500.0).epsilon(1e-5));
+    CHECK(fixed.y == doctest::Approx(follows.y + 360.0 / 800.0).epsilon(1e-5));
+    CHECK(fixed.z == follows.z);
 }

@@ -19,6 +19,7 @@ struct FakeSeries {
     std::atomic<int> slowMs = 0;    ///< that a read of cloud takes at least
     neph::MapGrid map{};            ///< where the grid lies
     std::optional<neph::UtcTime> firstUtc{};
+    glm::dvec2 movesM{0.0};  ///< of the grid over the ground, from time to time
     std::mutex mutex;
     std::map<int, int> cloudReads;  ///< time to number of reads of its cloud
 
@@ -39,6 +40,7 @@ class FakeDataset : public neph::Dataset {
         info_.spacingM = {1000.0, 1000.0};
         for (int t = 0; t < series_->times; ++t) {
             info_.times.push_back({"time " + std::to_string(t), 600.0 * t, file, t});
+            info_.times.back().gridOffsetM = static_cast<double>(t) * series_->movesM;
             if (!series_->firstUtc) continue;
             info_.times.back().utc = *series_->firstUtc + std::chrono::seconds(600 * t);
         }

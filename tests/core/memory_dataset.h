@@ -57,12 +57,18 @@ class MemoryDataset : public neph::Dataset {
         return info_.find(variable) != nullptr &&
                (lacking == lacking_.end() || !lacking->second.contains(std::string(variable)));
     }
+    /// How often a variable was read from this handle.
+    int reads(const std::string& variable) const {
+        const auto found = reads_.find(variable);
+        return found == reads_.end() ? 0 : found->second;
+    }
     /// For what a reader states besides the fields.
     neph::DatasetInfo& stated() { return info_; }
 
     neph::Array3f read(std::string_view variable, int time, std::optional<neph::CellBox> box,
                        const neph::Progress&) override {
         if (!has(variable, time)) throw neph::Error({.what = "it is not there"});
+        ++reads_[std::string(variable)];
         const neph::Array3f& field = fields_.at(std::string(variable));
         if (!box) return field;
         neph::Array3f part(box->size());
@@ -119,4 +125,5 @@ class MemoryDataset : public neph::Dataset {
 
     std::map<std::string, neph::Array3f> fields_;
     std::map<int, std::set<std::string>> lacking_;
+    std::map<std::string, int> reads_;  ///< of this handle
 };

@@ -29,7 +29,7 @@ struct Behaviour {
     NephStatus readStatus = NEPH_OK;
 };
 Behaviour behaviour;
-NephTime theTime{{NEPH_READER_ABI_VERSION, sizeof(NephTime)}, "t0", 0.0};
+NephTime theTime{{NEPH_READER_ABI_VERSION, sizeof(NephTime)}, "t0", 0.0, {}};
 NephVariable theVariable{{NEPH_READER_ABI_VERSION, sizeof(NephVariable)},
                          "q",
                          "",
@@ -76,7 +76,7 @@ PluginFile open() {
 /// Restores a description that is valid in every way.
 void resetToValid() {
     behaviour = {};
-    theTime.seconds = 0.0;
+    theTime.seconds = theTime.grid_offset_m[0] = theTime.grid_offset_m[1] = 0.0;
     theTime.header = {NEPH_READER_ABI_VERSION, sizeof(NephTime)};
     theVariable.name = "q";
     theVariable.size[2] = 2;
@@ -110,6 +110,14 @@ TEST_CASE("A reader that follows the ABI is accepted") {
     CHECK(readFault().empty());
 }
 
+TEST_CASE("A time of a reader that was built before grids could move has one that stands still") {
+    resetToValid();
+    theTime.grid_offset_m[0] = 1000.0;
+    CHECK(open().description().times.at(0).gridOffsetM == glm::dvec2(1000.0, 0.0));
+    theTime.header.struct_size = offsetof(NephTime, grid_offset_m);
+    CHECK(open().description().times.at(0).gridOffsetM == glm::dvec2(0.0));
+}
+
 TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the reader") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto faulty = [](auto&& falsify) {
@@ -132,6 +140,8 @@ TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the re
     CHECK(contains(faulty([](auto& d) { d.header.abi_version = 99; }), "ABI 99"));
     CHECK(contains(faulty([&](auto&) { theTime.seconds = nan; }), "finite"));
     CHECK(contains(faulty([](auto&) { theTime.header.struct_size = 0; }), "a time"));
+    CHECK(contains(faulty([&](auto&) { theTime.grid_offset_m[1] = nan; }), "the grid has moved"));
+    CHECK(contains(faulty([&](auto&) { theTime.grid_offset_m[0] = -1e30; }), "the grid has moved"));
     CHECK(contains(faulty([](auto&) { theVariable.name = ""; }), "no name"));
     CHECK(contains(faulty([](auto&) { theVariable.name = nullptr; }), "no name"));
     CHECK(contains(faulty([](auto&) { theVariable.size[2] = -1; }), "of q"));

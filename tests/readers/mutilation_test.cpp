@@ -61,9 +61,9 @@ std::string faultOf(const Dataset& dataset, const HeldVolume& held) {
             return "a mixing ratio in " + variable.units;
         }
     }
-    for (const Array3f& field : held.volume.contentKgPerM3) {
+    for (const Array3f& field : held.volume->contentKgPerM3) {
         if (field.empty()) continue;
-        if (field.size != held.volume.grid.size) return "a field that is not on the grid";
+        if (field.size != held.volume->grid.size) return "a field that is not on the grid";
         for (float value : field.values) {
             if (!(value >= 0.0f && std::isfinite(value))) return fmt::format("content {}", value);
         }

@@ -159,3 +159,36 @@ TEST_CASE("A MicroHH grid in the other byte order is recognised by its first val
     CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
     CHECK(dataset->read("ql", 0).values[5] == 0.5f);
 }
+
+TEST_CASE("Temperature and vapour of a MicroHH case follow from thl and qt where they are there") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    writeFloats(folder / "thermo_basestate.0000000",
+                {290,  290,    0.01f, 0.01f, 291, 291, 291, 291,  291,  1e5f,  9.9e4f, 1e5f,
+                 1e5f, 9.8e4f, 1,     1,     1,   1,   1,   1.2f, 1.1f, 1.25f, 1.15f,  1.05f});
+    for (const char* time : {"0003600", "0007200"}) {
+        writeFloats(folder / (std::string("thl.") + time), std::vector<float>(24, 290.0f));
+        writeFloats(folder / (std::string("qt.") + time), std::vector<float>(24, 0.012f));
+    }
+    const auto dataset = openFiles({path});
+    const VariableInfo* vapour = dataset->info().find(VariableRole::waterVapour);
+    REQUIRE(vapour != nullptr);
+    CHECK(vapour->name == "qt-ql");
+    CHECK(vapour->standardName == "humidity_mixing_ratio");
+    // Level 0 has no cloud, level 1 has 1 g/kg; per kg of dry air.
+    const Array3f ratio = dataset->read(vapour->name, 0);
+    CHECK(ratio.at(1, 1, 0) == doctest::Approx(0.012145749));
+    CHECK(ratio.at(1, 1, 1) == doctest::Approx(0.011133603));
+    // 290 K 0.99^(287.04 / 1005) + 2.501e6 / 1005 K of latent heat
+    const VariableInfo* temperature = dataset->info().find(VariableRole::airTemperature);
+    REQUIRE(temperature != nullptr);
+    const Array3f kelvin = dataset->read(temperature->name, 1);
+    CHECK(kelvin.at(2, 0, 0) == doctest::Approx(290.0));
+    CHECK(kelvin.at(2, 0, 1) == doctest::Approx(291.657297).epsilon(1e-6));
+    CHECK(dataset->info().find("tref")->role == VariableRole::other);
+
+    std::filesystem::remove(folder / "qt.0007200");
+    const DatasetInfo without = openFiles({path})->info();
+    CHECK(without.find(VariableRole::waterVapour) == nullptr);
+    CHECK(without.find(VariableRole::airTemperature)->name == "tref");
+}

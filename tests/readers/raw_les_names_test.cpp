@@ -69,9 +69,9 @@ TEST_CASE("Two names of the same water are not added up, and the second is named
 }
 
 TEST_CASE("A hydrometeor that is not drawn is named") {
-    const DatasetInfo info =
-        infoOf(withNames({"qc", "qr 0 99 rain at the ground (kg/kg)", "qx", "qz", "qv", "qir",
-                          "qib {} 99 rime volume (m^3/kg)", "th {} 99 theta (K)"}));
+    const DatasetInfo info = infoOf(withNames({"qc", "qr 0 99 rain at the ground (kg/kg)", "qx",
+                                               "qz", "qv", "qir", "qib {} 99 rime volume (m^3/kg)",
+                                               "th {} 99 theta (K)", "prs {} 99 pressure (Pa)"}));
     CHECK(hasNote(info, "qr: is not drawn"));
     CHECK(hasNote(info, "qx, qz: are listed and not drawn"));
     CHECK_FALSE(hasNote(info, "qv"));
@@ -113,4 +113,36 @@ TEST_CASE("Of a folder with model levels and the same interpolated, the model le
     std::filesystem::copy_file(ctl, folder / "cm1out_i.ctl");
     const auto attributes = openFiles({folder.path()})->info().attributes;
     CHECK(attributes.at("descriptor") == "cm1out_s.ctl");
+}
+
+TEST_CASE("Vapour has its role where pressure and temperature of the air are known") {
+    const DatasetInfo info = infoOf({});
+    REQUIRE(info.find(VariableRole::waterVapour) != nullptr);
+    CHECK(info.find(VariableRole::waterVapour)->name == "qv");
+    CHECK(info.find(VariableRole::waterVapour)->standardName == "humidity_mixing_ratio");
+    GradsSpec without;
+    without.variables = {"th {} 99 potential temperature (K)", "qv {} 99 vapour (kg/kg)",
+                         "qc {} 99 qc (kg/kg)"};
+    const DatasetInfo standard = infoOf(without);
+    CHECK(standard.find(VariableRole::waterVapour) == nullptr);
+    CHECK(hasNote(standard, "qv gives no humidity"));
+}
+
+TEST_CASE("The grid of a CM1 run moves by its namelist where no metadata say how far it is") {
+    // 540 and 720 s at 12.5 and 3 m/s.
+    const DatasetInfo info = infoOf({}, " imove = 1,\n umove = 12.5,\n vmove = 3.0,\n");
+    CHECK(info.moves());
+    CHECK(info.times[0].gridOffsetM == glm::dvec2(6750.0, 1620.0));
+    CHECK(info.times[1].gridOffsetM == glm::dvec2(9000.0, 2160.0));
+    CHECK_FALSE(infoOf({}, " imove = 0,\n umove = 12.5,\n vmove = 3.0,\n").moves());
+    CHECK_FALSE(infoOf({}).moves());
+}
+
+TEST_CASE("The grid of a CM1 run lies where its metadata have it, whatever the namelist says") {
+    GradsSpec spec;
+    spec.locations = {1000.0f, -250.0f, 1800.0f, -300.0f};
+    const DatasetInfo info = infoOf(spec, " imove = 1,\n umove = 12.5,\n vmove = 3.0,\n");
+    CHECK(info.times[0].seconds == 0.0);
+    CHECK(info.times[0].gridOffsetM == glm::dvec2(1000.0, -250.0));
+    CHECK(info.times[1].gridOffsetM == glm::dvec2(1800.0, -300.0));
 }

@@ -120,13 +120,19 @@ fs::path writeGrads(const fs::path& folder, const GradsSpec& spec) {
         writeText(folder / "cm1out_metadata.ctl",
                   fmt::format("dset ^cm1out_metadata.dat\ntitle CM1 metadata\nundef -999999.9\n"
                               "xdef 1 linear 0 1\nydef 1 linear 0 1\nzdef 1 linear 0 1\n"
-                              "tdef {} linear 00:00Z01JAN0001 1YR\nvars 2\nmtime 0 99 seconds\n"
-                              "nwrite 0 99 number\nendvars\n",
-                              spec.times));
+                              "tdef {} linear 00:00Z01JAN0001 1YR\nvars {}\nmtime 0 99 seconds\n"
+                              "nwrite 0 99 number\n{}endvars\n",
+                              spec.times, spec.locations.empty() ? 2 : 4,
+                              spec.locations.empty() ? ""
+                                                     : "domainlocx 0 99 x (m)\n"
+                                                       "domainlocy 0 99 y (m)\n"));
         std::vector<float> metadata;
         for (std::size_t t = 0; t < spec.times; ++t) {
             metadata.push_back(540.0f + 180.0f * static_cast<float>(t));
             metadata.push_back(static_cast<float>(t + 1));
+            for (std::size_t i = 2 * t; i < 2 * t + 2 && i < spec.locations.size(); ++i) {
+                metadata.push_back(spec.locations[i]);
+            }
         }
         writeFloats(folder / "cm1out_metadata.dat", metadata);
     }

@@ -25,8 +25,9 @@ struct GradsSpec {
     std::vector<std::string> variables{
         "rain 0 99 accumulated surface rainfall (cm)", "th {} 99 potential temperature (K)",
         "prs {} 99 pressure (Pa)", "qv {} 99 water vapor mixing ratio (kg/kg)",
-        "qc {} 99 qc (kg/kg)"};  ///< {} stands for nz
-    bool metadata = true;        ///< also writes cm1out_metadata
+        "qc {} 99 qc (kg/kg)"};    ///< {} stands for nz
+    bool metadata = true;          ///< also writes cm1out_metadata
+    std::vector<float> locations;  ///< domainlocx and domainlocy of each time, for the metadata
 };
 
 /// Value at cell x, y, z of variable number v at time t; exact in float.

@@ -23,6 +23,9 @@ TEST_CASE("Each mass of the stretched CM1 storm is that of its file" *
           doctest::skip(kModelData == nullptr)) {
     const auto dataset = openFiles({std::filesystem::path(kModelData) / "cm1-stretched"});
     REQUIRE(dataset->info().times.size() == 3);
+    // umove and vmove are 12.5 and 3 m/s.
+    CHECK(dataset->info().times[1].gridOffsetM == glm::dvec2(22500.0, 5400.0));
+    CHECK(dataset->info().times[2].gridOffsetM == glm::dvec2(45000.0, 10800.0));
     const std::map<std::string, double> massesKg{{"qc", 1.38437e9},
                                                  {"qr", 1.72129e9},
                                                  {"qi", 9.99657e8},

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/volume/lowest_air.h"
 #include "core/volume/resample.h"
 #include "core/volume/statistics.h"
 #include "tests/readers/reader_host.h"
@@ -74,6 +75,14 @@ double massWithin(const SpeciesVolume& volume, Species species, glm::dvec2 lower
 }
 
 }  // namespace
+
+TEST_CASE("The humidity of the bundled storm's lowest air is that computed apart") {
+    // The mean of e / e_s over level 0, from an ncdump of P, PB, T and QVAPOR.
+    const auto dataset = openFiles({kSamples});
+    const LowestAir early = readLowestAir(*dataset, 0), middle = readLowestAir(*dataset, 1);
+    CHECK(early.humidity.value_or(0.0) == doctest::Approx(0.654963).epsilon(1e-5));
+    CHECK(middle.humidity.value_or(0.0) == doctest::Approx(0.663426).epsilon(1e-5));
+}
 
 TEST_CASE("The bundled storm is one series of four times, each file below 4 MiB") {
     const std::vector<fs::path> files = filesIn(kSamples);

@@ -93,6 +93,12 @@ TEST_CASE("Dry air density, temperature and pressure are those of docs/physics.m
               doctest::Approx(c.temperatureK).epsilon(1e-6));
         CHECK(dataset->read("dry_air_density", 0).at(2, 1, 3) ==
               doctest::Approx(c.densityKgPerM3).epsilon(2e-6));
+        const VariableInfo* vapour = dataset->info().find(VariableRole::waterVapour);
+        REQUIRE(vapour != nullptr);
+        CHECK(vapour->name == "QVAPOR");
+        CHECK(vapour->standardName == "humidity_mixing_ratio");
+        CHECK(vapour->units == "kg kg-1");
+        CHECK(dataset->read("QVAPOR", 0).at(2, 1, 3) == c.vapour);
     }
 }
 

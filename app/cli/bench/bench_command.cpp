@@ -19,10 +19,11 @@
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
 #include "core/dataset/whereabouts.h"
+#include "core/look/haze.h"
 #include "core/look/old_metres.h"
-#include "core/look/sun.h"
 #include "core/plugin/plugin_host.h"
 #include "core/volume/framing.h"
+#include "core/volume/lowest_air.h"
 #include "core/volume/memory_setting.h"
 #include "core/volume/read_plan.h"
 #include "core/volume/resample.h"
@@ -131,9 +132,10 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene
     Opened opened = openData(request, scene.document.look, rendererBytes(gl::deviceMemory()));
     renderer.setVolume(opened.volume);
     scene.document.camera = poseFor(request, scene, opened.volume);
-    scene.document.look =
-        withSun(scene.document.look,
-                whereaboutsOf(opened.dataset->info(), opened.time, opened.volume.grid));
+    Look& look = scene.document.look;
+    Whereabouts where = whereaboutsOf(opened.dataset->info(), opened.time, opened.volume.grid);
+    if (asksHumidity(look)) where.humidity = readLowestAir(*opened.dataset, opened.time).humidity;
+    look = lookAsDrawn(look, where);
     render::FrameInputs inputs;
     static_cast<ParameterSet&>(inputs) = scene.document;
     inputs.sizePx = kFirstImagePx;

@@ -16,7 +16,7 @@
 #include "app/image_io/png.h"
 #include "core/base/resources.h"
 #include "core/look/exposure.h"
-#include "core/look/sun.h"
+#include "core/look/haze.h"
 #include "shaders/lib/glsl_cpp.h"
 
 namespace neph {
@@ -96,7 +96,7 @@ ComparedImage Drawer::draw(const ComparedEngine& engine) {
     DrawnSide drawn;
     drawn.renderer = &side_->renderer();
     const ParameterSet values = parametersOf(engine, side_->parameters());
-    drawn.inputs.look = withSun(values.look, side_->shown().where);
+    drawn.inputs.look = lookAsDrawn(values.look, side_->shown().where);
     drawn.inputs.look.sunDisc = false;  // it would outshine every error
     drawn.inputs.sampling = values.sampling;
     drawn.inputs.sizePx = sizePx_;

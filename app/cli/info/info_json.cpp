@@ -8,15 +8,17 @@
 #include "app/cli/info/info_findings.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
+#include "core/sky/humidity.h"
 
 namespace neph {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 8> kRoleIds{
+constexpr std::array<std::string_view, kVariableRoles> kRoleIds{
     "other",        "mixing_ratio",    "dry_air_density",  "interface_height",
-    "air_pressure", "air_temperature", "effective_radius", "number_concentration"};
+    "air_pressure", "air_temperature", "effective_radius", "number_concentration",
+    "water_vapour", "x_wind",          "y_wind",           "upward_wind"};
 
 Json gridJson(const DatasetInfo& info, const LayerSummary& layers) {
     const glm::dvec2 extentM = info.extentM();
@@ -100,6 +102,11 @@ Json summaryJson(const TimeSummary& summary) {
               {"cloud", cloudJson(summary)},
               {"precipitation", rangeJson(summary.precipitation)}};
     if (summary.hasColumns) json["condensate"] = columnJson(summary.condensate);
+    if (const auto& humidity = summary.lowestAir.humidity) {
+        json["lowest_layer"] = {
+            {"relative_humidity", *humidity},
+            {"visibility_by_humidity_km", visibilityOfHumidityM(*humidity) * kKmPerM}};
+    }
     return json;
 }
 
@@ -128,24 +135,27 @@ Json placeJson(const DatasetInfo& info, const std::optional<PlaceSummary>& place
 }
 
 /// Null where place or date is not known.
-Json sunJson(const TimeInfo& time, const std::optional<PlaceSummary>& place) {
-    const auto sun = sunAt(time, place);
+Json sunJson(const DatasetInfo& info, int time) {
+    const auto sun = sunAt(info, time);
     if (!sun) return nullptr;
     return {{"elevation_deg", sun->elevationDeg},
             {"apparent_elevation_deg", sun->apparentElevationDeg},
             {"azimuth_deg", sun->azimuthDeg}};
 }
 
-Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries,
-               const std::optional<PlaceSummary>& place) {
+Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
     Json times = Json::array();
     for (const TimeInfo& time : info.times) {
+        const auto index = static_cast<int>(times.size());
         times.push_back({{"label", time.label},
                          {"seconds", time.seconds},
                          {"utc", time.utc ? Json(utcText(*time.utc)) : Json(nullptr)},
-                         {"sun", sunJson(time, place)},
+                         {"sun", sunJson(info, index)},
                          {"file", time.file.string()},
                          {"index_in_file", time.indexInFile}});
+        if (!info.moves()) continue;
+        times.back()["grid_offset_m"] = {time.gridOffsetM.x, time.gridOffsetM.y};
+        times.back()["south_west"] = geoJson(cornerAt(info, index));
     }
     for (const TimeSummary& summary : summaries) {
         times[static_cast<std::size_t>(summary.time)].update(summaryJson(summary));
@@ -213,7 +223,7 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
               {"cloud", cloudJson(summaries)},
               {"precipitation", rangeJson(rangeOf(summaries, &TimeSummary::precipitation))},
               {"species", speciesJson(info, summaries)},
-              {"times", timesJson(info, summaries, place)},
+              {"times", timesJson(info, summaries)},
               {"variables", variablesJson(info)},
               {"attributes", info.attributes},
               {"notes", allNotes(info, found)}};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dataset/whereabouts.h"
 #include "core/geo/map_place.h"
 
 namespace neph {
@@ -23,7 +24,9 @@ std::string dateLine(const DatasetInfo& info) {
 
 std::optional<PlaceSummary> summarisePlace(const DatasetInfo& info) {
     if (info.map.projection.empty()) return {};
-    const MapPlace place(info.map);
+    MapGrid map = info.map;
+    map.originM += info.times.front().gridOffsetM * map.mapPerGrid;
+    const MapPlace place(map);
     const glm::dvec2 extentM = info.extentM();
     const auto middle = place.at(0.5 * extentM);
     if (!middle) return {};
@@ -47,10 +50,29 @@ std::optional<PlaceSummary> summarisePlace(const DatasetInfo& info) {
     return summary;
 }
 
-std::optional<SolarPosition> sunAt(const TimeInfo& time, const std::optional<PlaceSummary>& place) {
-    if (!time.utc || !place) return {};
-    const GeoPoint& geo = place->middle.geo;
-    return solarPosition(*time.utc, geo.latitudeDeg, geo.longitudeDeg);
+std::optional<SolarPosition> sunAt(const DatasetInfo& info, int time) {
+    const Whereabouts where = whereaboutsOf(info, time, 0.5 * info.extentM());
+    if (!where.utc || !where.place) return {};
+    return solarPosition(*where.utc, where.place->geo.latitudeDeg, where.place->geo.longitudeDeg);
+}
+
+std::optional<GeoPoint> cornerAt(const DatasetInfo& info, int time) {
+    const Whereabouts where = whereaboutsOf(info, time, glm::dvec2(0.0));
+    if (!where.place) return {};
+    return where.place->geo;
+}
+
+std::string motionLines(const DatasetInfo& info) {
+    if (!info.moves()) return {};
+    std::string text = fmt::format("\n{:<21}{:>9}{:>9}{}\n", "Corner of the grid", "x km", "y km",
+                                   info.map.projection.empty() ? "" : "   place");
+    for (std::size_t i = 0; i < info.times.size(); ++i) {
+        const TimeInfo& time = info.times[i];
+        const auto corner = cornerAt(info, static_cast<int>(i));
+        text += fmt::format("{:<21}{:>9.2f}{:>9.2f}{}\n", time.label, time.gridOffsetM.x * kKmPerM,
+                            time.gridOffsetM.y * kKmPerM, corner ? "   " + geoText(*corner) : "");
+    }
+    return text;
 }
 
 std::string placeLines(const DatasetInfo& info) {
@@ -74,11 +96,10 @@ std::string placeLines(const DatasetInfo& info) {
 }
 
 std::string sunLines(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
-    const auto place = summarisePlace(info);
     std::string text;
     for (const TimeSummary& summary : summaries) {
         const TimeInfo& time = timeOf(info, summary);
-        const auto sun = sunAt(time, place);
+        const auto sun = sunAt(info, summary.time);
         if (!sun) continue;
         text += fmt::format("{:<22}{:>10.2f}{:>11.2f}{:>9.2f}\n", utcText(*time.utc),
                             sun->elevationDeg, sun->apparentElevationDeg, sun->azimuthDeg);

@@ -21,11 +21,16 @@ struct PlaceSummary {
 /// Nothing where the place is not known.
 std::optional<PlaceSummary> summarisePlace(const DatasetInfo& info);
 
-/// The sun over the middle of the grid; nothing without a place and a date.
-std::optional<SolarPosition> sunAt(const TimeInfo& time, const std::optional<PlaceSummary>& place);
+/// The sun over the middle of the grid, wherever that lies at a time; nothing without a place and a
+/// date.
+std::optional<SolarPosition> sunAt(const DatasetInfo& info, int time);
+/// The grid's south-west corner at a time; nothing without a place.
+std::optional<GeoPoint> cornerAt(const DatasetInfo& info, int time);
 
 /// Lines for people: place, map and date.
 std::string placeLines(const DatasetInfo& info);
+/// Where the grid's corner lies at each time, of a grid that moves; else empty.
+std::string motionLines(const DatasetInfo& info);
 /// Elevation and azimuth of the sun at each time that was read; empty if none is known.
 std::string sunLines(const DatasetInfo& info, const std::vector<TimeSummary>& summaries);
 

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "app/cli/info/info_findings.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/grid_text.h"
+#include "core/sky/humidity.h"
 
 namespace neph {
 namespace {
@@ -102,6 +106,30 @@ std::string rangeLines(const std::vector<TimeSummary>& summaries) {
                      "rain, snow, graupel and hail");
 }
 
+/// "29.7", or "29.7 to 31.6".
+std::string spanText(double least, double most, int digits) {
+    const std::string from = fmt::format("{:.{}g}", least, digits);
+    const std::string to = fmt::format("{:.{}g}", most, digits);
+    return from == to ? from : fmt::format("{} to {}", from, to);
+}
+
+/// The humidity of the lowest air, and what haze makes of it.
+std::string humidityLine(const std::vector<TimeSummary>& summaries) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const TimeSummary& summary : summaries) {
+        const auto& humidity = summary.lowestAir.humidity;
+        if (!humidity) continue;
+        least = std::min(least, *humidity);
+        most = std::max(most, *humidity);
+    }
+    const std::string& reason = summaries.front().lowestAir.reason;
+    if (least > most) return fmt::format("Humidity not known: {}\n", reason);
+    return fmt::format(
+        "Humidity {} % in the lowest layer; visibility by it (sky.haze=humidity) {} km\n",
+        spanText(100.0 * least, 100.0 * most, 2),
+        spanText(visibilityOfHumidityM(most) * kKmPerM, visibilityOfHumidityM(least) * kKmPerM, 3));
+}
+
 std::string kmOf(const std::optional<HeightRange>& range, double HeightRange::*end) {
     return range ? fmt::format("{:.2f}", (*range).*end * kKmPerM) : "none";
 }
@@ -148,7 +176,8 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     text += timeLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
-    text += seriesLines(info, summaries) + sunLines(info, summaries);
+    text += humidityLine(summaries);
+    text += seriesLines(info, summaries) + motionLines(info) + sunLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, found);
     if (!notes.empty()) text += fmt::format("\nNotes\n  {}\n", fmt::join(notes, "\n  "));
     return text;

@@ -2,6 +2,8 @@
 // does not go together.
 #include "app/cli/render/render_arguments.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "app/cli/common/progress_lines.h"
@@ -35,6 +37,8 @@ void addOutputOptions(CLI::App& command, RenderRequest& request) {
               "half");
     addNumber(command, "--supersample", request.supersample, 1, kMaxSupersample,
               "Rays per pixel, a side: 1 to 4", "1");
+    command.add_flag("--fix-camera", request.fixCamera,
+                     "The camera stays on the ground where the grid moves");
     command.add_flag("--transparent", request.transparent, "Without sky and ground");
     command.add_flag("--denoise", request.denoise,
                      "Reference: a preview without most of its noise, marked so");

@@ -51,6 +51,7 @@ class Run {
     int timeOf(std::size_t index, const Shot& shot) const;
     Metadata describe(const Shot& shot, const Bands& bands) const;
     CameraPose poseOf(std::size_t index, const Shot& shot) const;
+    std::size_t posedTime(const Side& own) const;
     double aspect() const { return static_cast<double>(sizePx_.x) / sizePx_.y; }
     void write(const Shot& shot, Bands& bands);
     template <typename Next>
@@ -161,9 +162,24 @@ int Run::timeOf(std::size_t index, const Shot& shot) const {
 
 CameraPose Run::poseOf(std::size_t index, const Shot& shot) const {
     const Side& side = *sides_[index];
-    if (shot.pathS) return poseAt(*path_, side.shown().grid, *shot.pathS);
-    if (fromPose_) return *fromPose_;
-    return sides_[side.what().ownCamera ? index : 0]->what().scene.document.camera;
+    const RegularGrid& grid = side.shown().grid;
+    const Side& own = *sides_[side.what().ownCamera ? index : 0];
+    CameraPose pose = shot.pathS  ? poseAt(*path_, grid, *shot.pathS)
+                      : fromPose_ ? *fromPose_
+                                  : own.what().scene.document.camera;
+    pose.fixedToGround |= request_.fixCamera;
+    keepOnGround(pose, grid, grid.movedM - own.info().times.at(posedTime(own)).gridOffsetM);
+    return pose;
+}
+
+/// The time that poses of a side are relative to: that of the session where the camera is, else the
+/// first that is drawn.
+std::size_t Run::posedTime(const Side& own) const {
+    const SideScene& what = own.what();
+    const bool kept = what.time && !fromPose_ && what.request.camera.empty() &&
+                      what.request.preset.empty() && request_.path.empty();
+    const int last = static_cast<int>(own.info().times.size()) - 1;
+    return static_cast<std::size_t>(std::clamp(kept ? *what.time : shots_.front().time, 0, last));
 }
 
 DrawnSide Run::drawn(std::size_t index, const Shot& shot) {

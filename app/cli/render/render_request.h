@@ -40,7 +40,8 @@ struct RenderRequest {
     BesideRequest beside;
     std::filesystem::path out = "nephoscope.png";
     glm::ivec2 sizePx{1280, 720};
-    int supersample = 1;  ///< rays per pixel, a side
+    int supersample = 1;     ///< rays per pixel, a side
+    bool fixCamera = false;  ///< to the ground
     bool transparent = false;
     RenderView from;
     std::filesystem::path path;  ///< file of a camera path; empty: none

@@ -81,8 +81,8 @@ Side::Side(SideScene what, const MemoryBudget& budget, const Progress& progress)
     : what_(std::move(what)),
       dataset_(Dataset::open(listFiles(what_.request.files),
                              PluginHost::standard(what_.request.readers), progress)),
-      request_{what_.request.region, budget,
-               planRadii(what_.scene.document.look, dataset_->info())},
+      request_{what_.request.region, budget, planRadii(what_.scene.document.look, dataset_->info()),
+               asksHumidity(what_.scene.document.look)},
       renderer_(std::make_unique<render::Renderer>(resourcePath("shaders"))),
       notes_(dataset_->info().notes) {
     Scene& scene = what_.scene;
@@ -100,13 +100,19 @@ std::vector<int> Side::times() const {
 void Side::show(int time, const Progress& progress) {
     if (time == time_) return;
     const HeldVolume held = readVolume(*dataset_, time, request_, progress);
-    renderer_->setVolume(held.volume);
+    renderer_->setVolume(*held.volume);
     shown_ = held.summary;
     time_ = time;
-    notes_ = held.volume.notes;
+    notes_ = held.volume->notes;
     notes_.push_back(neph::describe(shown_.plan, info()));
     const std::vector<std::string> off = notToScale(parameters().look, scaleDataOf(info(), shown_));
     if (!off.empty()) notes_.push_back(scaleText(off));
+    if (shown_.where.humidity) {
+        notes_.push_back(fmt::format("{}: {}.", shown_.timeLabel,
+                                     hazeText(hazeOf(parameters().look, shown_.where))));
+    } else {
+        notes_.push_back(hazeNote(parameters().look, shown_.timeLabel, shown_.noHumidity));
+    }
 }
 
 std::vector<std::string> Side::newNotes() {
@@ -131,7 +137,9 @@ Metadata Side::describe(const ParameterSet& drawn, const CameraPose& pose,
                                pose.azimuthDeg, pose.elevationDeg, pose.fovDeg)},
         {"look", formatPreset(Preset{name, "", drawn.look, pose})},
         {"sun", sunText(sunStateOf(drawn.look, shown_.where))},
-        {"exposure", fmt::format("EV100 {:.2f}", exposureValue(withSun(drawn.look, shown_.where)))},
+        {"exposure",
+         fmt::format("EV100 {:.2f}", exposureValue(lookAsDrawn(drawn.look, shown_.where)))},
+        {"haze", hazeText(hazeOf(drawn.look, shown_.where))},
         {"scale", scaleOf(drawn.look)},
         {"sampling", formatAssignments(samplingTable(), drawn)},
         {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,

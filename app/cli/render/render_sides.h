@@ -11,6 +11,7 @@
 #include "app/image_io/metadata.h"
 #include "app/render/renderer.h"
 #include "core/dataset/dataset.h"
+#include "core/look/haze.h"
 #include "core/look/sun.h"
 #include "core/session/session_state.h"
 #include "core/volume/held_volume.h"
@@ -48,7 +49,7 @@ class Side {
     std::vector<int> times() const;
     const ParameterSet& parameters() const { return what_.scene.document; }
     /// The look that is drawn of the time that is shown.
-    Look drawnLook() const { return withSun(parameters().look, shown_.where); }
+    Look drawnLook() const { return lookAsDrawn(parameters().look, shown_.where); }
     const SideScene& what() const { return what_; }
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }

@@ -84,7 +84,11 @@ CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSu
         return framed(*from.view, pose, shown, aspect);
     }
     if (!from.observer) return pose;
-    if (const auto stood = poseOf(*from.observer, shown.grid)) return *stood;
+    if (const auto stood = poseOf(*from.observer, shown.grid)) {
+        CameraPose seen = pose;
+        takeView(seen, *stood);
+        return seen;
+    }
     const glm::dvec3 lower = shown.grid.originM / kMPerKm, upper = shown.grid.upperM() / kMPerKm;
     throw UsageError(
         {"--observer", "is too far from the domain", "",

@@ -17,7 +17,7 @@
 #include "app/render/renderer.h"
 #include "core/base/resources.h"
 #include "core/dataset/file_list.h"
-#include "core/look/sun.h"
+#include "core/look/haze.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_files.h"
 #include "core/session/session.h"
@@ -84,17 +84,18 @@ Image8 Storm::imageOf(const Preset& preset, glm::ivec2 sizePx) {
     const VolumeRequest request{
         {},
         chooseBudget({}, held_ ? held_->budget.gpu : rendererBytes(gl::deviceMemory()), warnings),
-        planRadii(preset.look, dataset_->info())};
-    if (!held_ || held_->radii != request.radii) {
+        planRadii(preset.look, dataset_->info()),
+        asksHumidity(preset.look)};
+    if (!held_ || held_->radii != request.radii || held_->humidity != request.humidity) {
         const HeldVolume held =
             readVolume(*dataset_, defaultTime(dataset_->info()), request, goesOn_);
-        renderer_.setVolume(held.volume);
+        renderer_.setVolume(*held.volume);
         grid_ = held.summary.grid;
         where_ = held.summary.where;
         held_ = request;
     }
     render::FrameInputs inputs;
-    inputs.look = withSun(preset.look, where_);
+    inputs.look = lookAsDrawn(preset.look, where_);
     inputs.sampling.lightVoxels = kLightVoxels;
     inputs.sizePx = sizePx;
     inputs.camera = placeCamera(preset.camera.value_or(CameraPose{}), grid_,

@@ -91,6 +91,7 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     }
     const float visible = inputs.look.groundVisible ? 1.0f : 0.0f;
     block.ground = vec4(shownGroundColour(inputs.look), visible);
+    block.moved = v4({grid.movedM, 0.0});
     block.boxLowerM = v4(bricks.occupied.lowerM);
     block.boxUpperM = v4(bricks.occupied.upperM);
     block.gridExtentM = v4(grid.extentM());

@@ -135,7 +135,7 @@ void drawObserver(CameraPose& pose, CameraTools& tools, const RegularGrid& grid)
         observer.northM = northKm * kMPerKm;
         const auto stood = poseOf(observer, grid);
         tools.outOfReach = !stood;
-        if (stood) pose = *stood;
+        if (stood) takeView(pose, *stood);
     }
     if (tools.outOfReach) {
         ImGui::PushTextWrapPos(0.0f);
@@ -145,6 +145,17 @@ void drawObserver(CameraPose& pose, CameraTools& tools, const RegularGrid& grid)
         ImGui::PopTextWrapPos();
     }
     ImGui::TreePop();
+}
+
+/// Of data whose grid moves.
+void drawFixed(const Session& session, CameraPose& pose) {
+    const bool moves = session.info() != nullptr && session.info()->moves();
+    if (!moves && !pose.fixedToGround) return;
+    ImGui::Checkbox("Fixed to the ground", &pose.fixedToGround);
+    place("camera.fixed");
+    tooltip(
+        "Eye and target stay where they are on the ground while the grid moves; else the camera "
+        "moves with the grid");
 }
 
 void drawFlight(const ActionLookup& actions, CameraTools& tools, const RegularGrid& grid) {
@@ -168,6 +179,7 @@ void drawCamera(const PanelContext& context, CameraTools& tools, Playback& playb
     ImGui::PushID("camera");
     drawViews(context.actions);
     drawPose(pose, grid);
+    drawFixed(context.session(), pose);
     drawFlight(context.actions, tools, grid);
     drawObserver(pose, tools, grid);
     drawBookmarks(context, tools);

@@ -67,7 +67,7 @@ void lookFromGround(Session& session, CameraTools& tools) {
                             static_cast<double>(pose.fovDeg)};
     const auto stood = poseOf(observer, grid);
     tools.outOfReach = !stood;
-    if (stood) pose = *stood;
+    if (stood) takeView(pose, *stood);
 }
 
 void addBookmark(Session& session) {

@@ -18,11 +18,11 @@ const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session&
     const bool same = probe.depth && probe.volume.lock() == held && probe.pose == document.camera &&
                       probe.look == document.look;
     if (same) return probe.depth;
-    const Camera camera = placeCamera(document.camera, held->volume.grid, 1.0);
+    const Camera camera = placeCamera(document.camera, held->volume->grid, 1.0);
     const MediumPlan plan =
-        planMedium(document.look, held->volume.holdings(), held->volume.cellM());
+        planMedium(document.look, held->volume->holdings(), held->volume->cellM());
     probe = {held, document.camera, document.look,
-             opticalDepthAlong(held->volume, plan, camera.eyeWorld, camera.forward)};
+             opticalDepthAlong(*held->volume, plan, camera.eyeWorld, camera.forward)};
     return probe.depth;
 }
 

@@ -13,7 +13,7 @@
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/words.h"
 #include "core/look/exposure.h"
-#include "core/look/sun.h"
+#include "core/look/haze.h"
 
 namespace neph::ui {
 namespace {
@@ -56,10 +56,24 @@ void drawFound(Session& session, const FieldsState& state) {
 
 /// What the camera of such a photograph would be set to.
 void drawExposure(const Session& session) {
-    const Look look = withSun(session.document.look, session.where());
+    const Look look = lookAsDrawn(session.document.look, session.where());
     if (look.toneMap == ToneMap::reflectance) return;
     ImGui::TextDisabled("EV100 %.1f", exposureValue(look));
     place("view.ev100_text");
+}
+
+/// How far one sees, where that follows from the data.
+void drawHaze(const Session& session) {
+    const Look& look = session.document.look;
+    if (!asksHumidity(look)) return;
+    const HazeState haze = hazeOf(look, session.where());
+    if (haze.humidity) {
+        ImGui::TextDisabled("%.3g km, relative humidity %.0f %%", 1e-3 * haze.visibilityM,
+                            100.0 * *haze.humidity);
+    } else {
+        ImGui::TextDisabled("No humidity in the data: visibility as set");
+    }
+    place("sky.haze_text");
 }
 
 }  // namespace
@@ -93,6 +107,7 @@ void drawGroups(const PanelContext& context) {
         }
         if (open) parameterWidget(row, session.document, session.presetLook);
         if (open && row.id == "view.exposure") drawExposure(session);
+        if (open && row.id == "sky.haze") drawHaze(session);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "app/ui/presets/preset_card.h"
 #include "core/camera/camera.h"
 #include "core/look/backdrop.h"
-#include "core/look/sun.h"
+#include "core/look/haze.h"
 
 namespace neph::ui {
 namespace {
@@ -77,7 +77,7 @@ void drawMesh(const Mesh& mesh, glm::vec2 lower, glm::vec2 upper) {
 PresetPlaceholder placeholderOf(const Preset& preset) {
     const Camera camera = placeCamera(preset.camera.value_or(CameraPose{}), kStormGrid,
                                       static_cast<double>(kThumbnailAspect));
-    const Backdrop backdrop(withSun(preset.look, {}), camera.eyeWorld.z);
+    const Backdrop backdrop(lookAsDrawn(preset.look, {}), camera.eyeWorld.z);
     const double level =
         preset.look.groundVisible ? horizonNdc(camera, backdrop.horizonUp()) : -1.0;
     PresetPlaceholder made;

@@ -9,6 +9,7 @@ namespace neph::ui {
 /// The document's camera before a path led it, and where the path put it last.
 struct LedCamera {
     CameraPose before, now;
+    glm::dvec2 movedM{0.0};  ///< RegularGrid::movedM of the grid that they are relative to
 };
 
 struct Playback {

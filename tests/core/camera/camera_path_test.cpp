@@ -177,6 +177,15 @@ TEST_CASE("A path is written and read back bit for bit, and nothing is left besi
     CHECK(formatCamera(CameraPose{}) == R"({"target": [0.5, 0.5, 0.35], "distance": 1.1, )"
                                         R"("azimuth_deg": 180, "elevation_deg": 12, )"
                                         R"("fov_deg": 40})");
+    CameraPose fixed;
+    fixed.fixedToGround = true;
+    CHECK(contains(formatCamera(fixed), R"("fixed_to_ground": true})"));
+    CHECK(parseCamera(formatCamera(fixed), "", warnings) == fixed);
+    CHECK(warnings.empty());
+    fixed.target.x = -7.5f;  // the grid has moved on
+    CHECK(parseCamera(formatCamera(fixed), "", warnings) == fixed);
+    CHECK_THROWS_AS(parseCamera(R"({"target": [-7.5, 0, 0]})", "", warnings), Error);
+    CHECK_THROWS_AS(parseCamera(R"({"fixed_to_ground": 1})", "", warnings), Error);
 }
 
 TEST_CASE("What is no path is refused with its name, its key and what was expected") {

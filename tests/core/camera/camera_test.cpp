@@ -128,3 +128,32 @@ TEST_CASE("The same view in another grid has its eye in the same place, or there
     const RegularGrid far{{1, 1, 20}, {99e3, 79e3, 0.0}, {1000.0, 1000.0, 500.0}};
     CHECK_FALSE(sameView(pose, whole, far).has_value());
 }
+
+TEST_CASE("A camera that is fixed to the ground stays there while the grid moves over it") {
+    const glm::dvec2 movedM(22500.0, -5400.0);
+    CameraPose pose = levelFromSouth();
+    const Camera before = placeCamera(pose, kGrid, 1.0);
+    keepOnGround(pose, kGrid, movedM);
+    CHECK(pose == levelFromSouth());  // it follows the grid
+    pose.fixedToGround = true;
+    keepOnGround(pose, kGrid, movedM);
+    const Camera after = placeCamera(pose, kGrid, 1.0);
+    // World space has moved by as much.
+    checkNear(after.eyeWorld + glm::dvec3(movedM, 0.0), before.eyeWorld, 0.02);
+    checkNear(after.forward, before.forward, 1e-12);
+    keepOnGround(pose, kGrid, -movedM);
+    checkNear(placeCamera(pose, kGrid, 1.0).eyeWorld, before.eyeWorld, 0.02);
+}
+
+TEST_CASE("A grid may leave a fixed camera far behind, and a pan does not bring it back") {
+    CameraPose pose = levelFromSouth();
+    pose.fixedToGround = true;
+    keepOnGround(pose, kGrid, {500e3, 0.0});
+    const CameraPose before = pose;
+    CHECK(pose.target.x == doctest::Approx(0.5 - 5.0));
+    pan(pose, kGrid, {0.0f, 0.0f});
+    CHECK(pose == before);
+    pose.fixedToGround = false;
+    pan(pose, kGrid, {0.0f, 0.0f});
+    CHECK(pose.target.x == kMinTarget);
+}

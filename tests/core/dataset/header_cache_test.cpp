@@ -24,6 +24,7 @@ DatasetInfo described(double seconds) {
     description.map = {"+proj=merc", {-1.0 / 3.0, 2e6}, {1.5, 2.0}};
     description.noPlace = "none";
     description.times = {{"t\xC3\xA9", seconds, {}, 0}};
+    description.times[0].gridOffsetM = {22500.0, -1.0 / 3.0};
     if (seconds > 0.0) description.times[0].utc = UtcTime(UtcTime::duration(seconds / 3.0));
     description.variables = {{"QCLOUD",
                               "cloud",
@@ -50,6 +51,7 @@ void checkSame(const DatasetInfo& a, const DatasetInfo& b) {
     CHECK(a.times[0].label == b.times[0].label);
     CHECK(a.times[0].seconds == b.times[0].seconds);
     CHECK(a.times[0].utc == b.times[0].utc);
+    CHECK(a.times[0].gridOffsetM == b.times[0].gridOffsetM);
     REQUIRE(a.variables.size() == 1);
     CHECK(a.variables[0].name == b.variables[0].name);
     CHECK(a.variables[0].standardName == b.variables[0].standardName);

@@ -228,9 +228,16 @@ TEST_CASE("A camera is checked as a look is") {
     CHECK(loaded.preset.camera->target == glm::vec3(0.1f, 0.2f, 0.3f));
     CHECK(loaded.preset.camera->distance == 2.0f);
     CHECK(loaded.preset.camera->fovDeg == CameraPose{}.fovDeg);
-    for (const char* camera : {R"({"distance": 0})", R"({"distance": 1e9})", R"({"distance": "1"})",
-                               R"({"fov_deg": 80})", R"({"elevation_deg": 91})",
-                               R"({"target": [0, 0, 9]})", R"({"target": 1})", "1"}) {
+    CHECK_FALSE(loaded.preset.camera->fixedToGround);
+    Preset fixed;
+    fixed.camera = CameraPose{};
+    CHECK_FALSE(contains(formatPreset(fixed), "fixed_to_ground"));
+    fixed.camera->fixedToGround = true;
+    CHECK(parsePreset(formatPreset(fixed), "").preset == fixed);
+    for (const char* camera :
+         {R"({"distance": 0})", R"({"distance": 1e9})", R"({"distance": "1"})",
+          R"({"fov_deg": 80})", R"({"elevation_deg": 91})", R"({"target": [0, 0, 9]})",
+          R"({"target": 1})", R"({"fixed_to_ground": "yes"})", "1"}) {
         CAPTURE(camera);
         CHECK(contains(refusal(withCamera(camera)), "my.json"));
     }

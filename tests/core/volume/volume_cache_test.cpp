@@ -12,8 +12,10 @@ VolumeKey keyOf(int index) {
 }
 
 std::shared_ptr<const HeldVolume> volumeOf(int cells) {
+    SpeciesVolume volume;
+    volume.contentKgPerM3[0] = Array3f(glm::ivec3(cells, 1, 1));
     HeldVolume held;
-    held.volume.contentKgPerM3[0] = Array3f(glm::ivec3(cells, 1, 1));
+    held.volume = std::make_shared<const SpeciesVolume>(std::move(volume));
     return std::make_shared<const HeldVolume>(std::move(held));
 }
 
@@ -42,7 +44,7 @@ TEST_CASE("The newest volume stays however large, and what was taken lives on be
     cache.put(keyOf(1), volumeOf(20));
     CHECK(cache.count() == 1);
     CHECK(cache.bytes() == 20 * kCellBytes);
-    CHECK(first->volume.bytes() == 10 * kCellBytes);
+    CHECK(first->volume->bytes() == 10 * kCellBytes);
 }
 
 TEST_CASE("Putting a key again replaces its volume") {
@@ -67,4 +69,18 @@ TEST_CASE("Another region, budget or sizing of particles is another volume") {
     key = keyOf(0);
     key.request.radii.rules[0].source = RadiusSource::file;
     CHECK_FALSE(cache.holds(key));
+}
+
+TEST_CASE("A volume that was read with humidity serves a key without, and replaces the other") {
+    VolumeCache cache;
+    const VolumeKey without = keyOf(0), with = withHumidity(keyOf(0), true);
+    cache.put(without, volumeOf(10));
+    CHECK(cache.find(with) == nullptr);
+    const auto humid = volumeOf(10);
+    cache.put(with, humid);
+    CHECK(cache.count() == 1);
+    CHECK(cache.bytes() == 10 * kCellBytes);
+    CHECK(cache.find(with) == humid);
+    CHECK(cache.find(without) == humid);
+    CHECK_FALSE(cache.holds(withHumidity(keyOf(1), false)));
 }

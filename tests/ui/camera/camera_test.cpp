@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/shell/actions.h"
@@ -24,7 +26,8 @@ struct Fixture {
     ui::Ui state{session};
     ImGuiIO& io = ImGui::GetIO();
 
-    Fixture() {
+    explicit Fixture(glm::dvec2 movesM = {}) {
+        series->movesM = movesM;
         session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
         REQUIRE(waitUntilShown(session));
         state.columns.shown = false;
@@ -248,4 +251,34 @@ TEST_CASE("What lies over the image stays within it, and is switched off one by 
     CHECK(ui::lengthText(999.0) == "999 m");
     CHECK(ui::lengthText(12345.0) == "12.3 km");
     CHECK(ui::lengthText(1.7) == "1.7 m");
+}
+
+TEST_CASE("A path that is fixed to the ground keeps the camera while the grid moves under it") {
+    Fixture f({4000.0, -1000.0});
+    Document& document = f.session.document;
+    document.camera.fixedToGround = true;
+    const CameraPose own = document.camera;
+    document.path.withTime = true;
+    ui::addPathKey(f.session, f.state.playback);
+    ui::addPathKey(f.session, f.state.playback);
+    const auto onGround = [&] { return f.eye() + glm::dvec3(f.session.shown()->grid.movedM, 0.0); };
+    const glm::dvec3 start = onGround();
+    for (const double atS : {0.0, 2.0, 3.9}) {
+        CAPTURE(atS);
+        f.state.playback.atS = atS;
+        ui::leadAlongPath(f.session, f.state.playback);
+        for (int i = 0; i < 10000 && !f.session.shows(document.time); ++i) {
+            f.session.poll();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        f.frame();
+        CHECK(f.state.playback.alongPath);  // the shift is no hand on the camera
+        CHECK(glm::length(onGround() - start) < 0.05);
+    }
+    CHECK(f.session.shown()->grid.movedM == glm::dvec2(20000.0, -5000.0));
+    f.state.playback.alongPath = false;
+    f.frame();
+    CHECK(document.camera.fixedToGround);
+    CHECK(glm::length(onGround() - start) < 0.05);
+    CHECK(document.camera.azimuthDeg == own.azimuthDeg);
 }

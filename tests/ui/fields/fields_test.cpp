@@ -256,3 +256,17 @@ TEST_CASE("A parameter is found by part of its label, id or help, of any field")
     panel.click("find.clear");
     CHECK(panel.state.fields.find.empty());
 }
+
+TEST_CASE("Below a haze that follows the humidity stands what it comes to") {
+    Panel panel([](ui::Ui& ui) { ui::drawGroups(ui::contextOf(ui)); });
+    panel.look().skyModel = SkyModel::atmosphere;
+    panel.frame();
+    CHECK_FALSE(ui::placeOf("sky.haze_text").has_value());
+    panel.look().haze = Haze::humidity;
+    panel.frame();
+    CHECK(ui::placeOf("sky.haze_text").has_value());
+    CHECK(ui::placeOf("sky.visibility").has_value());
+    panel.look().skyModel = SkyModel::gradient;
+    panel.frame();
+    CHECK_FALSE(ui::placeOf("sky.haze_text").has_value());
+}

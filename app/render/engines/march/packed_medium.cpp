@@ -95,6 +95,7 @@ void setDetail(const VolumeTextures& volume, const std::vector<Detail>& details,
         program.setFloat(kPackCharacterLocation + static_cast<int>(k), billow ? 0.0f : 1.0f);
     }
     program.setVec3(kPackVoxelLocation, glm::vec3(volume.grid.spacingM));
+    program.setVec3(kPackMovedLocation, glm::vec3(volume.grid.movedM, 0.0f));
 }
 
 void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Texture* noise,

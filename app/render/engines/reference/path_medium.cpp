@@ -53,7 +53,8 @@ gl::Texture noiseBound(const gl::Texture& noise) {
     return bound;
 }
 
-void setDetail(const MediumPlan& plan, glm::dvec3 voxelM, int texels, const gl::Program& program) {
+void setDetail(const MediumPlan& plan, const RegularGrid& grid, int texels,
+               const gl::Program& program) {
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         const MediumClass& c = plan.classes[i];
         const auto at = static_cast<int>(i);
@@ -64,10 +65,11 @@ void setDetail(const MediumPlan& plan, glm::dvec3 voxelM, int texels, const gl::
         program.setFloat(kBoundCharacterLocation + at,
                          c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
     }
-    program.setVec3(kBoundVoxelLocation, glm::vec3(voxelM));
+    program.setVec3(kBoundVoxelLocation, glm::vec3(grid.spacingM));
+    program.setVec3(kBoundMovedLocation, glm::vec3(grid.movedM, 0.0f));
 }
 
-Array3f boundsOf(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels,
+Array3f boundsOf(const MediumTextures& medium, const RegularGrid& grid, int cellVoxels,
                  const gl::Texture* noise, gl::ProgramCache& programs) {
     // Cells begin half a voxel below the first.
     const gl::Texture bounds =
@@ -79,7 +81,7 @@ Array3f boundsOf(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels
     if (isNoisy(medium.plan)) {
         detail = noiseBound(*noise);
         detail.bind(kNoiseBoundUnit);
-        setDetail(medium.plan, voxelM, noise->size().x, program);
+        setDetail(medium.plan, grid, noise->size().x, program);
     }
     bounds.bindImage(kBoundImage, GL_WRITE_ONLY);
     program.setInt(kBoundCellVoxelsLocation, cellVoxels);
@@ -98,9 +100,9 @@ int cellVoxelsFor(glm::ivec3 voxels) {
     return side;
 }
 
-PathMedium makePathMedium(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels,
+PathMedium makePathMedium(const MediumTextures& medium, const RegularGrid& grid, int cellVoxels,
                           double boundScale, const gl::Texture* noise, gl::ProgramCache& programs) {
-    const Array3f bounds = boundsOf(medium, voxelM, cellVoxels, noise, programs);
+    const Array3f bounds = boundsOf(medium, grid, cellVoxels, noise, programs);
     const Array3<std::uint8_t> distances = emptyDistances(bounds, 0.0f);
     std::vector<glm::vec2> cells;
     cells.reserve(bounds.values.size());
@@ -119,8 +121,8 @@ PathMedium makePathMedium(const MediumTextures& medium, glm::dvec3 voxelM, int c
         const auto best = static_cast<std::size_t>(out.lobeClass);
         if (peak(phases[i]) > peak(phases[best])) out.lobeClass = static_cast<int>(i);
     }
-    out.cellM = voxelM * static_cast<double>(cellVoxels);
-    out.voxelM = voxelM;
+    out.cellM = grid.spacingM * static_cast<double>(cellVoxels);
+    out.voxelM = grid.spacingM;
     return out;
 }
 

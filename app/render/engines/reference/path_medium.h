@@ -26,9 +26,9 @@ struct PathMedium {
 /// Voxels along the edge of a cell: one, but where there would be too many cells.
 int cellVoxelsFor(glm::ivec3 voxels);
 
-/// Waits for a read-back of the bounds, which are multiplied by `boundScale`, at least 1. `noise`:
-/// the filtered one, where the medium has detail.
-PathMedium makePathMedium(const MediumTextures& medium, glm::dvec3 voxelM, int cellVoxels,
+/// `grid`: of the medium's voxels. Waits for a read-back of the bounds, which are multiplied by
+/// `boundScale`, at least 1. `noise`: the filtered one, where the medium has detail.
+PathMedium makePathMedium(const MediumTextures& medium, const RegularGrid& grid, int cellVoxels,
                           double boundScale, const gl::Texture* noise, gl::ProgramCache& programs);
 
 /// Macros by which shaders read such a medium.

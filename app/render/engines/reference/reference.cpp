@@ -97,8 +97,8 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
     if (pathsOf_ != context.medium.version()) {
         paths_ = {};  // the old one need not be held beside the new
         tracer_ = {};
-        paths_ = makePathMedium(medium, grid.spacingM, cellVoxelsFor(grid.size), 1.0, noise,
-                                context.programs);
+        paths_ =
+            makePathMedium(medium, grid, cellVoxelsFor(grid.size), 1.0, noise, context.programs);
         pathsOf_ = context.medium.version();
     }
     if (frame.sample == 0) {

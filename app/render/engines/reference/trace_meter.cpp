@@ -138,8 +138,9 @@ std::vector<Measured> TraceMeter::measure(const MeterScene& scene,
     const int passes = static_cast<int>((wanted + rows - 1) / rows);
     const glm::ivec2 sizePx{count, rows};
     const MediumTextures medium = textureOf(scene);
-    const PathMedium paths = makePathMedium(medium, scene.spacingM, settings.brickVoxels,
-                                            settings.majorantScale, nullptr, impl_->programs);
+    const PathMedium paths =
+        makePathMedium(medium, {scene.size, {}, scene.spacingM}, settings.brickVoxels,
+                       settings.majorantScale, nullptr, impl_->programs);
     const gl::Buffer list = listOf(scene, detectors);
     const gl::Texture mean = gl::Texture::make2D(GL_RGBA32F, sizePx);
     PathTracer& tracer = impl_->tracer;

@@ -1,0 +1,101 @@
+// session_haze_test.cpp: humidity is read when a look asks for it, once for each time, and arrives
+// with its volume.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "core/look/haze.h"
+#include "core/session/session.h"
+#include "tests/core/memory_dataset.h"
+#include "tests/temporary_folder.h"
+#include "tests/text.h"
+
+using namespace neph;
+
+namespace {
+
+std::shared_ptr<Dataset> humidTimes() {
+    const glm::ivec3 size(2, 2, 2);
+    auto dataset = std::make_shared<MemoryDataset>(
+        size, [](int, int, int z) { return 100.0f * static_cast<float>(z); });
+    dataset->addRatio(Species::cloud, [](int, int, int) { return 1e-3f; });
+    dataset->add("p", VariableRole::airPressure, {}, size, [](int, int, int) { return 1e5f; });
+    dataset->add("T", VariableRole::airTemperature, {}, size,
+                 [](int, int, int) { return 298.15f; });
+    dataset->add("qv", VariableRole::waterVapour, {}, size, [](int, int, int) { return 0.014f; });
+    dataset->addTime("2024-05-06_21:10:00", "second");
+    dataset->addTime("2024-05-06_21:20:00", "third", {"qv"});
+    return dataset;
+}
+
+bool pollUntilShown(Session& session) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (std::chrono::steady_clock::now() < until) {
+        session.poll();
+        if (session.info() != nullptr && session.shows(session.document.time)) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("Asking for haze by humidity reads the humidity and keeps the volume") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "memory") << "0";
+    Session session(
+        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
+    session.document.look.skyModel = SkyModel::atmosphere;
+    session.open(std::array{(folder / "memory").string()}, 0);
+    REQUIRE(pollUntilShown(session));
+    REQUIRE(session.takeVolume() != nullptr);
+    CHECK_FALSE(session.where().humidity.has_value());
+
+    const auto before = session.held()->volume;
+    session.document.look.haze = Haze::humidity;
+    REQUIRE(pollUntilShown(session));
+    // 1e5 Pa, 25 °C and 14 g/kg, as in lowest_air_test.cpp
+    CHECK(session.where().humidity.value_or(0.0) == doctest::Approx(0.694967).epsilon(1e-5));
+    CHECK(session.held()->volume == before);
+    CHECK(session.takeVolume() == nullptr);  // the renderer has it
+
+    session.document.look.haze = Haze::fixed;
+    REQUIRE(pollUntilShown(session));
+    CHECK(session.takeVolume() == nullptr);
+    CHECK(session.timesHeld() >= 1);
+
+    // Another time comes with its humidity, so that its light is found once.
+    session.document.look.haze = Haze::humidity;
+    session.document.time = 1;
+    REQUIRE(pollUntilShown(session));
+    CHECK(session.takeVolume() != nullptr);
+    CHECK(session.where().humidity.has_value());
+}
+
+TEST_CASE(
+    "A time without vapour has the haze of the look, and a message says so while it is shown") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "memory") << "0";
+    Session session(
+        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
+    session.document.look.skyModel = SkyModel::atmosphere;
+    session.document.look.haze = Haze::humidity;
+    session.open(std::array{(folder / "memory").string()}, 2);
+    REQUIRE(pollUntilShown(session));
+    const auto said = [&] {
+        return std::ranges::count_if(session.messages, [](const Message& message) {
+            return contains(message.text,
+                            "21:20:00: haze does not follow the humidity: there is no "
+                            "water vapour at this time; visibility 100 km");
+        });
+    };
+    CHECK(said() == 1);
+    CHECK(lookAsDrawn(session.document.look, session.where()).visibilityM == 100e3f);
+    session.document.time = 0;
+    REQUIRE(pollUntilShown(session));
+    CHECK(said() == 0);
+    CHECK(lookAsDrawn(session.document.look, session.where()).visibilityM < 31e3f);
+}
