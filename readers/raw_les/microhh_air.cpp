@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace raw {
+namespace les {
 
 MicrohhAir readMicrohhAir(const std::string& folder, NumberType type, bool swapped,
                           std::size_t levels) {
@@ -39,4 +39,4 @@ MicrohhAir readMicrohhAir(const std::string& folder, NumberType type, bool swapp
     return air;
 }
 
-}  // namespace raw
+}  // namespace les

@@ -5,7 +5,7 @@
 
 #include "readers/raw_les/raw_values.h"
 
-namespace raw {
+namespace les {
 
 /// One value per level; empty where the files are not there.
 struct MicrohhAir {
@@ -15,4 +15,4 @@ struct MicrohhAir {
 MicrohhAir readMicrohhAir(const std::string& folder, NumberType type, bool swapped,
                           std::size_t levels);
 
-}  // namespace raw
+}  // namespace les

@@ -9,12 +9,12 @@
 #include <filesystem>
 #include <set>
 
+#include "readers/les/levels.h"
 #include "readers/raw_les/ini.h"
-#include "readers/raw_les/levels.h"
 #include "readers/raw_les/microhh_air.h"
 #include "readers/raw_les/microhh_names.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,20 +272,20 @@ void Case::addFields() {
         field.size = size_;
         field.type = type_;
         field.swapped = swapped_;
-        contents_.add(
-            std::move(variable), {.stored = [field, files = files, name = name, hydrometeor,
-                                             times = times_](std::size_t time) {
-                const auto file = files.find(times[time]);
-                if (file == files.end() && !hydrometeor) {
-                    throw Error{fmt::format("variable {} was not written at this time", name),
-                                fmt::format("files of {} other times", files.size()),
-                                fmt::format("{}.{:07}", name, times[time]),
-                                {}};
-                }
-                RawField at = field;
-                at.path = file == files.end() ? "" : file->second;
-                return at;
-            }});
+        contents_.add(std::move(variable), storedAt([field, files = files, name = name, hydrometeor,
+                                                     times = times_](std::size_t time) {
+                          const auto file = files.find(times[time]);
+                          if (file == files.end() && !hydrometeor) {
+                              throw Error{
+                                  fmt::format("variable {} was not written at this time", name),
+                                  fmt::format("files of {} other times", files.size()),
+                                  fmt::format("{}.{:07}", name, times[time]),
+                                  {}};
+                          }
+                          RawField at = field;
+                          at.path = file == files.end() ? "" : file->second;
+                          return at;
+                      }));
         for (const auto& [digits, path] : files) contents_.description.parts.push_back(path);
     }
 }
@@ -392,4 +392,4 @@ std::unique_ptr<plugin::File> openMicrohh(const std::string& path) {
     return makeFile(Case(path).describe());
 }
 
-}  // namespace raw
+}  // namespace les

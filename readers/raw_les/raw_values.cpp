@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace raw {
+namespace les {
 namespace {
 
 constexpr std::size_t kPieceBytes = 1U << 20U;
@@ -211,6 +211,15 @@ void readBox(const RawField& field, const Box& box, std::span<float> values, con
     tick(1.0);
 }
 
+Source storedAt(Locate locate) {
+    Source source;
+    source.stored = [locate = std::move(locate)](std::size_t time, const Box& box,
+                                                 std::span<float> values, const Tick& tick) {
+        readBox(locate(time), box, values, tick);
+    };
+    return source;
+}
+
 std::optional<std::uint64_t> fileSize(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
@@ -270,4 +279,4 @@ void checkFirstRecord(const RawField& field) {
     checkRecord(field, InputFile(field.path), planePosition(field, 0));
 }
 
-}  // namespace raw
+}  // namespace les
