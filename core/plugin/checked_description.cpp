@@ -57,6 +57,22 @@ const T& checkedStruct(const T* pointer, std::string_view of) {
     return *pointer;
 }
 
+/// A struct that readers built for an earlier form of it hand over shorter: at least `firstForm`
+/// bytes, and zero for the rest.
+template <typename T>
+T completedStruct(const T* pointer, std::size_t firstForm, std::string_view of) {
+    if (pointer == nullptr) throw ReaderFault{fmt::format("{} is null", of)};
+    const NephHeader header = pointer->header;
+    if (!servesAbi(header.abi_version) || header.struct_size < firstForm) {
+        throw ReaderFault{fmt::format("{} has ABI {} and {} bytes, not {} and {}", of,
+                                      header.abi_version, header.struct_size, servedAbiText(),
+                                      firstForm)};
+    }
+    T whole{};
+    std::memcpy(&whole, pointer, std::min<std::size_t>(header.struct_size, sizeof whole));
+    return whole;
+}
+
 template <typename T>
 std::span<const T> checkedList(const T* list, std::uint32_t count, std::string_view of) {
     if (count > kMaxEntries) throw ReaderFault{fmt::format("{} {} are claimed", count, of)};
@@ -80,7 +96,7 @@ glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
 
 /// Unknown roles become `other` and unknown species none, so that newer readers still work.
 VariableInfo checkedVariable(const NephVariable* pointer) {
-    const NephVariable& raw = checkedStruct(pointer, "a variable");
+    const NephVariable raw = completedStruct(pointer, offsetof(NephVariable, reason), "a variable");
     VariableInfo variable;
     variable.name = checkedText(raw.name, "a variable's name");
     if (variable.name.empty()) throw ReaderFault{"a variable has no name"};
@@ -88,6 +104,7 @@ VariableInfo checkedVariable(const NephVariable* pointer) {
     variable.units = checkedText(raw.units, variable.name);
     variable.description = checkedText(raw.description, variable.name);
     variable.size = checkedSize(raw.size, variable.name);
+    variable.reason = checkedText(raw.reason, variable.name);
     if (raw.role >= 0 && raw.role < kVariableRoles) {
         variable.role = static_cast<VariableRole>(raw.role);
     }
@@ -124,10 +141,18 @@ void dropMisfits(DatasetInfo& description) {
 std::vector<TimeInfo> checkedTimes(const NephDescription& raw) {
     std::vector<TimeInfo> times;
     for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
-        const NephTime& time = checkedStruct(pointer, "a time");
+        const NephTime time = completedStruct(pointer, offsetof(NephTime, grid_offset_m), "a time");
+        const glm::dvec2 offset(time.grid_offset_m[0], time.grid_offset_m[1]);
         if (!std::isfinite(time.seconds)) throw ReaderFault{"a time is not a finite number"};
-        times.push_back(
-            {checkedText(time.label, "a time"), time.seconds, {}, static_cast<int>(times.size())});
+        if (!(glm::all(glm::lessThanEqual(glm::abs(offset), glm::dvec2(kMaxExtentM))))) {
+            throw ReaderFault{fmt::format("the grid moved {} x {} m", offset.x, offset.y)};
+        }
+        times.push_back({checkedText(time.label, "a time"),
+                         time.seconds,
+                         {},
+                         static_cast<int>(times.size()),
+                         {},
+                         offset});
     }
     if (times.empty()) throw ReaderFault{"it has no times"};
     return times;
@@ -169,22 +194,6 @@ void addNewer(const NephDescription& raw, DatasetInfo& description) {
     for (const char* part : checkedList(raw.parts, raw.part_count, "parts")) {
         description.parts.emplace_back(checkedText(part, "a part"));
     }
-}
-
-/// The description as this host knows it: what a shorter one lacks is zero.
-NephDescription completed(const NephDescription* pointer) {
-    constexpr std::size_t kFirstForm = offsetof(NephDescription, edges_m);
-    if (pointer == nullptr) throw ReaderFault{"the description is null"};
-    const NephHeader header = pointer->header;
-    if (!servesAbi(header.abi_version) || header.struct_size < kFirstForm) {
-        throw ReaderFault{fmt::format("the description has ABI {} and {} bytes, not {} and {}",
-                                      header.abi_version, header.struct_size, servedAbiText(),
-                                      kFirstForm)};
-    }
-    NephDescription description{};
-    std::memcpy(&description, pointer,
-                std::min<std::size_t>(header.struct_size, sizeof description));
-    return description;
 }
 
 /// The place on the earth, if it can be used; else a note says why not.
@@ -236,7 +245,8 @@ void addDates(const NephDescription& raw, DatasetInfo& description) {
 }  // namespace
 
 DatasetInfo checkedDescription(const NephDescription* pointer) {
-    const NephDescription raw = completed(pointer);
+    const NephDescription raw =
+        completedStruct(pointer, offsetof(NephDescription, edges_m), "the description");
     DatasetInfo description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");

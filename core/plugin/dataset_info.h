@@ -47,7 +47,8 @@ struct VariableInfo {
     std::string description;
     VariableRole role = VariableRole::other;
     std::optional<Species> species;
-    glm::ivec3 size{0};  ///< x, y, z; 1 where the variable lacks the axis
+    glm::ivec3 size{0};       ///< x, y, z; 1 where the variable lacks the axis
+    std::string reason = {};  ///< why the reader gave it its role, one phrase; or empty
     bool operator==(const VariableInfo&) const = default;
 };
 
@@ -60,6 +61,9 @@ struct TimeInfo {
     std::filesystem::path file;  ///< filled in by the series
     int indexInFile = 0;
     std::optional<UtcTime> utc = {};  ///< where the data state a date
+    /// Metres in x and y that a moving grid has gone over the ground since the clock of the files
+    /// was 0; `map` says where it was then.
+    glm::dvec2 gridOffsetM = glm::dvec2(0.0);
     bool operator==(const TimeInfo&) const = default;
 };
 

@@ -20,7 +20,7 @@ extern "C" {
 
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
- * 1: the first. 2: place and date (from projection on). */
+ * 1: the first. 2: place and date (from projection on), the way of a moving grid, and reasons. */
 #define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
@@ -97,6 +97,11 @@ typedef struct NephTime {
     NephHeader header;
     const char* label; /* as the model writes it */
     double seconds;    /* on one clock that all files of a series share; any origin */
+    /* Since version 2; what a smaller struct_size does not cover is as if zero. */
+
+    /* Of a grid that moves over the ground: metres in x and y that its south-west corner has moved
+     * since `seconds` were 0. map_origin_m is where it was then. */
+    double grid_offset_m[2];
 } NephTime;
 
 typedef struct NephVariable {
@@ -110,6 +115,11 @@ typedef struct NephVariable {
     /* x, y, z; 1 where the variable lacks the axis. Heights and density of models with flat levels
      * may be profiles, 1 x 1 x n. */
     int32_t size[3];
+    /* Since version 2; null where a smaller struct_size does not cover it. */
+
+    /* Why it has its role, one phrase: "the name that CM1 gives cloud water". Null or empty: not
+     * stated. */
+    const char* reason;
 } NephVariable;
 
 typedef struct NephAttribute {

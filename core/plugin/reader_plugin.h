@@ -32,6 +32,8 @@ struct Cancelled {};
 struct Time {
     std::string label;     ///< as the model writes it
     double seconds = 0.0;  ///< on one clock that all files of a series share
+    /// Metres in x and y that a moving grid has gone over the ground since `seconds` were 0.
+    std::array<double, 2> gridOffsetM{};
 };
 
 struct Variable {
@@ -42,6 +44,7 @@ struct Variable {
     NephRole role = NEPH_ROLE_OTHER;
     NephSpecies species = NEPH_SPECIES_NONE;
     std::array<int, 3> size{1, 1, 1};  ///< x, y, z; 1 where the variable lacks the axis
+    std::string reason{};              ///< why it has its role, one phrase; or empty
 };
 
 /// Everything that is known without reading a field.
@@ -116,7 +119,10 @@ class Layout {
   public:
     explicit Layout(const Description& from) {
         for (const Time& t : from.times) {
-            times_.push_back({header<NephTime>(), t.label.c_str(), t.seconds});
+            times_.push_back({header<NephTime>(),
+                              t.label.c_str(),
+                              t.seconds,
+                              {t.gridOffsetM[0], t.gridOffsetM[1]}});
         }
         for (const Variable& v : from.variables) {
             variables_.push_back({header<NephVariable>(),
@@ -126,7 +132,8 @@ class Layout {
                                   v.description.c_str(),
                                   v.role,
                                   v.species,
-                                  {v.size[0], v.size[1], v.size[2]}});
+                                  {v.size[0], v.size[1], v.size[2]},
+                                  v.reason.c_str()});
         }
         for (const auto& [name, value] : from.attributes) {
             attributes_.push_back({header<NephAttribute>(), name.c_str(), value.c_str()});

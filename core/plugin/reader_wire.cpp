@@ -113,17 +113,19 @@ void packTimes(Packer& to, const std::vector<TimeInfo>& times) {
     for (const TimeInfo& time : times) {
         to.text(time.label).number(time.seconds);
         to.number(time.utc ? time.utc->time_since_epoch().count() : kNoDate);
+        to.number(time.gridOffsetM);
     }
 }
 
 std::vector<TimeInfo> unpackTimes(Unpacker& from) {
-    std::vector<TimeInfo> times(from.count(3 * sizeof(std::uint64_t)));
+    std::vector<TimeInfo> times(from.count(5 * sizeof(std::uint64_t)));
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i].label = from.text();
         times[i].seconds = from.number<double>();
         times[i].indexInFile = static_cast<int>(i);
         const auto utc = from.number<double>();
         if (!std::isnan(utc)) times[i].utc = UtcTime(UtcTime::duration(utc));
+        times[i].gridOffsetM = from.number<glm::dvec2>();
     }
     return times;
 }
@@ -145,6 +147,7 @@ void packBesidesTimes(Packer& to, const DatasetInfo& info) {
         to.text(v.name).text(v.standardName).text(v.units).text(v.description);
         to.number(static_cast<std::int32_t>(v.role));
         to.number(v.species ? static_cast<std::int32_t>(*v.species) : kNoSpecies).number(v.size);
+        to.text(v.reason);
     }
     to.number(static_cast<std::uint64_t>(info.notes.size()));
     for (const std::string& note : info.notes) to.text(note);
@@ -179,6 +182,7 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
         const int species = unpackChoice(from, kNoSpecies, static_cast<int>(kSpeciesCount));
         if (species != kNoSpecies) v.species = static_cast<Species>(species);
         v.size = from.number<glm::ivec3>();
+        v.reason = from.text();
     }
     info.notes.resize(from.count(sizeof(std::uint64_t)));
     for (std::string& note : info.notes) note = from.text();

@@ -29,7 +29,7 @@ struct Behaviour {
     NephStatus readStatus = NEPH_OK;
 };
 Behaviour behaviour;
-NephTime theTime{{NEPH_READER_ABI_VERSION, sizeof(NephTime)}, "t0", 0.0};
+NephTime theTime{{NEPH_READER_ABI_VERSION, sizeof(NephTime)}, "t0", 0.0, {}};
 NephVariable theVariable{{NEPH_READER_ABI_VERSION, sizeof(NephVariable)},
                          "q",
                          "",
@@ -37,7 +37,8 @@ NephVariable theVariable{{NEPH_READER_ABI_VERSION, sizeof(NephVariable)},
                          "",
                          NEPH_ROLE_MIXING_RATIO,
                          NEPH_SPECIES_CLOUD,
-                         {2, 2, 2}};
+                         {2, 2, 2},
+                         ""};
 std::array<const NephTime*, 1> times{&theTime};
 std::array<const NephVariable*, 2> variables{&theVariable, &theVariable};
 NephFile handle{0};

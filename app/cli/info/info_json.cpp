@@ -144,6 +144,7 @@ Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summarie
                          {"seconds", time.seconds},
                          {"utc", time.utc ? Json(utcText(*time.utc)) : Json(nullptr)},
                          {"sun", sunJson(time, place)},
+                         {"grid_offset_m", {time.gridOffsetM.x, time.gridOffsetM.y}},
                          {"file", time.file.string()},
                          {"index_in_file", time.indexInFile}});
     }
@@ -162,6 +163,7 @@ Json variablesJson(const DatasetInfo& info) {
                   {"description", variable.description},
                   {"role", kRoleIds.at(static_cast<std::size_t>(variable.role))},
                   {"size", {variable.size.x, variable.size.y, variable.size.z}}};
+        if (!variable.reason.empty()) json["reason"] = variable.reason;
         if (variable.species) json["species"] = neph::info(*variable.species).id;
         variables.push_back(std::move(json));
     }
