@@ -69,13 +69,8 @@ bool namelistFlag(std::string_view text, std::string_view key) {
 
 }  // namespace
 
-Cm1Run parseCm1Namelist(std::string_view text) {
+Cm1Run cm1RunOf(int ptype) {
     Cm1Run run;
-    run.terrain = namelistFlag(text, "terrain_flag");
-    run.axisymmetric = namelistNumber(text, "axisymm") == 1.0;
-    const auto number = namelistNumber(text, "ptype");
-    if (!number || std::abs(*number) > 1000.0) return run;
-    const auto ptype = static_cast<int>(*number);
     const auto scheme = std::ranges::find(kSchemes, ptype, &Scheme::number);
     if (scheme == kSchemes.end()) {
         run.scheme = fmt::format("ptype {}", ptype);
@@ -86,6 +81,16 @@ Cm1Run parseCm1Namelist(std::string_view text) {
     for (const std::string_view name : splitWords(scheme->hydrometeors)) {
         run.hydrometeors.emplace_back(name);
     }
+    return run;
+}
+
+Cm1Run parseCm1Namelist(std::string_view text) {
+    const auto number = namelistNumber(text, "ptype");
+    const bool stated = number && std::abs(*number) <= 1000.0;
+    const int ptype = stated ? static_cast<int>(*number) : 0;
+    Cm1Run run = stated ? cm1RunOf(ptype) : Cm1Run{};
+    run.terrain = namelistFlag(text, "terrain_flag");
+    run.axisymmetric = namelistNumber(text, "axisymm") == 1.0;
     // Both per cm³: ndcnst belongs to the Morrison scheme, nt_c to the Thompson scheme.
     const char* key = ptype == 5 ? "ndcnst" : ptype == 3 ? "nt_c" : nullptr;
     const auto droplets = key != nullptr ? namelistNumber(text, key) : std::nullopt;

@@ -18,6 +18,8 @@ struct Cm1Run {
     /// Names of the hydrometeors that the scheme has; none for an unknown scheme.
     std::vector<std::string> hydrometeors;
 };
+/// The scheme with a number, of which a file says no more.
+Cm1Run cm1RunOf(int ptype);
 /// `text` is namelist.input. Entries that are absent or invalid leave their defaults.
 Cm1Run parseCm1Namelist(std::string_view text);
 

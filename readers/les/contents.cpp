@@ -147,7 +147,19 @@ std::optional<std::size_t> Contents::find(NephRole role) const {
     return static_cast<std::size_t>(found - description.variables.begin());
 }
 
+void Contents::settle(plugin::Variable& variable) const {
+    const auto taken = [&] {
+        return std::ranges::find(description.variables, variable.name, &plugin::Variable::name) !=
+               description.variables.end();
+    };
+    while (taken()) variable.name += "_derived";
+    if (variable.role != NEPH_ROLE_OTHER && variable.reason.empty()) {
+        variable.reason = "computed: " + variable.description;
+    }
+}
+
 void Contents::addProfile(plugin::Variable variable, const std::vector<double>& values) {
+    settle(variable);
     variable.size = {1, 1, static_cast<int>(values.size())};
     Source source;
     for (const double value : values) source.profile.push_back(static_cast<float>(value));
@@ -155,6 +167,7 @@ void Contents::addProfile(plugin::Variable variable, const std::vector<double>& 
 }
 
 void Contents::addDerived(plugin::Variable variable, Derived derived) {
+    settle(variable);
     Source source;
     source.derived = std::move(derived);
     add(std::move(variable), std::move(source));
@@ -177,6 +190,7 @@ void Contents::addSum(const std::vector<std::size_t>& parts) {
     sum.name = fmt::format("{}", fmt::join(names, "+"));
     sum.standardName.clear();
     sum.description = "sum of " + joined(names);
+    sum.reason = "computed: " + sum.description;
     sum.size = description.size;
     addDerived(std::move(sum), std::move(derived));
 }

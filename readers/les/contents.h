@@ -62,6 +62,9 @@ struct Contents {
     void completeAir();
 
   private:
+    /// Gives a variable that is computed a name of its own, and its description as the reason for
+    /// its role where none is stated.
+    void settle(neph::plugin::Variable& variable) const;
     void addProfile(neph::plugin::Variable variable, const std::vector<double>& values);
     void addStandard(neph::plugin::Variable variable, double Air::*part);
     void addTemperature();

@@ -125,6 +125,10 @@ constexpr std::array<std::string_view, 8> kNoHydrometeors{"qv",  "qt",   "qsat",
 
 }  // namespace
 
+std::span<const KnownVariable> knownVariables() {
+    return kKnownVariables;
+}
+
 const KnownVariable* findKnown(std::string_view name) {
     const std::string spelling = toLower(name);
     const auto found = std::ranges::find(kKnownVariables, spelling, &KnownVariable::name);

@@ -2,6 +2,7 @@
 // whose output is made into GrADS files.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ struct KnownVariable {
     std::string_view standardName{};
     Use use = Use::none;
 };
+/// The table of all names.
+std::span<const KnownVariable> knownVariables();
+
 /// Null for a name that is not in the table; case is ignored.
 const KnownVariable* findKnown(std::string_view name);
 

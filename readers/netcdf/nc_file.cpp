@@ -94,7 +94,14 @@ NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
                        fmt::format("{} bytes; {}", bytesOnDisk(path), reason),
                        "a whole NetCDF file", hintOfShort(path)};
     };
-    if (containerOf(path) == Container::classic) {
+    const Container container = containerOf(path);
+    if (container == Container::unknown) {
+        throw Failure{"is no NetCDF file",
+                      fmt::format("{} bytes", bytesOnDisk(path)),
+                      "CDF and a version, or the signature of HDF5, at its beginning",
+                      {}};
+    }
+    if (container == Container::classic) {
         layout_ = ClassicLayout::of(path);
         if (!layout_) throw failure("its header is damaged");
     }
@@ -192,6 +199,16 @@ std::optional<std::string> NcFile::text(const char* name) const {
 std::optional<double> NcFile::number(const char* name) const {
     const LibraryLock lock;
     return numberAttribute(id_, NC_GLOBAL, name);
+}
+
+std::optional<std::string> NcFile::text(const NcVariable& variable, const char* name) const {
+    const LibraryLock lock;
+    return textAttribute(id_, variable.id, name);
+}
+
+std::vector<double> NcFile::numbers(const NcVariable& variable, const char* name) const {
+    const LibraryLock lock;
+    return numbersAttribute(id_, variable.id, name);
 }
 
 std::optional<NcFile::Shortage> NcFile::shortage() const {

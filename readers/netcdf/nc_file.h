@@ -68,6 +68,10 @@ class NcFile {
     std::optional<std::string> text(const char* name) const;
     std::optional<double> number(const char* name) const;
 
+    /// The same of a variable; numbers: all of a list, none if absent.
+    std::optional<std::string> text(const NcVariable& variable, const char* name) const;
+    std::vector<double> numbers(const NcVariable& variable, const char* name) const;
+
     /// Fills `values` with a box. Missing values become NaN; packed values are unpacked. Throws
     /// Failure.
     void read(const NcVariable& variable, std::span<const std::size_t> start,

@@ -76,6 +76,7 @@ void GradsRoles::add(const CtlVariable& variable, const std::optional<Meaning>& 
     if (meaning) {
         const KnownVariable& known = *meaning->known;
         entry.role = known.role;
+        entry.reason = "its name and unit";
         entry.species = known.species;
         entry.standardName = known.standardName;
         entry.units = siUnit(known.quantity);
