@@ -105,6 +105,7 @@ void GridFinder::findDimensions() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const nc::NcDimension& dimension = water->variable->axes[*water->layout.axis[axis]];
         grid_.dimension[axis] = dimension.name;
+        grid_.aliases[axis] = model_.axes[axis].cells;
         grid_.stored[axis] = files_.file(water->file).lengthOf(axis, false, dimension.length);
         if (grid_.stored[axis] > kMostCells) {
             throw nc::Failure{fmt::format("dimension {} is too long", dimension.name),
@@ -256,7 +257,9 @@ bool Grid::holds(const Stored& each) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!each.layout.axis[axis]) continue;
         if (each.layout.face[axis]) return false;
-        if (each.variable->axes[*each.layout.axis[axis]].name != dimension[axis]) return false;
+        const nc::NcDimension& own = each.variable->axes[*each.layout.axis[axis]];
+        const bool alias = std::ranges::find(aliases[axis], own.name) != aliases[axis].end();
+        if (own.name != dimension[axis] && !alias) return false;
     }
     return true;
 }

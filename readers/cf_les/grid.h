@@ -10,10 +10,12 @@ namespace cf {
 
 struct Grid {
     std::array<std::string, 3> dimension;  ///< of the cells in x, y, z, as the files name it
-    std::array<std::size_t, 3> stored{};   ///< cells in the files
-    std::array<std::size_t, 3> begin{};    ///< first stored cell of the domain
-    std::array<std::size_t, 3> size{};     ///< cells of the domain
-    std::array<bool, 3> flip{};            ///< stored from east to west, north to south, top down
+    /// The names that the model has for it, as MONC's z and zn.
+    std::array<std::vector<std::string>, 3> aliases;
+    std::array<std::size_t, 3> stored{};  ///< cells in the files
+    std::array<std::size_t, 3> begin{};   ///< first stored cell of the domain
+    std::array<std::size_t, 3> size{};    ///< cells of the domain
+    std::array<bool, 3> flip{};           ///< stored from east to west, north to south, top down
     std::array<double, 2> spacingM{};
     std::array<std::vector<double>, 2> edgesM;  ///< faces, where cells are not even
     std::vector<double> interfacesM;            ///< nominal, increasing

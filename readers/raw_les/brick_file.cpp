@@ -111,6 +111,7 @@ Locate addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVa
                               meaning.role,
                               from.species,
                               contents.description.size};
+    if (from.role != BrickRole::other) variable.reason = "the sidecar states it";
     if (from.role == BrickRole::potentialTemperature) {
         contents.potentialTemperature = contents.sources.size();
     }

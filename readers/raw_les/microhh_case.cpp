@@ -262,6 +262,7 @@ void Case::addFields() {
         if (known != nullptr) {
             variable.units = known->units;
             variable.description = known->description;
+            variable.reason = "its name among MicroHH's files";
         }
         if (hydrometeor) {
             variable.role = known->role;

@@ -15,13 +15,13 @@ using namespace neph;
 
 namespace {
 
-const char* const kModelData = std::getenv("NEPHOSCOPE_MODEL_DATA");
+const char* const kStretchedData = std::getenv("NEPHOSCOPE_MODEL_DATA");
 
 }  // namespace
 
 TEST_CASE("Each mass of the stretched CM1 storm is that of its file" *
-          doctest::skip(kModelData == nullptr)) {
-    const auto dataset = openFiles({std::filesystem::path(kModelData) / "cm1-stretched"});
+          doctest::skip(kStretchedData == nullptr)) {
+    const auto dataset = openFiles({std::filesystem::path(kStretchedData) / "cm1-stretched"});
     REQUIRE(dataset->info().times.size() == 3);
     const std::map<std::string, double> massesKg{{"qc", 1.38437e9},
                                                  {"qr", 1.72129e9},

@@ -1,0 +1,211 @@
+// cf_les_files_test.cpp: data sets of several files, maps for unknown files, and what is refused.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "tests/readers/les_maker.h"
+#include "tests/readers/reader_host.h"
+#include "tests/temporary_folder.h"
+
+using namespace neph;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes a sample of DALES as 2 x 1 tiles of 2 x 3 columns.
+void writeTiles(const fs::path& folder) {
+    for (const std::size_t tile : {0U, 1U}) {
+        LesFile file = dalesSample();
+        file.resize("xt", 2);
+        file.variable("xt").value = [tile](std::span<const std::size_t> at) {
+            return kSampleXM[2 * tile + at[0]];
+        };
+        file.variable("ql").value = [tile](std::span<const std::size_t> at) {
+            return numbered(at[0], at[1], at[2], 2 * tile + at[3]);
+        };
+        file.drop("qr");
+        file.drop("qt");
+        writeLes(folder / ("fielddump.00" + std::to_string(tile) + ".000.001.nc"), file);
+    }
+}
+
+/// A file with names that no model has.
+LesFile unknownFile() {
+    LesFile file;
+    file.dimensions = {{"n", 1}, {"lev", 5}, {"row", 3}, {"col", 4}};
+    file.variables = {along("col", {0.05, 0.15, 0.25, 0.35}, ""), along("row", {0.1, 0.3, 0.5}, ""),
+                      along("lev", {0.02, 0.07, 0.14, 0.23, 0.34}, ""),
+                      field("WATER", {"n", "lev", "row", "col"}, "",
+                            [](std::span<const std::size_t> at) {
+                                return 1e3 * numbered(0, at[1], at[2], at[3]);
+                            }),
+                      field("DENS", {"lev"}, "kg/m3", constant(1.1))};
+    return file;
+}
+
+const std::string kMap = R"({"type": "nephoscope-map", "version": 1, "model": "my LES",
+  "axes": {"x": "col", "y": "row", "z": {"dimension": "lev"}}, "length_unit": "km",
+  "variables": [{"name": "WATER", "role": "mixing_ratio", "species": "cloud", "unit": "g/kg"},
+                {"name": "DENS", "role": "dry_air_density"}]})";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("Tiles of DALES make one domain, whichever of them is opened") {
+    const TemporaryFolder folder;
+    writeTiles(folder.path());
+    for (const char* name : {"fielddump.000.000.001.nc", "fielddump.001.000.001.nc"}) {
+        const auto dataset = openFiles({folder / name});
+        CHECK(dataset->info().size == glm::ivec3(4, 3, 5));
+        const VariableInfo* cloud = dataset->info().find(VariableRole::mixingRatio, Species::cloud);
+        REQUIRE(cloud != nullptr);
+        const Array3f q = dataset->read(cloud->name, 0);
+        for (int x = 0; x < 4; ++x) {
+            const double right = numbered(0, 3, 2, static_cast<std::size_t>(x));
+            CHECK(static_cast<double>(q.at(x, 2, 3)) ==
+                  doctest::Approx(right / (1.0 - right)).epsilon(1e-6));
+        }
+    }
+    const auto whole = openFiles({folder.path()});
+    CHECK(whole->info().times.size() == 1);
+    CHECK(whole->info().size == glm::ivec3(4, 3, 5));
+}
+
+TEST_CASE("Tiles with a gap are refused, as is one tile of CM1 without the others") {
+    const TemporaryFolder folder;
+    writeTiles(folder.path());
+    LesFile third = dalesSample();
+    third.resize("xt", 2);
+    third.variable("yt").value = [](std::span<const std::size_t> at) {
+        return 700.0 + 200.0 * static_cast<double>(at[0]);
+    };
+    writeLes(folder / "fielddump.000.001.001.nc", third);
+    CHECK(contains(openError(folder / "fielddump.000.000.001.nc").what, "do not make a domain"));
+    LesFile cm1 = cm1Sample();
+    cm1.numbers["nx"] = 8;
+    writeLes(folder / "cm1out_000000_000001.nc", cm1);
+    const ErrorParts error = openError(folder / "cm1out_000000_000001.nc");
+    CHECK(contains(error.what, "part of its domain"));
+    CHECK(contains(error.found, "4 x 3"));
+    CHECK(contains(error.hint, "output_filetype"));
+}
+
+TEST_CASE("MicroHH's files of one variable each belong together") {
+    const TemporaryFolder folder;
+    writeLes(folder / "ql.nc", microhhSample("ql"));
+    writeLes(folder / "qr.nc", microhhSample("qr"));
+    LesFile later = microhhSample("qi");
+    later.variable("time").value = constant(1200.0);
+    writeLes(folder / "qi.nc", later);
+    const auto dataset = openFiles({folder / "qr.nc"});
+    const DatasetInfo& info = dataset->info();
+    CHECK(info.model == "MicroHH");
+    CHECK(info.find(VariableRole::mixingRatio, Species::cloud) != nullptr);
+    CHECK(info.find(VariableRole::mixingRatio, Species::rain) != nullptr);
+    CHECK(info.find(VariableRole::mixingRatio, Species::ice) == nullptr);
+    CHECK(hasNote(info, "qi.nc is not used: it has other times"));
+    CHECK(info.times[0].label == "600 s");
+    CHECK(info.parts.size() == 1);
+}
+
+TEST_CASE("A map beside a file says what its variables are") {
+    const TemporaryFolder folder;
+    writeLes(folder / "out.nc", unknownFile());
+    CHECK(contains(openError(folder / "out.nc").hint, "nephoscope-map"));
+    for (const char* name : {"out.nc.map.json", "out.map.json", "nephoscope-map.json"}) {
+        std::ofstream(folder / name) << kMap;
+        const auto dataset = openFiles({folder / "out.nc"});
+        const DatasetInfo& info = dataset->info();
+        CHECK(info.model == "my LES");
+        CHECK(info.spacingM == glm::dvec2(100.0, 200.0));
+        const Array3f q = dataset->read("WATER", 0);
+        CHECK(static_cast<double>(q.at(3, 2, 4)) == doctest::Approx(numbered(0, 4, 2, 3)));
+        CHECK(info.find("DENS")->role == VariableRole::dryAirDensity);
+        CHECK(hasNote(info, name));
+        fs::remove(folder / name);
+    }
+}
+
+TEST_CASE("A map with a fault is refused with the key") {
+    const TemporaryFolder folder;
+    writeLes(folder / "out.nc", unknownFile());
+    const std::map<std::pair<std::string, std::string>, std::string> faults{
+        {{"\"version\": 1", "\"version\": 2"}, "another version"},
+        {{"\"length_unit\"", "\"length\""}, "length is no key"},
+        {{"mixing_ratio", "mixing"}, "variables[0].role is no role"},
+        {{", \"species\": \"cloud\"", ""}, "variables[0].species is missing"},
+        {{"\"cloud\"", "\"fog\""}, "variables[0].species is not known"},
+        {{"g/kg", "parsec"}, "variables[0].unit is no unit"},
+        {{"\"name\": \"DENS\"", "\"name\": \"WATER\""}, "there twice"},
+        {{"{\"dimension\": \"lev\"}", "{\"faces\": \"lev\"}"}, "axes.z.dimension is missing"},
+        {{"\"variables\": [", "\"variables\": [3, "}, "variables[0] is not an object"},
+        {{"{\"type\"", "{{\"type\""}, "is not JSON"}};
+    for (const auto& fault : faults) {
+        CAPTURE(fault.second);
+        std::ofstream(folder / "out.map.json")
+            << replaced(kMap, fault.first.first, fault.first.second);
+        const ErrorParts error = openError(folder / "out.nc");
+        CHECK(contains(error.what, fault.second));
+        CHECK(contains(error.where, "out.map.json"));
+    }
+}
+
+TEST_CASE("What cannot be read of a model is refused with the reason") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const LesFile& file) {
+        writeLes(folder / "a.nc", file);
+        return openError(folder / "a.nc");
+    };
+    LesFile noWater = cm1Sample();
+    noWater.drop("qc");
+    noWater.drop("qg");
+    CHECK(contains(refused(noWater).what, "without hydrometeors"));
+    LesFile otherUnit = cm1Sample();
+    otherUnit.variable("qc").units = "m";
+    CHECK(contains(refused(otherUnit).what, "the unit of variable qc"));
+    LesFile degrees = cfSample();
+    degrees.variable("east").units = "degrees_east";
+    CHECK(contains(refused(degrees).what, "coordinate east is no length"));
+    LesFile noHeights = moncSample();
+    noHeights.drop("z");
+    noHeights.drop("zn");
+    CHECK(contains(refused(noHeights).what, "how high its levels are"));
+    LesFile noWidths = moncSample();
+    noWidths.drop("options_database");
+    CHECK(contains(refused(noWidths).what, "where its cells lie in x"));
+    LesFile noTimes = cm1Sample();
+    noTimes.drop("time");
+    CHECK(contains(refused(noTimes).what, "does not state its times"));
+}
+
+TEST_CASE("The CM1 supercell's maxima are those of its own description" *
+          doctest::skip(std::getenv("NEPHOSCOPE_MODEL_DATA") == nullptr)) {
+    // shared/data/README.md, and numpy on the file: rounding leaves a unit in the third digit.
+    const fs::path folder = fs::path(std::getenv("NEPHOSCOPE_MODEL_DATA")) / "cm1-supercell";
+    const auto dataset = openFiles({folder});
+    REQUIRE(dataset->info().times.size() == 3);
+    const std::map<std::string, std::array<double, 3>> gramsPerKg{{"qc", {5.96, 7.52, 7.63}},
+                                                                  {"qr", {7.79, 8.38, 8.56}},
+                                                                  {"qi", {1.62, 1.92, 2.04}},
+                                                                  {"qs", {1.41, 1.17, 1.99}},
+                                                                  {"qg", {12.83, 12.80, 13.29}}};
+    for (const auto& each : gramsPerKg) {
+        CAPTURE(each.first);
+        for (int time = 0; time < 3; ++time) {
+            float most = 0.0f;
+            for (const float q : dataset->read(each.first, time).values) most = std::max(most, q);
+            CHECK(1e3 * static_cast<double>(most) ==
+                  doctest::Approx(each.second[static_cast<std::size_t>(time)]).epsilon(2e-3));
+        }
+    }
+    CHECK(dataset->info().times[2].gridOffsetM == glm::dvec2(90'000.0, 21'600.0));
+    CHECK(dataset->info().find(VariableRole::mixingRatio, Species::hail)->name == "qg");
+}
