@@ -45,9 +45,9 @@ const Model* rowOf(const nc::NcFile& file) {
 /// Builds the description of one data set.
 class Describer {
   public:
-    Describer(const std::string& path, Model model, std::string mapPath)
-        : path_(path), model_(std::move(model)), mapPath_(std::move(mapPath)) {}
-    std::unique_ptr<plugin::File> open();
+    Describer(Model model, std::string mapPath)
+        : model_(std::move(model)), mapPath_(std::move(mapPath)) {}
+    std::unique_ptr<plugin::File> open(std::unique_ptr<nc::NcFile> opened);
 
   private:
     void readRun(const nc::NcFile& file);
@@ -58,7 +58,7 @@ class Describer {
     void describeGrid(const Grid& grid);
     void noteLacking();
 
-    std::string path_;
+    std::string path_{};
     Model model_;
     std::string mapPath_;
     les::Cm1Run run_;
@@ -198,8 +198,10 @@ void Describer::noteLacking() {
                     run_.scheme, les::joined(lacking)));
 }
 
-std::unique_ptr<plugin::File> Describer::open() {
-    auto data = std::make_shared<DataSet>(DataSet{model_, FileSet(path_, model_), {}, {}});
+std::unique_ptr<plugin::File> Describer::open(std::unique_ptr<nc::NcFile> opened) {
+    path_ = opened->path();
+    auto data =
+        std::make_shared<DataSet>(DataSet{model_, FileSet(std::move(opened), model_), {}, {}});
     const nc::NcFile& file = data->files.main();
     readRun(file);
     plugin::Description& d = contents_.description;
@@ -222,8 +224,8 @@ std::unique_ptr<plugin::File> Describer::open() {
     if (!mapPath_.empty()) d.parts.push_back(mapPath_);
     addVariables(data, run_.hail, contents_);
     noteLacking();
-    auto opened = les::makeFile(std::move(contents_));
-    return run_.axisymmetric ? les::revolved(std::move(opened)) : std::move(opened);
+    auto described = les::makeFile(std::move(contents_));
+    return run_.axisymmetric ? les::revolved(std::move(described)) : std::move(described);
 }
 
 }  // namespace
@@ -240,14 +242,11 @@ int scoreOf(const std::string& path) {
 }
 
 std::unique_ptr<plugin::File> openFile(const std::string& path) {
+    auto file = std::make_unique<nc::NcFile>(path);
     if (const auto map = mapBeside(path)) {
-        return Describer(path, readMap(*map), *map).open();
+        return Describer(readMap(*map), *map).open(std::move(file));
     }
-    const Model* row = nullptr;
-    {
-        const nc::NcFile file(path);
-        row = rowOf(file);
-    }
+    const Model* row = rowOf(*file);
     if (row == nullptr) {
         throw nc::Failure{"is NetCDF of no model that is known",
                           {},
@@ -255,7 +254,7 @@ std::unique_ptr<plugin::File> openFile(const std::string& path) {
                           "standard names of CF",
                           "say what its variables are in a nephoscope-map: docs/readers.md"};
     }
-    return Describer(path, *row, "").open();
+    return Describer(*row, "").open(std::move(file));
 }
 
 }  // namespace cf

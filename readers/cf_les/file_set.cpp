@@ -54,11 +54,11 @@ std::vector<std::string> companionsOf(const nc::NcFile& file, const Model& model
 
 }  // namespace
 
-FileSet::FileSet(const std::string& path, const Model& model) : path_(path) {
-    files_.push_back(std::make_unique<TiledFile>(path, model));
+FileSet::FileSet(std::unique_ptr<nc::NcFile> file, const Model& model) : path_(file->path()) {
+    files_.push_back(std::make_unique<TiledFile>(std::move(file), model));
     for (const std::string& other : companionsOf(files_.front()->first(), model)) {
         if (nc::containerOf(other) == nc::Container::unknown) continue;
-        files_.push_back(std::make_unique<TiledFile>(other, model));
+        files_.push_back(std::make_unique<TiledFile>(std::make_unique<nc::NcFile>(other), model));
     }
     for (std::size_t i = 0; i < files_.size(); ++i) addVariables(i, model);
 }

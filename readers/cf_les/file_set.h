@@ -20,9 +20,9 @@ struct Stored {
 
 class FileSet {
   public:
-    /// Opens `path`, and the files beside it whose names differ in nothing but the variable: ql.nc,
-    /// qr.nc. Throws Failure.
-    FileSet(const std::string& path, const Model& model);
+    /// Opens the files beside `file` whose names differ in nothing but the variable: ql.nc, qr.nc.
+    /// Throws Failure.
+    FileSet(std::unique_ptr<nc::NcFile> file, const Model& model);
 
     const nc::NcFile& main() const { return files_.front()->first(); }
     const TiledFile& file(std::size_t index) const { return *files_[index]; }

@@ -57,10 +57,11 @@ std::vector<double> positionsOf(const nc::NcFile& file, const Model& model, std:
 
 }  // namespace
 
-TiledFile::TiledFile(const std::string& path, const Model& model) {
+TiledFile::TiledFile(std::unique_ptr<nc::NcFile> file, const Model& model) {
+    const std::string path = file->path();
     for (const std::string& each : tilesOf(path, model.tiles)) {
         Tile tile;
-        tile.file = std::make_unique<nc::NcFile>(each);
+        tile.file = each == path ? std::move(file) : std::make_unique<nc::NcFile>(each);
         tiles_.push_back(std::move(tile));
     }
     if (tiles_.size() > 1) join(model);

@@ -16,9 +16,8 @@ namespace cf {
 
 class TiledFile {
   public:
-    /// Opens a file, and the tiles beside it if it is one. Throws Failure, also where tiles are
-    /// missing.
-    TiledFile(const std::string& path, const Model& model);
+    /// Opens the tiles beside a file if it is one. Throws Failure, also where tiles are missing.
+    TiledFile(std::unique_ptr<nc::NcFile> file, const Model& model);
 
     /// All tiles have the same variables and times.
     const nc::NcFile& first() const { return *tiles_.front().file; }
