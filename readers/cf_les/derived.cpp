@@ -190,8 +190,8 @@ struct Part {
     double (*share)(double kelvin);
 };
 
-// Khairoutdinov and Randall (2003), table A1: T00n, T0n of cloud; T00p, T0p of precipitation; T00g,
-// T0g of graupel among the ice of precipitation.
+// [Khairoutdinov03], and tbgmin … tgrmax of SAM's micro_params: limits of cloud, of precipitation,
+// and of graupel among the ice of precipitation.
 double cloudShare(double kelvin) {
     return warmShare(kelvin, 253.16, 273.16);
 }

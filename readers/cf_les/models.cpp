@@ -1,10 +1,9 @@
 // models.cpp: the table of models. docs/readers.md shows it and says what was checked.
 //
-// Sources: CM1 r21.1 (writeout_nc.F, param.F, constants.F); SAM 6.10 (SRC/write_fields3D.f90,
-// MICRO_SAM1MOM, consts in params.f90); DALES 4.4 (modfielddump.f90, modglobal.f90); PALM 6.0
-// (netcdf_interface_mod.f90, basic_constants_and_equations_mod.f90); MONC (science_constants.F90,
-// diagnostic files); UCLALES and UCLALES-SALSA (ncio.f90, defs.f90); MicroHH 2
-// (python/3d_to_nc.py, constants.h); Meso-NH 5.5 (ini_cst.f90, its NetCDF output).
+// Names, units and axes are those of the models' output routines: CM1 (writeout_nc.F, param.F,
+// constants.F of r21.1), SAM (write_fields3D, micro_params, params), DALES (modfielddump,
+// modglobal), UCLALES (ncio), MicroHH (3d_to_nc.py, constants.h), Meso-NH (its list of fields); of
+// PALM and MONC those that programs rely on which read their files.
 #include "readers/cf_les/models.h"
 
 #include "readers/les/names.h"
