@@ -57,7 +57,7 @@ int explain(const std::vector<std::string>& files, const PluginHost& host) {
 
 int runReaders(const ReadersRequest& request) {
     const std::vector<std::string>& named = request.readers;
-    const PluginHost host = PluginHost::standard(named);
+    const PluginHost host = PluginHost::standard(named, request.map);
     if (!request.explain.empty()) return explain(request.explain, host);
     for (const auto& reader : host.readers()) {
         fmt::print("{} {}: {}\n  library     {}\n  ABI         {}\n  extensions  {}\n", reader->id,

@@ -9,6 +9,7 @@ namespace neph {
 struct ReadersRequest {
     std::vector<std::string> readers;  ///< libraries or folders, before those found
     std::vector<std::string> explain;  ///< files of one series; none: the list
+    std::string map;                   ///< of the variables of an unknown file; or empty
 };
 
 /// Prints the list, or the explanation; returns the exit code: 0, or 1 when no reader was found.

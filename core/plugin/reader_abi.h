@@ -216,6 +216,12 @@ typedef struct NephReader {
     const NephDescription* (*describe)(NephFile* file);
     NephStatus (*read)(NephFile* file, NephReadRequest* request, NephError* error);
     void (*close)(NephFile* file);
+    /* Since version 2; null where a smaller struct_size does not cover it. */
+
+    /* As open, with a file named by the user that says what the variables of `path` are; the score
+     * does not count then. Null: the reader takes no such file. */
+    NephStatus (*open_with_map)(const char* path, const char* map, NephFile** file,
+                                NephError* error);
 } NephReader;
 
 /* The one exported symbol. The host asks with its own version first, then with each older one that

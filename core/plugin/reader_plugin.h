@@ -99,6 +99,8 @@ struct Reader {
     /// can be read. An exception counts as 0.
     int (*score)(const char* path);
     std::unique_ptr<File> (*open)(const char* path);
+    /// The same with a file that says what the variables are; null if the reader takes none.
+    std::unique_ptr<File> (*openWithMap)(const char* path, const char* map) = nullptr;
 };
 
 /// Use as Reader::open if the constructor of T takes the path.
@@ -285,6 +287,12 @@ struct Calls {
         return guarded(error,
                        [&] { *file = std::make_unique<NephFile>(kReader.open(path)).release(); });
     }
+    static NephStatus openWithMap(const char* path, const char* map, NephFile** file,
+                                  NephError* error) {
+        return guarded(error, [&] {
+            *file = std::make_unique<NephFile>(kReader.openWithMap(path, map)).release();
+        });
+    }
     static const NephDescription* describe(NephFile* file) { return file->layout.get(); }
     static NephStatus read(NephFile* file, NephReadRequest* request, NephError* error) {
         return guarded(error, [&] {
@@ -305,7 +313,8 @@ struct Calls {
                                        &open,
                                        &describe,
                                        &read,
-                                       &close};
+                                       &close,
+                                       kReader.openWithMap == nullptr ? nullptr : &openWithMap};
         return hostAbiVersion >= NEPH_READER_ABI_VERSION ? &reader : nullptr;
     }
 };

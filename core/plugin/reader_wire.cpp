@@ -82,7 +82,7 @@ void Unpacker::end() const {
 
 void pack(Packer& to, const Identity& identity) {
     to.text(identity.id).text(identity.version).text(identity.title).text(identity.extensions);
-    to.number(identity.abiVersion);
+    to.number(identity.abiVersion).number(std::uint32_t{identity.takesMap ? 1U : 0U});
 }
 
 Identity unpackIdentity(Unpacker& from) {
@@ -92,6 +92,7 @@ Identity unpackIdentity(Unpacker& from) {
         *part = from.text();
     }
     identity.abiVersion = from.number<std::uint32_t>();
+    identity.takesMap = from.number<std::uint32_t>() != 0;
     return identity;
 }
 

@@ -241,11 +241,10 @@ int scoreOf(const std::string& path) {
     return row == &models().back() ? kPlain : kModel;
 }
 
-std::unique_ptr<plugin::File> openFile(const std::string& path) {
+std::unique_ptr<plugin::File> openFile(const std::string& path, const std::string& map) {
     auto file = std::make_unique<nc::NcFile>(path);
-    if (const auto map = mapBeside(path)) {
-        return Describer(readMap(*map), *map).open(std::move(file));
-    }
+    const std::string chosen = map.empty() ? mapBeside(path).value_or("") : map;
+    if (!chosen.empty()) return Describer(readMap(chosen), chosen).open(std::move(file));
     const Model* row = rowOf(*file);
     if (row == nullptr) {
         throw nc::Failure{"is NetCDF of no model that is known",

@@ -12,7 +12,8 @@ namespace cf {
 /// gives the reason; 0 otherwise.
 int scoreOf(const std::string& path);
 
-/// Opens a path that scoreOf accepts. Throws Failure.
-std::unique_ptr<neph::plugin::File> openFile(const std::string& path);
+/// Opens a NetCDF file with a map: the one named, else the one beside the file; else as its row in
+/// the table says. Throws Failure.
+std::unique_ptr<neph::plugin::File> openFile(const std::string& path, const std::string& map);
 
 }  // namespace cf

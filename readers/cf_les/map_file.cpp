@@ -200,6 +200,7 @@ Model parseMap(std::string_view text) {
     Model model;
     model.title = members.text("model").value_or("mapped");
     model.marks = {{}};
+    model.reason = "the map states it";
     if (const Json* axes = members.find("axes")) {
         Members names(*axes, "axes");
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -74,6 +74,7 @@ struct Tiles {
 
 struct Model {
     std::string title;
+    std::string reason{};              ///< for the roles of names; empty: the model writes them
     std::vector<Mark> marks;           ///< one of them
     std::array<AxisNames, 3> axes;     ///< x, y, z
     std::vector<Name> names;           ///< in the order of preference

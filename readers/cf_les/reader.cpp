@@ -11,7 +11,11 @@ int score(const char* path) {
 }
 
 std::unique_ptr<plugin::File> open(const char* path) {
-    return cf::openFile(path);
+    return cf::openFile(path, "");
+}
+
+std::unique_ptr<plugin::File> openWithMap(const char* path, const char* map) {
+    return cf::openFile(path, map);
 }
 
 constexpr plugin::Reader kReader{
@@ -20,7 +24,8 @@ constexpr plugin::Reader kReader{
     "NetCDF of LES models (CM1, SAM, DALES, PALM, MONC, UCLALES, MicroHH, Meso-NH) and CF",
     "nc",
     &score,
-    &open};
+    &open,
+    &openWithMap};
 
 }  // namespace
 

@@ -154,8 +154,10 @@ void VariableAdder::setRole(const Stored& stored, plugin::Variable& variable) {
     if (variable.species == NEPH_SPECIES_GRAUPEL && hail_) variable.species = NEPH_SPECIES_HAIL;
     const bool standard = name.name.empty();
     variable.reason = standard ? "its standard name is " + name.standardName
-                               : fmt::format("{} writes {} under this name", data_->model.title,
-                                             meaningText(name.meaning, variable.species));
+                      : !data_->model.reason.empty()
+                          ? data_->model.reason
+                          : fmt::format("{} writes {} under this name", data_->model.title,
+                                        meaningText(name.meaning, variable.species));
     if (!name.standardName.empty()) variable.standardName = name.standardName;
     const bool moist = name.perMoistAir || (!standard && data_->model.perMoistAir);
     if (moist) meanings_.perMoistAir.insert(index);

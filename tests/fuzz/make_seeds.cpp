@@ -239,7 +239,8 @@ void seedMessages() {
     neph::wire::Packer common, cache;
     neph::wire::packBesidesTimes(common, description());
     cache.number(std::uint64_t{1}).text(common.take()).number(std::uint64_t{1}).text("wrfout");
-    cache.number(std::uint64_t{60}).number(std::int64_t{7}).number(std::uint64_t{0});
+    cache.number(std::uint64_t{60}).number(std::int64_t{7});
+    cache.number(std::uint64_t{0}).number(std::int64_t{0}).number(std::uint64_t{0});
     cache.number(std::uint64_t{1}).text("a minute").number(60.0).number(3600.0);
     cache.number(1.0).number(2.0);
     seed("header_cache", "one", cache.take());

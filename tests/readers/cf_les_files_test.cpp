@@ -134,6 +134,39 @@ TEST_CASE("A map beside a file says what its variables are") {
     }
 }
 
+TEST_CASE("A map that the user names goes before what a file is by itself, wherever it lies") {
+    const TemporaryFolder folder;
+    LesFile file = cm1Sample();
+    file.variables.push_back(field("fog", file.variable("qc").axes, "kg/kg", constant(3e-4)));
+    writeLes(folder / "a.nc", file);
+    fs::create_directories(folder / "maps");
+    std::ofstream(folder / "maps/m.json") << R"({"type": "nephoscope-map", "version": 1,
+        "axes": {"x": "xh", "y": "yh", "z": "zh"}, "length_unit": "km",
+        "variables": [{"name": "fog", "role": "mixing_ratio", "species": "cloud"}]})";
+    const std::vector<fs::path> readers{NEPH_TEST_READER_DIR};
+    const PluginHost host(readers, {}, folder / "maps/m.json");
+    const std::vector<fs::path> files{folder / "a.nc"};
+    const auto dataset = Dataset::open(files, host);
+    CHECK(dataset->info().find(VariableRole::mixingRatio, Species::cloud)->name == "fog");
+    CHECK(dataset->read("fog", 0).values.front() == doctest::Approx(3e-4f));
+    CHECK(dataset->info().find("qc")->role == VariableRole::other);
+    CHECK(contains(errorOf([] { PluginHost::standard({}, "nowhere.json"); }).what, "no such map"));
+    // Without it the file is what it is by itself: the description was not remembered.
+    const auto plain = openFiles({folder / "a.nc"});
+    CHECK(plain->info().find(VariableRole::mixingRatio, Species::cloud)->name == "qc");
+}
+
+TEST_CASE("An edited map is read again by a program that remembers the file") {
+    const TemporaryFolder folder;
+    const TemporaryFolder cache;
+    writeLes(folder / "out.nc", unknownFile());
+    const std::vector<fs::path> files{folder / "out.nc"};
+    std::ofstream(folder / "out.map.json") << kMap;
+    CHECK(Dataset::open(files, readerHost(), cache.path(), {})->info().model == "my LES");
+    std::ofstream(folder / "out.map.json") << replaced(kMap, "my LES", "another");
+    CHECK(Dataset::open(files, readerHost(), cache.path(), {})->info().model == "another");
+}
+
 TEST_CASE("A map with a fault is refused with the key") {
     const TemporaryFolder folder;
     writeLes(folder / "out.nc", unknownFile());

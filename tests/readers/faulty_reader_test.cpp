@@ -68,7 +68,8 @@ const NephReader faultyReader{{NEPH_READER_ABI_VERSION, sizeof(NephReader)},
                               &openFaulty,
                               &describeFaulty,
                               &readFaulty,
-                              [](NephFile*) {}};
+                              [](NephFile*) {},
+                              nullptr};
 
 PluginFile open() {
     return {faultyReader, "faulty", "some.file"};
