@@ -48,7 +48,7 @@ std::vector<std::string> companionsOf(const nc::NcFile& file, const Model& model
         break;
     }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

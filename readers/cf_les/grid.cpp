@@ -42,8 +42,7 @@ double rounded(double stepM) {
 /// where one is missing; none if they do not fit.
 std::vector<double> facesAround(const std::vector<double>& centres, std::vector<double> faces) {
     std::ranges::sort(faces);
-    const auto last = std::ranges::unique(faces);
-    faces.erase(last.begin(), last.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     std::vector<double> around;
     for (std::size_t i = 0; i < centres.size(); ++i) {
         const double centre = centres[i];
