@@ -259,7 +259,8 @@ Model microhh() {
                       wind("w", kUp)},
             .times = {"time"},
             .perMoistAir = true,
-            .gas = {287.04, 461.5, 1005.0, 1e5}};
+            .gas = {287.04, 461.5, 1005.0, 1e5},
+            .microhhAir = true};
 }
 
 Model mesoNh() {

@@ -87,6 +87,7 @@ struct Model {
     les::GasConstants gas{};           ///< the model's own
     double latentHeatJPerKg = 2.5e6;   ///< of vaporisation, the model's own
     Tiles tiles{};
+    bool microhhAir = false;        ///< MicroHH's files of its reference air lie beside
     bool liquidBelow273 = false;    ///< cloudCondensate and precipitation as SAM divides them
     bool terrainFollowing = false;  ///< the ground lifts the levels, as with CM1
 };

@@ -5,9 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "readers/cf_les/derived.h"
+#include "readers/les/microhh_air.h"
 #include "readers/les/names.h"
+#include "readers/les/numbers.h"
 #include "readers/les/terrain.h"
 #include "readers/les/text.h"
 #include "readers/les/twins.h"
@@ -83,6 +86,7 @@ class VariableAdder {
 
   private:
     void addStored(const Stored& stored);
+    void addReferenceAir();
     /// Nothing for a variable that does not lie on the columns of the grid.
     std::optional<std::array<int, 3>> sizeOf(const Stored& stored) const;
     /// The conversion to SI of a known variable; nothing if its unit is of another kind.
@@ -254,6 +258,43 @@ void VariableAdder::addStored(const Stored& stored) {
     contents_.add(std::move(variable), std::move(source));
 }
 
+/// MicroHH's reference air, from the files of the case where 3d_to_nc.py was run. A file of n
+/// levels has 2n + 1 densities, floats or doubles.
+void VariableAdder::addReferenceAir() {
+    if (!data_->model.microhhAir || meanings_.find(Meaning::referenceDensity)) return;
+    const std::string folder =
+        std::filesystem::path(data_->files.main().path()).parent_path().string();
+    const std::string path = (std::filesystem::path(folder) / "rhoref.0000000").string();
+    const auto bytes = les::fileSize(path);
+    const std::size_t levels = data_->grid.size[2];
+    if (!bytes || *bytes % 4 != 0) return;
+    const std::size_t each = *bytes / 4 % 2 == 1 ? sizeof(float) : sizeof(double);
+    if (*bytes != each * (2 * levels + 1)) return;
+    const auto isAir = [](double density) {
+        return density >= NEPH_LEAST_DENSITY_KG_PER_M3 && density <= NEPH_MOST_DENSITY_KG_PER_M3;
+    };
+    for (const bool swapped : {false, true}) {
+        const les::MicrohhAir air = les::readMicrohhAir(folder, each, swapped, levels);
+        if (!std::ranges::all_of(air.densityKgPerM3, isAir)) continue;
+        const auto add = [&](plugin::Variable variable, const std::vector<double>& values) {
+            if (values.empty()) return;
+            les::Source source;
+            source.profile.assign(values.begin(), values.end());
+            variable.size = {1, 1, static_cast<int>(values.size())};
+            variable.reason = "MicroHH's files of its reference air beside the data";
+            contents_.add(std::move(variable), std::move(source));
+        };
+        meanings_.known.emplace(Meaning::referenceDensity, contents_.sources.size());
+        add({"rhoref", "", "kg m-3", "reference density of moist air"}, air.densityKgPerM3);
+        add({"pref", "air_pressure", "Pa", "reference pressure", NEPH_ROLE_AIR_PRESSURE},
+            air.pressurePa);
+        add({"tref", "air_temperature", "K", "reference temperature", NEPH_ROLE_AIR_TEMPERATURE},
+            air.temperatureK);
+        contents_.description.parts.push_back(path);
+        return;
+    }
+}
+
 void VariableAdder::note(const std::vector<std::string>& names, std::string_view text) {
     if (names.empty()) return;
     contents_.description.notes.push_back(
@@ -281,6 +322,7 @@ void VariableAdder::add() {
     contents_.interfacesM = data_->grid.interfacesM;
     contents_.gas = data_->model.gas;
     for (const Stored& stored : data_->files.variables()) addStored(stored);
+    addReferenceAir();
     deriveAir(data_->model, meanings_, contents_);
     deriveWater(data_->model, meanings_, contents_);
     note(les::settleTwins(contents_),

@@ -10,9 +10,10 @@
 #include <set>
 
 #include "readers/les/levels.h"
+#include "readers/les/microhh_air.h"
 #include "readers/raw_les/ini.h"
-#include "readers/raw_les/microhh_air.h"
 #include "readers/raw_les/microhh_names.h"
+#include "readers/raw_les/raw_values.h"
 
 namespace les {
 namespace {
@@ -319,7 +320,7 @@ void Case::addAir() {
         variable.size = {1, 1, static_cast<int>(values.size())};
         contents_.add(std::move(variable), std::move(source));
     };
-    const MicrohhAir air = readMicrohhAir(folder_.string(), type_, swapped_, size_[2]);
+    const MicrohhAir air = readMicrohhAir(folder_.string(), bytesOf(type_), swapped_, size_[2]);
     add({"rhoref", "", "kg m-3", "reference density of moist air", NEPH_ROLE_DRY_AIR_DENSITY},
         air.densityKgPerM3);
     add({"pref", "air_pressure", "Pa", "reference pressure", NEPH_ROLE_AIR_PRESSURE},

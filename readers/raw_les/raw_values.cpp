@@ -220,12 +220,6 @@ Source storedAt(Locate locate) {
     return source;
 }
 
-std::optional<std::uint64_t> fileSize(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
-    return static_cast<std::uint64_t>(status.st_size);
-}
-
 bool changedLately(const std::string& path) {
     constexpr std::time_t kSeconds = 120;
     struct stat status {};
@@ -249,19 +243,7 @@ std::string folderOf(const std::string& path) {
 
 std::vector<double> readNumbers(const std::string& path, NumberType type, bool swapped,
                                 std::size_t count) {
-    const InputFile file(path);
-    RawField field;
-    field.type = type;
-    std::vector<std::byte> bytes(count * bytesOf(type));
-    file.readAt(0, bytes);
-    std::vector<double> numbers(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::byte* from = bytes.data() + i * bytesOf(type);
-        numbers[i] = type == NumberType::float64
-                         ? numberAt<double>(from, swapped)
-                         : static_cast<double>(numberAt<float>(from, swapped));
-    }
-    return numbers;
+    return readReals(path, bytesOf(type), swapped, count);
 }
 
 std::optional<RecordLength> firstRecordOf(const std::string& path, std::uint64_t expected) {

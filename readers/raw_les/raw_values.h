@@ -15,6 +15,7 @@
 
 #include "readers/les/box.h"
 #include "readers/les/contents.h"
+#include "readers/les/numbers.h"
 #include "readers/les/text.h"
 
 namespace les {
@@ -51,9 +52,6 @@ using Locate = std::function<RawField(std::size_t time)>;
 
 /// Reads a variable wherever it is at a time.
 Source storedAt(Locate locate);
-
-/// Size of a regular file in bytes; nothing if there is no such file.
-std::optional<std::uint64_t> fileSize(const std::string& path);
 
 /// Whether a file changed within the last two minutes, so that a model may be writing it.
 bool changedLately(const std::string& path);

@@ -1,6 +1,7 @@
 // cf_les_files_test.cpp: data sets of several files, maps for unknown files, and what is refused.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -114,6 +115,16 @@ TEST_CASE("MicroHH's files of one variable each belong together") {
     CHECK(hasNote(info, "qi.nc is not used: it has other times"));
     CHECK(info.times[0].label == "600 s");
     CHECK(info.parts.size() == 1);
+    CHECK(hasNote(info, "Standard Atmosphere"));
+    // The model's reference density, where its file lies beside: 5 levels and 6 interfaces.
+    const std::array<float, 11> density{1.1f, 1.09f, 1.08f, 1.07f, 1.06f, 1.f,
+                                        1.f,  1.f,   1.f,   1.f,   1.f};
+    std::ofstream(folder / "rhoref.0000000", std::ios::binary)
+        .write(reinterpret_cast<const char*>(density.data()), sizeof density);
+    const auto dense = openFiles({folder / "qr.nc"});
+    CHECK(dense->info().find(VariableRole::dryAirDensity)->name == "rhoref");
+    CHECK(dense->read("rhoref", 0).values.at(3) == 1.07f);
+    CHECK(dense->info().find(VariableRole::mixingRatio, Species::rain)->name == "qr");
 }
 
 TEST_CASE("A map beside a file says what its variables are") {

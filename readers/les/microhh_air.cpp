@@ -2,19 +2,21 @@
 //
 // thermo_basestate contains, with n levels: θ_l and q_t on n levels; then θ_v, pressure, Exner
 // function and density, each on n levels and on n + 1 interfaces. rhoref contains only the last.
-#include "readers/raw_les/microhh_air.h"
+#include "readers/les/microhh_air.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "readers/les/numbers.h"
+
 namespace les {
 
-MicrohhAir readMicrohhAir(const std::string& folder, NumberType type, bool swapped,
+MicrohhAir readMicrohhAir(const std::string& folder, std::size_t bytesEach, bool swapped,
                           std::size_t levels) {
     const auto numbersOf = [&](const char* name, std::size_t count) -> std::vector<double> {
         const std::string path = (std::filesystem::path(folder) / name).string();
-        if (fileSize(path) != count * bytesOf(type)) return {};
-        return readNumbers(path, type, swapped, count);
+        if (fileSize(path) != count * bytesEach) return {};
+        return readReals(path, bytesEach, swapped, count);
     };
     const auto profile = [&](const std::vector<double>& numbers, std::size_t first) {
         const auto start = numbers.begin() + static_cast<std::ptrdiff_t>(first);
