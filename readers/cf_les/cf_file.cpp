@@ -75,13 +75,13 @@ void Describer::readRun(const nc::NcFile& file) {
         les::findText((fs::path(path_).parent_path() / "namelist.input").string());
     if (namelist) {
         les::Cm1Run stated = les::parseCm1Namelist(*namelist);
-        const bool same = !number || stated.scheme == run_.scheme;
-        if (same) run_ = std::move(stated);
-        if (!same) {
+        if (number && stated.scheme != run_.scheme) {
             contents_.description.notes.push_back(
                 fmt::format("namelist.input is not that of this run ({} there, {} in the file).",
                             stated.scheme, run_.scheme));
+            return;
         }
+        run_ = std::move(stated);
         return;
     }
     if (number != 5.0 && number != 2.0) return;

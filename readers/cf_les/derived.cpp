@@ -16,7 +16,7 @@ namespace plugin = neph::plugin;
 
 /// A derived variable on all cells.
 plugin::Variable onCells(const les::Contents& contents, const char* name, const char* standardName,
-                         const char* units, std::string description, NephRole role,
+                         const char* units, const std::string& description, NephRole role,
                          NephSpecies species = NEPH_SPECIES_NONE) {
     plugin::Variable variable{
         name, standardName, units, description, role, species, contents.description.size};

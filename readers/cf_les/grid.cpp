@@ -23,9 +23,11 @@ std::vector<double> metresOf(const TiledFile& file, const nc::NcVariable& variab
     if (!toM) {
         throw nc::Failure{fmt::format("the unit of coordinate {} is no length", variable.name),
                           fmt::format("\"{}\"", variable.units), "m or km",
-                          "remap output on latitude and longitude to an even grid in metres; if "
-                          "the unit is wrong, set it: ncatted -a units," +
-                              variable.name + ",o,c,m FILE"};
+                          axis == 2
+                              ? "levels of pressure or by number have no heights: add these to the "
+                                "file as the coordinate, in m"
+                              : "remap output on latitude and longitude to an even grid in "
+                                "metres"};
     }
     std::vector<double> values = file.joined(variable, axis);
     for (double& value : values) value = (*toM)(value);
