@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -79,6 +80,8 @@ PluginFile open() {
 void resetToValid() {
     behaviour = {};
     theTime.seconds = 0.0;
+    theTime.grid_offset_m[0] = theTime.grid_offset_m[1] = 0.0;
+    theVariable.header = {NEPH_READER_ABI_VERSION, sizeof(NephVariable)};
     theTime.header = {NEPH_READER_ABI_VERSION, sizeof(NephTime)};
     theVariable.name = "q";
     theVariable.size[2] = 2;
@@ -112,6 +115,20 @@ TEST_CASE("A reader that follows the ABI is accepted") {
     CHECK(readFault().empty());
 }
 
+TEST_CASE("Times and variables of readers that do not state what was added since are accepted") {
+    resetToValid();
+    theTime.grid_offset_m[0] = 5.0;
+    theVariable.reason = "its name";
+    CHECK(open().description().times[0].gridOffsetM == glm::dvec2(5.0, 0.0));
+    CHECK(open().description().variables[0].reason == "its name");
+    theTime.header.struct_size = offsetof(NephTime, grid_offset_m);
+    theVariable.header.struct_size = offsetof(NephVariable, reason);
+    CHECK(open().description().times[0].gridOffsetM == glm::dvec2(0.0));
+    CHECK(open().description().variables[0].reason.empty());
+    theVariable.reason = "";
+    resetToValid();
+}
+
 TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the reader") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto faulty = [](auto&& falsify) {
@@ -133,6 +150,8 @@ TEST_CASE("Impossible sizes, numbers and counts are reported as faults of the re
     CHECK(contains(faulty([](auto& d) { d.header.struct_size = 8; }), "bytes"));
     CHECK(contains(faulty([](auto& d) { d.header.abi_version = 99; }), "ABI 99"));
     CHECK(contains(faulty([&](auto&) { theTime.seconds = nan; }), "finite"));
+    CHECK(contains(faulty([&](auto&) { theTime.grid_offset_m[1] = nan; }), "the grid moved"));
+    CHECK(contains(faulty([](auto&) { theVariable.header.struct_size = 8; }), "bytes"));
     CHECK(contains(faulty([](auto&) { theTime.header.struct_size = 0; }), "a time"));
     CHECK(contains(faulty([](auto&) { theVariable.name = ""; }), "no name"));
     CHECK(contains(faulty([](auto&) { theVariable.name = nullptr; }), "no name"));
