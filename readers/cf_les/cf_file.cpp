@@ -200,8 +200,7 @@ void Describer::noteLacking() {
 
 std::unique_ptr<plugin::File> Describer::open(std::unique_ptr<nc::NcFile> opened) {
     path_ = opened->path();
-    auto data =
-        std::make_shared<DataSet>(DataSet{model_, FileSet(std::move(opened), model_), {}, {}});
+    auto data = std::make_shared<DataSet>(std::move(opened), model_);
     const nc::NcFile& file = data->files.main();
     readRun(file);
     plugin::Description& d = contents_.description;

@@ -247,11 +247,17 @@ void divide(const Meanings& meanings, Meaning meaning, std::span<const Part> par
 
 /// Amounts per kg of moist air, per kg of dry air: r = q / (1 − Σ q), the sum over all water.
 void makeDry(const Model& model, const Meanings& meanings, les::Contents& contents) {
+    const auto isMoist = [&](std::size_t index) {
+        const auto& derived = contents.sources[index].derived;
+        if (!derived) return meanings.perMoistAir.contains(index);
+        return std::ranges::all_of(derived->inputs, [&](const les::Derived::Input& input) {
+            return meanings.perMoistAir.contains(input.variable);
+        });
+    };
     std::vector<std::size_t> moist;
-    for (const std::size_t index : meanings.perMoistAir) {
-        if (contents.description.variables[index].role == NEPH_ROLE_MIXING_RATIO) {
-            moist.push_back(index);
-        }
+    for (std::size_t i = 0; i < contents.sources.size(); ++i) {
+        const bool amount = contents.description.variables[i].role == NEPH_ROLE_MIXING_RATIO;
+        if (amount && isMoist(i)) moist.push_back(i);
     }
     const auto total = meanings.find(Meaning::totalWater);
     const auto vapour = meanings.find(Meaning::vapour);

@@ -85,6 +85,9 @@ class VariableAdder {
     void add();
 
   private:
+    /// The variables with names of the row in its order, which is that of preference where two have
+    /// one meaning, then the others as stored.
+    std::vector<const Stored*> inOrder() const;
     void addStored(const Stored& stored);
     void addReferenceAir();
     /// Nothing for a variable that does not lie on the columns of the grid.
@@ -198,6 +201,19 @@ void VariableAdder::setRole(const Stored& stored, plugin::Variable& variable) {
         variable.species = NEPH_SPECIES_NONE;
     }
     meanings_.known.emplace(name.meaning, index);
+}
+
+std::vector<const Stored*> VariableAdder::inOrder() const {
+    const std::vector<Name>& names = data_->model.names;
+    const auto rank = [&](const Stored* stored) {
+        const auto place =
+            std::ranges::find_if(names, [&](const Name& name) { return &name == stored->name; });
+        return place - names.begin();
+    };
+    std::vector<const Stored*> order;
+    for (const Stored& stored : data_->files.variables()) order.push_back(&stored);
+    std::ranges::stable_sort(order, {}, rank);
+    return order;
 }
 
 void VariableAdder::addStored(const Stored& stored) {
@@ -321,12 +337,13 @@ void VariableAdder::addTerrain() {
 void VariableAdder::add() {
     contents_.interfacesM = data_->grid.interfacesM;
     contents_.gas = data_->model.gas;
-    for (const Stored& stored : data_->files.variables()) addStored(stored);
+    for (const Stored* stored : inOrder()) addStored(*stored);
     addReferenceAir();
-    deriveAir(data_->model, meanings_, contents_);
-    deriveWater(data_->model, meanings_, contents_);
+    // Before anything is computed: of two names of one water only one counts.
     note(les::settleTwins(contents_),
          "{} listed and not used, because another variable has the same meaning.");
+    deriveAir(data_->model, meanings_, contents_);
+    deriveWater(data_->model, meanings_, contents_);
     addTerrain();
     noteUnits();
     contents_.completeAir();

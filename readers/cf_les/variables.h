@@ -12,10 +12,16 @@ namespace cf {
 
 /// What reads the values of a data set: shared by all its variables.
 struct DataSet {
+    /// Opens what belongs to `file`. Throws Failure.
+    DataSet(std::unique_ptr<nc::NcFile> file, Model row)
+        : model(std::move(row)), files(std::move(file), model) {}
+    DataSet(const DataSet&) = delete;  // `files` refer to names of `model`
+    DataSet& operator=(const DataSet&) = delete;
+
     Model model;  ///< a copy: of a mapping there is no row
     FileSet files;
-    Grid grid;
-    std::vector<std::size_t> records;  ///< along the dimension of time, one for each time
+    Grid grid{};
+    std::vector<std::size_t> records{};  ///< along the dimension of time, one for each time
 };
 
 /// Adds all variables on the grid with their roles, and everything that follows from them, to

@@ -231,6 +231,18 @@ TEST_CASE("PALM: the level on the ground is left out, and cells within buildings
     CHECK(hasNote(info, "Standard Atmosphere"));
 }
 
+TEST_CASE("Of two names of one water the row's first is drawn, in whatever order a file has them") {
+    const TemporaryFolder folder;
+    LesFile file = palmSample();
+    file.variables.push_back(field("qc", file.variable("ql").axes, "kg/kg", constant(2e-4)));
+    const auto dataset = opened(folder, file);
+    CHECK(waterOf(dataset->info(), Species::cloud).name == "qc_per_dry_air");
+    CHECK(hasNote(dataset->info(), "ql (like qc)"));
+    // r = q / (1 - q_v - q_c): ql is not counted again.
+    CHECK(first(*dataset, VariableRole::mixingRatio, Species::cloud) ==
+          doctest::Approx(2e-4 / (1.0 - 0.01 - 2e-4)).epsilon(1e-6));
+}
+
 TEST_CASE("MONC: z is the fastest axis, widths are options, and the base state completes the air") {
     const TemporaryFolder folder;
     const auto dataset = opened(folder, moncSample());
