@@ -107,14 +107,23 @@ Command addInfo(CLI::App& app) {
     addMemoryOption(command, request->memory);
     command.add_flag("--json", request->json, "As JSON");
     addReaderOption(command, request->readers);
+    addMapOption(command, request->map);
     return {&command, [request] { return runInfo(*request); }};
 }
 
 Command addReaders(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("readers", "List reader plugins");
-    const auto readers = std::make_shared<std::vector<std::string>>();
-    addReaderOption(command, *readers);
-    return {&command, [readers] { return runReaders(*readers); }};
+    CLI::App& command = *app.add_subcommand(
+        "readers", "List reader plugins, or say what one took a file's variables for");
+    const auto request = std::make_shared<ReadersRequest>();
+    CLI::Option* explain =
+        command
+            .add_option("--explain", request->explain,
+                        "Each variable of a file with its role and why, and what was left out")
+            ->type_name("FILE")
+            ->allow_extra_args(false);
+    addMapOption(command, request->map)->needs(explain);
+    addReaderOption(command, request->readers);
+    return {&command, [request] { return runReaders(*request); }};
 }
 
 Command addKeys(CLI::App& app) {

@@ -109,8 +109,12 @@ class Server {
 
     void open(wire::Unpacker& from, wire::Packer& to) {
         const std::uint32_t handle = ++lastHandle_;
+        const std::string path = from.text(), map = from.text();
+        if (!map.empty() && !library_.identity.takesMap) {
+            throw Error({.where = path, .what = "its reader takes no map"});
+        }
         const auto& file =
-            files_.try_emplace(handle, *library_.calls, library_.identity.id, from.text())
+            files_.try_emplace(handle, *library_.calls, library_.identity.id, path, map)
                 .first->second;
         to.number(handle);
         wire::pack(to, file.description());

@@ -90,6 +90,7 @@ class Workbench {
     bool moving() const { return interacting_ || ui_.next.animates; }
 
     std::vector<std::string> readers_;
+    std::string map_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
     WorkbenchHost host_{window_};
     ImageTextures textures_;  // that panels asked for
@@ -108,7 +109,9 @@ class Workbench {
 };
 
 Workbench::Workbench(const WorkbenchRequest& request)
-    : readers_(request.scene.readers), slots_(ui_.compare, [this] { return makeSlot(); }) {
+    : readers_(request.scene.readers),
+      map_(request.scene.map),
+      slots_(ui_.compare, [this] { return makeSlot(); }) {
     const Scene scene = makeScene(request.scene);
     std::vector<std::string> warnings = scene.warnings;
     ui_.settings = remembered_ = loadSettings(warnings);
@@ -145,7 +148,7 @@ void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
 }
 
 std::unique_ptr<Slot> Workbench::makeSlot() {
-    PluginHost readers = PluginHost::standard(readers_);
+    PluginHost readers = PluginHost::standard(readers_, map_);
     ui_.sessionDialogs.browser.extensions = extensionsOf(readers);
     auto slot = std::make_unique<Slot>(std::move(readers), &WorkbenchHost::wake);
     slot->session.setBudget(budget_);

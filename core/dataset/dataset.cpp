@@ -219,7 +219,9 @@ std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const Pl
 
 std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
                                        const fs::path& cacheFolder, const Progress& progress) {
-    return std::make_shared<SeriesDataset>(describeSeries(files, host, cacheFolder, progress));
+    // What a map says of a file is not known of the file.
+    const fs::path& cache = host.map().empty() ? cacheFolder : fs::path();
+    return std::make_shared<SeriesDataset>(describeSeries(files, host, cache, progress));
 }
 
 }  // namespace neph

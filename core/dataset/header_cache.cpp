@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kVersion = 6;  // increase it with every change of the format
+constexpr std::uint32_t kVersion = 8;  // increase it with every change of the format
 constexpr std::string_view kExtension = ".headers";
 constexpr std::size_t kMostFolders = 64;           // number of cache files that are kept
 constexpr std::uintmax_t kMostBytes = 32U << 20U;  // size of one cache file
@@ -42,6 +42,16 @@ void prune(const fs::path& cacheFolder) {
     }
     std::ranges::sort(files);
     for (std::size_t i = 0; i + kMostFolders <= files.size(); ++i) fs::remove(files[i].second);
+}
+
+HeaderStamp stampOfParts(const DatasetInfo& description) {
+    HeaderStamp all;
+    for (const fs::path& part : description.parts) {
+        const HeaderStamp stamp = headerStampOf(part).value_or(HeaderStamp{});
+        all.bytes += stamp.bytes;
+        all.changedNs = std::max(all.changedNs, stamp.changedNs);
+    }
+    return all;
 }
 
 }  // namespace
@@ -100,7 +110,10 @@ void HeaderCache::load() {
     }
     for (std::size_t left = from.count(sizeof(std::uint64_t)); left > 0; --left) {
         const std::string name = from.text();
-        Entry entry{from.number<HeaderStamp>(), common.at(from.number<std::uint64_t>())};
+        Entry entry;
+        entry.stamp = from.number<HeaderStamp>();
+        entry.parts = from.number<HeaderStamp>();
+        entry.description = common.at(from.number<std::uint64_t>());
         entry.description.times = wire::unpackTimes(from);
         entries_[name] = std::move(entry);
     }
@@ -109,11 +122,13 @@ void HeaderCache::load() {
 std::optional<DatasetInfo> HeaderCache::find(const fs::path& file, const HeaderStamp& stamp) const {
     const auto found = entries_.find(file.filename().string());
     if (found == entries_.end() || found->second.stamp != stamp) return {};
+    if (found->second.parts != stampOfParts(found->second.description)) return {};
     return found->second.description;
 }
 
 void HeaderCache::put(const fs::path& file, const HeaderStamp& stamp, DatasetInfo description) {
-    entries_[file.filename().string()] = {stamp, std::move(description)};
+    const HeaderStamp parts = stampOfParts(description);
+    entries_[file.filename().string()] = {stamp, parts, std::move(description)};
     changed_ = true;
 }
 
@@ -131,7 +146,7 @@ void HeaderCache::save() const {
             const auto place = std::ranges::find(common, shared);
             const auto index = static_cast<std::uint64_t>(place - common.begin());
             if (place == common.end()) common.push_back(std::move(shared));
-            files.text(name).number(entry.stamp).number(index);
+            files.text(name).number(entry.stamp).number(entry.parts).number(index);
             wire::packTimes(files, entry.description.times);
             ++count;
         }

@@ -2,8 +2,8 @@
 // file again.
 //
 // An entry is valid only while path, size, modification time (to the nanosecond), the reader and
-// its library are unchanged. One cache file holds the entries of one data folder; a damaged one
-// counts as empty.
+// its library are unchanged, and so are the other files that the data set is read from. One cache
+// file holds the entries of one data folder; a damaged one counts as empty.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -49,6 +49,7 @@ class HeaderCache {
   private:
     struct Entry {
         HeaderStamp stamp;
+        HeaderStamp parts;  ///< of all parts together: their bytes, and the last change
         DatasetInfo description;
     };
     void load();

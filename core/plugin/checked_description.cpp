@@ -58,6 +58,22 @@ const T& checkedStruct(const T* pointer, std::string_view of) {
     return *pointer;
 }
 
+/// A struct that readers built for an earlier form of it hand over shorter: at least `firstForm`
+/// bytes, and zero for the rest.
+template <typename T>
+T completedStruct(const T* pointer, std::size_t firstForm, std::string_view of) {
+    if (pointer == nullptr) throw ReaderFault{fmt::format("{} is null", of)};
+    const NephHeader header = pointer->header;
+    if (!servesAbi(header.abi_version) || header.struct_size < firstForm) {
+        throw ReaderFault{fmt::format("{} has ABI {} and {} bytes, not {} and {}", of,
+                                      header.abi_version, header.struct_size, servedAbiText(),
+                                      firstForm)};
+    }
+    T whole{};
+    std::memcpy(&whole, pointer, std::min<std::size_t>(header.struct_size, sizeof whole));
+    return whole;
+}
+
 template <typename T>
 std::span<const T> checkedList(const T* list, std::uint32_t count, std::string_view of) {
     if (count > kMaxEntries) throw ReaderFault{fmt::format("{} {} are claimed", count, of)};
@@ -81,7 +97,7 @@ glm::ivec3 checkedSize(const std::int32_t (&size)[3], std::string_view of) {
 
 /// Unknown roles become `other` and unknown species none, so that newer readers still work.
 VariableInfo checkedVariable(const NephVariable* pointer) {
-    const NephVariable& raw = checkedStruct(pointer, "a variable");
+    const NephVariable raw = completedStruct(pointer, offsetof(NephVariable, reason), "a variable");
     VariableInfo variable;
     variable.name = checkedText(raw.name, "a variable's name");
     if (variable.name.empty()) throw ReaderFault{"a variable has no name"};
@@ -89,6 +105,7 @@ VariableInfo checkedVariable(const NephVariable* pointer) {
     variable.units = checkedText(raw.units, variable.name);
     variable.description = checkedText(raw.description, variable.name);
     variable.size = checkedSize(raw.size, variable.name);
+    variable.reason = checkedText(raw.reason, variable.name);
     if (raw.role >= 0 && raw.role < kVariableRoles) {
         variable.role = static_cast<VariableRole>(raw.role);
     }
@@ -122,26 +139,10 @@ void dropMisfits(DatasetInfo& description) {
     }
 }
 
-/// A struct as this host knows it: what a shorter one lacks, which has `firstForm` bytes at least,
-/// is zero.
-template <typename T>
-T completed(const T* pointer, std::size_t firstForm, std::string_view of) {
-    if (pointer == nullptr) throw ReaderFault{fmt::format("{} is null", of)};
-    const NephHeader header = pointer->header;
-    if (!servesAbi(header.abi_version) || header.struct_size < firstForm) {
-        throw ReaderFault{fmt::format("{} has ABI {} and {} bytes, not {} and {}", of,
-                                      header.abi_version, header.struct_size, servedAbiText(),
-                                      firstForm)};
-    }
-    T whole{};
-    std::memcpy(&whole, pointer, std::min<std::size_t>(header.struct_size, sizeof whole));
-    return whole;
-}
-
 std::vector<TimeInfo> checkedTimes(const NephDescription& raw) {
     std::vector<TimeInfo> times;
     for (const NephTime* pointer : checkedList(raw.times, raw.time_count, "times")) {
-        const NephTime time = completed(pointer, offsetof(NephTime, grid_offset_m), "a time");
+        const NephTime time = completedStruct(pointer, offsetof(NephTime, grid_offset_m), "a time");
         if (!std::isfinite(time.seconds)) throw ReaderFault{"a time is not a finite number"};
         const glm::dvec2 offsetM(time.grid_offset_m[0], time.grid_offset_m[1]);
         for (const double metres : {offsetM.x, offsetM.y}) {
@@ -246,7 +247,7 @@ void addDates(const NephDescription& raw, DatasetInfo& description) {
 
 DatasetInfo checkedDescription(const NephDescription* pointer) {
     const NephDescription raw =
-        completed(pointer, offsetof(NephDescription, edges_m), "the description");
+        completedStruct(pointer, offsetof(NephDescription, edges_m), "the description");
     DatasetInfo description;
     description.model = checkedText(raw.model, "the model");
     description.scheme = checkedText(raw.scheme, "the scheme");

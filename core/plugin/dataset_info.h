@@ -51,7 +51,8 @@ struct VariableInfo {
     std::string description;
     VariableRole role = VariableRole::other;
     std::optional<Species> species;
-    glm::ivec3 size{0};  ///< x, y, z; 1 where the variable lacks the axis
+    glm::ivec3 size{0};       ///< x, y, z; 1 where the variable lacks the axis
+    std::string reason = {};  ///< why the reader gave it its role, one phrase; or empty
     bool operator==(const VariableInfo&) const = default;
 };
 

@@ -89,15 +89,18 @@ void PluginFile::guarded(const std::function<void()>& call) const {
     }
 }
 
-PluginFile::PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path)
+PluginFile::PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path,
+                       const std::filesystem::path& map)
     : calls_(&calls),
       reader_(std::move(reader)),
       path_(std::move(path)),
       file_(nullptr, Closer{&calls}) {
-    guarded([this] {
+    guarded([&] {
         NephError error = emptyError(calls_->header.abi_version);
         NephFile* raw = nullptr;
-        const NephStatus status = calls_->open(path_.c_str(), &raw, &error);
+        const NephStatus status =
+            map.empty() ? calls_->open(path_.c_str(), &raw, &error)
+                        : calls_->open_with_map(path_.c_str(), map.c_str(), &raw, &error);
         if (status != NEPH_OK) throw errorFrom(error, path_, reader_);
         if (raw == nullptr) throw ReaderFault{"open gave no handle"};
         file_.reset(raw);

@@ -21,9 +21,10 @@ namespace neph {
 
 class PluginFile {
   public:
-    /// Opens the file and gets its description. `reader` names the reader in messages. Throws
-    /// Error.
-    PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path);
+    /// Opens the file, with a map where one is named, and gets its description. `reader` names the
+    /// reader in messages. Throws Error.
+    PluginFile(const NephReader& calls, std::string reader, std::filesystem::path path,
+               const std::filesystem::path& map = {});
 
     const DatasetInfo& description() const { return description_; }
 

@@ -93,7 +93,8 @@ Error unknownFormat(const fs::path& file, const std::string& readers) {
 
 }  // namespace
 
-ReaderPlugin::ReaderPlugin(const fs::path& file, const ReaderLimits& limits) : limits_(limits) {
+ReaderPlugin::ReaderPlugin(const fs::path& file, const ReaderLimits& limits, fs::path mapFile)
+    : map(std::move(mapFile)), limits_(limits) {
     library = file;
     auto process = std::make_unique<ReaderProcess>(library, limits_);
     static_cast<wire::Identity&>(*this) = process->identity();
@@ -117,13 +118,19 @@ void ReaderPlugin::giveBack(std::unique_ptr<ReaderProcess> process) const {
     if (process->alive() && idle_.size() < kMostIdle) idle_.push_back(std::move(process));
 }
 
-PluginHost::PluginHost(std::span<const fs::path> places, const ReaderLimits& limits) {
+PluginHost::PluginHost(std::span<const fs::path> places, const ReaderLimits& limits, fs::path map)
+    : map_(std::move(map)) {
     for (const fs::path& place : places) {
         for (const fs::path& library : librariesIn(place)) load(library, limits);
     }
 }
 
-PluginHost PluginHost::standard(std::span<const std::string> named) {
+PluginHost PluginHost::standard(std::span<const std::string> named, const std::string& map) {
+    if (!map.empty() && !fs::is_regular_file(map)) {
+        throw Error({.where = map,
+                     .what = "there is no such map",
+                     .hint = "docs/readers.md describes a nephoscope-map"});
+    }
     std::vector<fs::path> places;
     for (const std::string& name : named) {
         if (!fs::exists(name)) {
@@ -135,7 +142,7 @@ PluginHost PluginHost::standard(std::span<const std::string> named) {
     }
     const std::size_t namedCount = places.size();
     std::ranges::move(standardPlaces(), std::back_inserter(places));
-    PluginHost host(places);
+    PluginHost host(places, {}, map.empty() ? fs::path() : fs::absolute(map));
     for (const fs::path& place : std::span(places).first(namedCount)) {
         const auto fault = std::ranges::find(host.rejected_, place, &RejectedPlugin::library);
         if (fault == host.rejected_.end()) continue;
@@ -165,7 +172,7 @@ std::vector<fs::path> PluginHost::standardPlaces() {
 void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
     std::shared_ptr<const ReaderPlugin> reader;
     try {
-        reader = std::make_shared<const ReaderPlugin>(library, limits);
+        reader = std::make_shared<const ReaderPlugin>(library, limits, map_);
     } catch (const Error& error) {
         const std::string& detail = error.parts().found;
         rejected_.push_back({library, error.parts().what + (detail.empty() ? "" : ": " + detail)});
@@ -193,9 +200,20 @@ bool PluginHost::isKnown(const fs::path& file) const {
     });
 }
 
+std::shared_ptr<const ReaderPlugin> PluginHost::pickForMap(const fs::path& file) const {
+    const auto found =
+        std::ranges::find_if(readers_, [](const auto& reader) { return reader->takesMap; });
+    if (found != readers_.end() && !fs::is_directory(file)) return *found;
+    throw Error({.where = file.string(),
+                 .what = found == readers_.end() ? "no reader takes a map"
+                                                 : "a folder is not opened by a map as a whole",
+                 .hint = "`nephoscope readers` lists the readers"});
+}
+
 std::shared_ptr<const ReaderPlugin> PluginHost::pick(const fs::path& file,
                                                      const Progress& progress) const {
     requireReadable(file);
+    if (!map_.empty()) return pickForMap(file);
     std::shared_ptr<const ReaderPlugin> best;
     int bestScore = 0;
     std::string known;

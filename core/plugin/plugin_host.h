@@ -24,7 +24,10 @@ struct ReaderName : wire::Identity {
 struct ReaderPlugin : ReaderName {
     /// Starts a first process. Throws Error, with the reason in `what`, if the library is not a
     /// reader.
-    explicit ReaderPlugin(const std::filesystem::path& file, const ReaderLimits& limits = {});
+    explicit ReaderPlugin(const std::filesystem::path& file, const ReaderLimits& limits = {},
+                          std::filesystem::path mapFile = {});
+
+    const std::filesystem::path map;  ///< what files are opened with; empty: without
 
     /// An idle process of this reader, or a new one. May be called from any thread. Throws Error.
     std::unique_ptr<ReaderProcess> borrow() const;
@@ -49,11 +52,14 @@ class PluginHost {
     /// Loads every plugin of `places`, in order; a place is a folder of libraries or one library. A
     /// place that does not exist is skipped. Of two readers with the same id the first is kept.
     explicit PluginHost(std::span<const std::filesystem::path> places,
-                        const ReaderLimits& limits = {});
+                        const ReaderLimits& limits = {}, std::filesystem::path map = {});
 
     /// The readers available to a user: the libraries or folders in `named`, then those of
     /// standardPlaces(). Throws Error if one of `named` does not exist or is not a reader.
-    static PluginHost standard(std::span<const std::string> named = {});
+    /// `map` is a file that says what the variables of unknown files are: every file is then opened
+    /// with it, by the first reader that takes one.
+    static PluginHost standard(std::span<const std::string> named = {},
+                               const std::string& map = {});
 
     /// NEPHOSCOPE_READER_PATH (separated by colons), the user's data folder (XDG), and the folder
     /// of this installation.
@@ -61,6 +67,7 @@ class PluginHost {
 
     const std::vector<std::shared_ptr<const ReaderPlugin>>& readers() const { return readers_; }
     const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
+    const std::filesystem::path& map() const { return map_; }
 
     /// Whether a reader knows the format of a file, if only to say what is wrong with it.
     bool isKnown(const std::filesystem::path& file) const;
@@ -71,10 +78,12 @@ class PluginHost {
                                              const Progress& progress = {}) const;
 
   private:
+    std::shared_ptr<const ReaderPlugin> pickForMap(const std::filesystem::path& file) const;
     void load(const std::filesystem::path& library, const ReaderLimits& limits);
 
     std::vector<std::shared_ptr<const ReaderPlugin>> readers_;
     std::vector<RejectedPlugin> rejected_;
+    std::filesystem::path map_;
 };
 
 }  // namespace neph

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstring>
 #include <optional>
 
@@ -23,6 +24,9 @@ std::optional<std::string> checkedText(const char* text) {
     return std::string(text, length);
 }
 
+/// The calls that readers of every version have.
+constexpr std::size_t kFirstReaderBytes = offsetof(NephReader, open_with_map);
+
 /// Why a plugin's table cannot be used; empty if it can.
 std::string faultOf(const NephReader* reader) {
     if (reader == nullptr) return "does not serve " + servedAbiText();
@@ -30,9 +34,9 @@ std::string faultOf(const NephReader* reader) {
         return fmt::format("ABI {}, this program has {}", reader->header.abi_version,
                            servedAbiText());
     }
-    if (reader->header.struct_size < sizeof(NephReader)) {
+    if (reader->header.struct_size < kFirstReaderBytes) {
         return fmt::format("NephReader has {} bytes, at least {} are needed",
-                           reader->header.struct_size, sizeof(NephReader));
+                           reader->header.struct_size, kFirstReaderBytes);
     }
     if (!checkedText(reader->id)) return "the reader has no id";
     if (reader->score == nullptr || reader->open == nullptr || reader->describe == nullptr ||
@@ -80,7 +84,9 @@ PluginLibrary checkPlugin(const NephReader* calls) {
              .version = checkedText(calls->version).value_or(""),
              .title = checkedText(calls->title).value_or(""),
              .extensions = checkedText(calls->extensions).value_or(""),
-             .abiVersion = calls->header.abi_version},
+             .abiVersion = calls->header.abi_version,
+             .takesMap = calls->header.struct_size >= sizeof(NephReader) &&
+                         calls->open_with_map != nullptr},
             calls};
 }
 

@@ -20,8 +20,8 @@ extern "C" {
 
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
- * 1: the first. 2: place and date (from projection on), roles of vapour and wind,
- * grids that move. */
+ * 1: the first. 2: place and date (from projection on), roles of vapour and wind, grids that move,
+ * and reasons. */
 #define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
@@ -122,6 +122,11 @@ typedef struct NephVariable {
     /* x, y, z; 1 where the variable lacks the axis. Heights and density of models with flat levels
      * may be profiles, 1 x 1 x n. */
     int32_t size[3];
+    /* Since version 2; null where a smaller struct_size does not cover it. */
+
+    /* Why it has its role, one phrase: "the name that CM1 gives cloud water". Null or empty: not
+     * stated. */
+    const char* reason;
 } NephVariable;
 
 typedef struct NephAttribute {
@@ -218,6 +223,12 @@ typedef struct NephReader {
     const NephDescription* (*describe)(NephFile* file);
     NephStatus (*read)(NephFile* file, NephReadRequest* request, NephError* error);
     void (*close)(NephFile* file);
+    /* Since version 2; null where a smaller struct_size does not cover it. */
+
+    /* As open, with a file named by the user that says what the variables of `path` are; the score
+     * does not count then. Null: the reader takes no such file. */
+    NephStatus (*open_with_map)(const char* path, const char* map, NephFile** file,
+                                NephError* error);
 } NephReader;
 
 /* The one exported symbol. The host asks with its own version first, then with each older one that

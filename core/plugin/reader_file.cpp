@@ -22,7 +22,7 @@ ReaderFile::~ReaderFile() {
 
 void ReaderFile::open(const Progress& progress) {
     process_ = reader_->borrow();
-    ReaderProcess::Opened opened = process_->open(path_, progress);
+    ReaderProcess::Opened opened = process_->open(path_, progress, reader_->map);
     handle_ = opened.handle;
     description_ = std::move(opened.description);
 }

@@ -44,6 +44,7 @@ struct Variable {
     NephRole role = NEPH_ROLE_OTHER;
     NephSpecies species = NEPH_SPECIES_NONE;
     std::array<int, 3> size{1, 1, 1};  ///< x, y, z; 1 where the variable lacks the axis
+    std::string reason{};              ///< why it has its role, one phrase; or empty
 };
 
 /// Everything that is known without reading a field.
@@ -98,6 +99,8 @@ struct Reader {
     /// can be read. An exception counts as 0.
     int (*score)(const char* path);
     std::unique_ptr<File> (*open)(const char* path);
+    /// The same with a file that says what the variables are; null if the reader takes none.
+    std::unique_ptr<File> (*openWithMap)(const char* path, const char* map) = nullptr;
 };
 
 /// Use as Reader::open if the constructor of T takes the path.
@@ -131,7 +134,8 @@ class Layout {
                                   v.description.c_str(),
                                   v.role,
                                   v.species,
-                                  {v.size[0], v.size[1], v.size[2]}});
+                                  {v.size[0], v.size[1], v.size[2]},
+                                  v.reason.c_str()});
         }
         for (const auto& [name, value] : from.attributes) {
             attributes_.push_back({header<NephAttribute>(), name.c_str(), value.c_str()});
@@ -283,6 +287,12 @@ struct Calls {
         return guarded(error,
                        [&] { *file = std::make_unique<NephFile>(kReader.open(path)).release(); });
     }
+    static NephStatus openWithMap(const char* path, const char* map, NephFile** file,
+                                  NephError* error) {
+        return guarded(error, [&] {
+            *file = std::make_unique<NephFile>(kReader.openWithMap(path, map)).release();
+        });
+    }
     static const NephDescription* describe(NephFile* file) { return file->layout.get(); }
     static NephStatus read(NephFile* file, NephReadRequest* request, NephError* error) {
         return guarded(error, [&] {
@@ -303,7 +313,8 @@ struct Calls {
                                        &open,
                                        &describe,
                                        &read,
-                                       &close};
+                                       &close,
+                                       kReader.openWithMap == nullptr ? nullptr : &openWithMap};
         return hostAbiVersion >= NEPH_READER_ABI_VERSION ? &reader : nullptr;
     }
 };

@@ -304,10 +304,11 @@ int ReaderProcess::score(const std::filesystem::path& file, const Progress& prog
 }
 
 ReaderProcess::Opened ReaderProcess::open(const std::filesystem::path& file,
-                                          const Progress& progress) {
+                                          const Progress& progress,
+                                          const std::filesystem::path& map) {
     const Task task{file, "opening it"};
-    const std::string answer =
-        ask(question(wire::Ask::open).text(file.native()).take(), task, progress);
+    const std::string answer = ask(
+        question(wire::Ask::open).text(file.native()).text(map.native()).take(), task, progress);
     return unpacked(answer, task, [](wire::Unpacker& from) {
         Opened opened;
         opened.handle = from.number<std::uint32_t>();

@@ -65,8 +65,10 @@ class ReaderProcess {
         std::uint32_t handle = 0;
         DatasetInfo description;
     };
+    /// `map`: the file that says what the variables are, for a reader that takes one; or empty.
     /// Throws Error or Cancelled.
-    Opened open(const std::filesystem::path& file, const Progress& progress);
+    Opened open(const std::filesystem::path& file, const Progress& progress,
+                const std::filesystem::path& map = {});
     void close(std::uint32_t handle);
 
     /// The values of a box, x fastest; `file` and `variable` are named in messages. Throws Error or

@@ -82,7 +82,7 @@ void Unpacker::end() const {
 
 void pack(Packer& to, const Identity& identity) {
     to.text(identity.id).text(identity.version).text(identity.title).text(identity.extensions);
-    to.number(identity.abiVersion);
+    to.number(identity.abiVersion).number(std::uint32_t{identity.takesMap ? 1U : 0U});
 }
 
 Identity unpackIdentity(Unpacker& from) {
@@ -92,6 +92,7 @@ Identity unpackIdentity(Unpacker& from) {
         *part = from.text();
     }
     identity.abiVersion = from.number<std::uint32_t>();
+    identity.takesMap = from.number<std::uint32_t>() != 0;
     return identity;
 }
 
@@ -147,6 +148,7 @@ void packBesidesTimes(Packer& to, const DatasetInfo& info) {
         to.text(v.name).text(v.standardName).text(v.units).text(v.description);
         to.number(static_cast<std::int32_t>(v.role));
         to.number(v.species ? static_cast<std::int32_t>(*v.species) : kNoSpecies).number(v.size);
+        to.text(v.reason);
     }
     to.number(static_cast<std::uint64_t>(info.notes.size()));
     for (const std::string& note : info.notes) to.text(note);
@@ -181,6 +183,7 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
         const int species = unpackChoice(from, kNoSpecies, static_cast<int>(kSpeciesCount));
         if (species != kNoSpecies) v.species = static_cast<Species>(species);
         v.size = from.number<glm::ivec3>();
+        v.reason = from.text();
     }
     info.notes.resize(from.count(sizeof(std::uint64_t)));
     for (std::string& note : info.notes) note = from.text();

@@ -69,6 +69,7 @@ enum class Answer : std::uint8_t { ok, failed, cancelled };
 struct Identity {
     std::string id, version, title, extensions;
     std::uint32_t abiVersion = 0;
+    bool takesMap = false;  ///< whether it opens files with a map
 };
 
 /// A box of one variable at one time; indices refer to the description.

@@ -11,7 +11,7 @@
 #include "readers/raw_les/plausible.h"
 #include "readers/raw_les/sidecar.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,9 +98,10 @@ shared::Conversion conversionOf(const BrickVariable& variable, const BrickMeanin
                 {}};
 }
 
-/// Adds one variable. A profile is held in memory; a stored one is located when a time is read.
-void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVariable& from,
-                 Contents& contents) {
+/// Adds one variable. A profile is held in memory; of a stored one, which is located when a time is
+/// read, the place is returned.
+Locate addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVariable& from,
+                   Contents& contents) {
     const BrickMeaning meaning = meaningOf(from.role);
     const shared::Conversion toSi = conversionOf(from, meaning);
     plugin::Variable variable{from.name,
@@ -110,17 +111,19 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
                               meaning.role,
                               from.species,
                               contents.description.size};
+    if (from.role != BrickRole::other) variable.reason = "the sidecar states it";
     if (from.role == BrickRole::potentialTemperature) {
         contents.potentialTemperature = contents.sources.size();
     }
     if (from.role == BrickRole::vapourMixingRatio) contents.vapour = contents.sources.size();
-    Source source;
     if (!from.profile.empty()) {
+        Source source;
         variable.size[0] = variable.size[1] = 1;
         for (const double value : from.profile) {
             source.profile.push_back(static_cast<float>(toSi(value * from.scale + from.offset)));
         }
-        return contents.add(std::move(variable), std::move(source));
+        contents.add(std::move(variable), std::move(source));
+        return {};
     }
     RawField field;
     field.firstByte = from.firstByte;
@@ -132,26 +135,27 @@ void addVariable(const Sidecar& sidecar, const fs::path& folder, const BrickVari
     field.offset = toSi(from.offset);
     const std::uint64_t bytes = fieldBytes(sidecar, from);
     const bool together = from.files.size() == 1;
-    source.stored = [field, folder, bytes, together, files = from.files](std::size_t time) {
+    Locate locate = [field, folder, bytes, together, files = from.files](std::size_t time) {
         RawField at = field;
         const std::string& file = files[together ? 0 : time];
         at.path = file.empty() ? "" : (folder / file).string();
         if (together) at.firstByte += time * bytes;
         return at;
     };
-    contents.add(std::move(variable), std::move(source));
+    contents.add(std::move(variable), storedAt(locate));
+    return locate;
 }
 
 /// Throws Error if the numbers make sense only in the byte order that is not stated.
-void requireOrder(const Sidecar& sidecar, const Contents& contents) {
+void requireOrder(const Sidecar& sidecar, const std::vector<Locate>& places) {
     std::vector<Probe> probes;
     for (std::size_t i = 0; i < sidecar.variables.size(); ++i) {
         const auto quantity = meaningOf(sidecar.variables[i].role).quantity;
         const NumberType type = sidecar.variables[i].type;
         const bool real = type == NumberType::float32 || type == NumberType::float64;
-        if (!quantity || !real || !contents.sources[i].stored) continue;
+        if (!quantity || !real || !places[i]) continue;
         for (const std::size_t time : {std::size_t{0}, sidecar.times.size() - 1}) {
-            probes.push_back({contents.sources[i].stored(time), *quantity});
+            probes.push_back({places[i](time), *quantity});
         }
     }
     const Shares shares = sharesOf(probes);
@@ -202,8 +206,9 @@ Contents describe(const Sidecar& sidecar, const fs::path& folder) {
     }
     d.notes = sidecar.notes;
     contents.interfacesM = sidecar.interfacesM;
+    std::vector<Locate> places;
     for (const BrickVariable& variable : sidecar.variables) {
-        addVariable(sidecar, folder, variable, contents);
+        places.push_back(addVariable(sidecar, folder, variable, contents));
         for (const std::string& file : variable.files) {
             const std::string path = (folder / file).string();
             if (!file.empty() && std::ranges::find(d.parts, path) == d.parts.end()) {
@@ -211,7 +216,7 @@ Contents describe(const Sidecar& sidecar, const fs::path& folder) {
             }
         }
     }
-    requireOrder(sidecar, contents);
+    requireOrder(sidecar, places);
     addSums(contents);
     contents.completeAir();
     return contents;
@@ -244,4 +249,4 @@ std::vector<std::string> sidecars(const std::string& folder) {
     return found;
 }
 
-}  // namespace raw
+}  // namespace les

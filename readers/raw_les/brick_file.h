@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
 
-namespace raw {
+namespace les {
 
 /// 80 for a sidecar, 0 otherwise.
 int scoreSidecar(const std::string& path);
@@ -17,4 +17,4 @@ std::unique_ptr<neph::plugin::File> openBrick(const std::string& sidecarPath);
 /// The sidecars in a folder, sorted.
 std::vector<std::string> sidecars(const std::string& folder);
 
-}  // namespace raw
+}  // namespace les

@@ -9,14 +9,15 @@
 #include <cmath>
 #include <filesystem>
 
+#include "readers/les/cm1_run.h"
+#include "readers/les/levels.h"
+#include "readers/les/revolve.h"
 #include "readers/raw_les/cm1.h"
 #include "readers/raw_les/grads_data.h"
 #include "readers/raw_les/grads_roles.h"
-#include "readers/raw_les/levels.h"
 #include "readers/raw_les/plausible.h"
-#include "readers/raw_les/revolve.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -276,9 +277,8 @@ void GradsContents::addVariables() {
         const auto meaning = roles.meaningOf(variable);
         const shared::Conversion toSi = meaning ? meaning->toSi : shared::Conversion{};
         const std::size_t planes = variable.planes();
-        Source source;
-        source.stored = [=, data = std::shared_ptr<const GradsData>(data_), flipY = flipY_,
-                         flipZ = flipZ_](std::size_t time) {
+        Source source = storedAt([=, data = std::shared_ptr<const GradsData>(data_), flipY = flipY_,
+                                  flipZ = flipZ_](std::size_t time) {
             RawField field = data->fieldAt(time, start);
             field.size[2] = planes;
             field.flipY = flipY;
@@ -286,7 +286,7 @@ void GradsContents::addVariables() {
             field.scale = toSi.scale;
             field.offset = toSi.offset;
             return field;
-        };
+        });
         roles.add(variable, meaning, std::move(source), contents_);
         start += planes;
     }
@@ -384,4 +384,4 @@ bool hasHydrometeor(const Ctl& ctl) {
     });
 }
 
-}  // namespace raw
+}  // namespace les

@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
 #include "readers/raw_les/grads_ctl.h"
 
-namespace raw {
+namespace les {
 
 /// Throws Error. The size of every data file is checked, and a sample of the numbers is read,
 /// before anything else is.
@@ -16,4 +16,4 @@ std::unique_ptr<neph::plugin::File> makeGrads(const std::string& ctlPath, Ctl ct
 /// Whether a descriptor has a hydrometeor on more than one plane.
 bool hasHydrometeor(const Ctl& ctl);
 
-}  // namespace raw
+}  // namespace les

@@ -7,9 +7,9 @@
 #include <array>
 #include <bit>
 
-#include "readers/raw_les/text.h"
+#include "readers/les/text.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 // Limits that no model comes near; they keep sizes from overflowing.
@@ -310,4 +310,4 @@ bool looksLikeCtl(std::string_view text) {
     return false;
 }
 
-}  // namespace raw
+}  // namespace les

@@ -12,7 +12,7 @@
 
 #include "readers/raw_les/grads_time.h"
 
-namespace raw {
+namespace les {
 
 /// Grid positions along one axis, in the unit of the descriptor.
 struct CtlAxis {
@@ -69,4 +69,4 @@ inline constexpr const char* kOpenWrfout =
 /// Whether a text could be such a descriptor. Cheap; never throws.
 bool looksLikeCtl(std::string_view text);
 
-}  // namespace raw
+}  // namespace les

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ std::string dataPath(const Ctl& ctl, const fs::path& folder, std::size_t time) {
 
 GradsData::GradsData(const Ctl& ctl, const fs::path& folder) : ctl_(ctl), folder_(folder) {
     plane_.size = {ctl.x.count, ctl.y.count, 1};
-    plane_.swapped = raw::isSwapped(ctl.byteOrder);
+    plane_.swapped = les::isSwapped(ctl.byteOrder);
     plane_.records = ctl.sequential;
     plane_.missing = ctl.undef;
     if (__builtin_mul_overflow(ctl.planes(), plane_.planeStride(), &timeBytes_)) {
@@ -228,4 +228,4 @@ void GradsData::failMissing() const {
                 "keep the descriptor in the folder of its data; dset ^name is relative to it"};
 }
 
-}  // namespace raw
+}  // namespace les

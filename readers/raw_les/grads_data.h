@@ -9,7 +9,7 @@
 #include "readers/raw_les/grads_ctl.h"
 #include "readers/raw_les/raw_values.h"
 
-namespace raw {
+namespace les {
 
 /// Path of the data file of time `time` of tdef.
 std::string dataPath(const Ctl& ctl, const std::filesystem::path& folder, std::size_t time);
@@ -56,4 +56,4 @@ struct GradsData {
     std::uint64_t timeBytes_ = 0;  ///< of all variables at one time
 };
 
-}  // namespace raw
+}  // namespace les

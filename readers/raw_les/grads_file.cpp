@@ -7,7 +7,7 @@
 #include "readers/raw_les/grads_contents.h"
 #include "readers/raw_les/grads_data.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ std::optional<std::string> findCtlOf(const std::string& path) {
     return {};
 }
 
-}  // namespace raw
+}  // namespace les

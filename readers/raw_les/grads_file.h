@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
 #include "readers/raw_les/grads_ctl.h"
 
-namespace raw {
+namespace les {
 
 /// 80: a descriptor of a three-dimensional grid. 5: any other descriptor. 0: not a descriptor.
 int scoreCtl(const std::string& path);
@@ -22,4 +22,4 @@ std::optional<std::string> findCtlOf(const std::string& path);
 /// The descriptors of model output in a folder, sorted: those with at least one hydrometeor.
 std::vector<std::string> modelCtls(const std::string& folder);
 
-}  // namespace raw
+}  // namespace les

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include "readers/les/twins.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 /// Hydrometeors and the state of the air: without them the rest would mislead.
@@ -77,6 +76,7 @@ void GradsRoles::add(const CtlVariable& variable, const std::optional<Meaning>& 
     if (meaning) {
         const KnownVariable& known = *meaning->known;
         entry.role = known.role;
+        entry.reason = "its name and unit";
         entry.species = known.species;
         entry.standardName = known.standardName;
         entry.units = siUnit(known.quantity);
@@ -98,31 +98,7 @@ void GradsRoles::add(const CtlVariable& variable, const std::optional<Meaning>& 
 }
 
 void GradsRoles::finish(Contents& contents) const {
-    std::map<std::pair<NephRole, NephSpecies>, std::vector<std::size_t>> groups;
-    auto& variables = contents.description.variables;
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        if (variables[i].role != NEPH_ROLE_OTHER) {
-            groups[{variables[i].role, variables[i].species}].push_back(i);
-        }
-    }
-    std::vector<std::string> twice;
-    for (const auto& [key, members] : groups) {
-        if (members.size() < 2) continue;
-        const bool amounts =
-            key.first == NEPH_ROLE_MIXING_RATIO || key.first == NEPH_ROLE_NUMBER_CONCENTRATION;
-        const bool adds =
-            std::ranges::all_of(members, [&](std::size_t i) { return addsUp(variables[i].name); });
-        if (amounts && adds) {
-            contents.addSum(members);
-            continue;
-        }
-        for (std::size_t i = 1; i < members.size(); ++i) {
-            neph::plugin::Variable& other = variables[members[i]];
-            other.role = NEPH_ROLE_OTHER;
-            other.species = NEPH_SPECIES_NONE;
-            twice.push_back(fmt::format("{} (like {})", other.name, variables[members[0]].name));
-        }
-    }
+    const std::vector<std::string> twice = settleTwins(contents);
     note(contents, twice, "{} listed and not used, because another variable has the same meaning.");
     note(contents, onePlane_, "{} not drawn: a hydrometeor on a single level has no depth.");
     note(contents, fewLevels_, "{} not used, because not all levels have a value.");
@@ -131,4 +107,4 @@ void GradsRoles::finish(Contents& contents) const {
          "{} listed and not drawn: by name and unit a hydrometeor, but none that is known.");
 }
 
-}  // namespace raw
+}  // namespace les

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
+#include "readers/les/names.h"
+#include "readers/les/terrain.h"
 #include "readers/raw_les/grads_ctl.h"
-#include "readers/raw_les/names.h"
-#include "readers/raw_les/terrain.h"
 
-namespace raw {
+namespace les {
 
 /// A variable with a known meaning that can be used.
 struct Meaning {
@@ -44,4 +44,4 @@ class GradsRoles {
     std::vector<std::string> onePlane_, fewLevels_, otherUnit_, unknown_;
 };
 
-}  // namespace raw
+}  // namespace les

@@ -7,9 +7,9 @@
 #include <array>
 #include <chrono>
 
-#include "readers/raw_les/text.h"
+#include "readers/les/text.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 constexpr std::array<std::string_view, 12> kMonths{"jan", "feb", "mar", "apr", "may", "jun",
@@ -195,4 +195,4 @@ std::string expandTemplate(std::string_view pattern, const TimeAxis& axis, std::
     return name;
 }
 
-}  // namespace raw
+}  // namespace les

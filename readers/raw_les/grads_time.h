@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace raw {
+namespace les {
 
 /// A date and time of the proleptic Gregorian calendar.
 struct CalendarTime {
@@ -39,4 +39,4 @@ TimeAxis parseTimeAxis(std::size_t count, std::string_view start, std::string_vi
 /// for the start of the axis. Throws Error for an unknown code.
 std::string expandTemplate(std::string_view pattern, const TimeAxis& axis, std::size_t i);
 
-}  // namespace raw
+}  // namespace les

@@ -1,9 +1,9 @@
 // ini.cpp: parses an .ini file line by line; a line that is neither section nor key is ignored.
 #include "readers/raw_les/ini.h"
 
-#include "readers/raw_les/text.h"
+#include "readers/les/text.h"
 
-namespace raw {
+namespace les {
 
 std::map<std::string, std::string> parseIni(std::string_view text) {
     std::map<std::string, std::string> keys;
@@ -22,4 +22,4 @@ std::map<std::string, std::string> parseIni(std::string_view text) {
     return keys;
 }
 
-}  // namespace raw
+}  // namespace les

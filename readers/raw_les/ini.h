@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace raw {
+namespace les {
 
 /// Values by "section/key". The first occurrence of a key counts; comments start with #.
 std::map<std::string, std::string> parseIni(std::string_view text);
 
-}  // namespace raw
+}  // namespace les

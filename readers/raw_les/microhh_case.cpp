@@ -9,13 +9,14 @@
 #include <filesystem>
 #include <set>
 
+#include "readers/les/levels.h"
+#include "readers/les/microhh_air.h"
 #include "readers/raw_les/ini.h"
-#include "readers/raw_les/levels.h"
-#include "readers/raw_les/microhh_air.h"
 #include "readers/raw_les/microhh_derived.h"
 #include "readers/raw_les/microhh_names.h"
+#include "readers/raw_les/raw_values.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace fs = std::filesystem;
@@ -264,6 +265,7 @@ void Case::addFields() {
         if (known != nullptr) {
             variable.units = known->units;
             variable.description = known->description;
+            variable.reason = "its name among MicroHH's files";
         }
         if (hydrometeor) {
             variable.role = known->role;
@@ -274,20 +276,20 @@ void Case::addFields() {
         field.size = size_;
         field.type = type_;
         field.swapped = swapped_;
-        contents_.add(
-            std::move(variable), {.stored = [field, files = files, name = name, hydrometeor,
-                                             times = times_](std::size_t time) {
-                const auto file = files.find(times[time]);
-                if (file == files.end() && !hydrometeor) {
-                    throw Error{fmt::format("variable {} was not written at this time", name),
-                                fmt::format("files of {} other times", files.size()),
-                                fmt::format("{}.{:07}", name, times[time]),
-                                {}};
-                }
-                RawField at = field;
-                at.path = file == files.end() ? "" : file->second;
-                return at;
-            }});
+        contents_.add(std::move(variable), storedAt([field, files = files, name = name, hydrometeor,
+                                                     times = times_](std::size_t time) {
+                          const auto file = files.find(times[time]);
+                          if (file == files.end() && !hydrometeor) {
+                              throw Error{
+                                  fmt::format("variable {} was not written at this time", name),
+                                  fmt::format("files of {} other times", files.size()),
+                                  fmt::format("{}.{:07}", name, times[time]),
+                                  {}};
+                          }
+                          RawField at = field;
+                          at.path = file == files.end() ? "" : file->second;
+                          return at;
+                      }));
         for (const auto& [digits, path] : files) contents_.description.parts.push_back(path);
     }
 }
@@ -315,7 +317,7 @@ void Case::addAir() {
         variable.size = {1, 1, static_cast<int>(values.size())};
         contents_.add(std::move(variable), std::move(source));
     };
-    const MicrohhAir air = readMicrohhAir(folder_.string(), type_, swapped_, size_[2]);
+    const MicrohhAir air = readMicrohhAir(folder_.string(), bytesOf(type_), swapped_, size_[2]);
     add({"rhoref", "", "kg m-3", "reference density of moist air", NEPH_ROLE_DRY_AIR_DENSITY},
         air.densityKgPerM3);
     add({"pref", "air_pressure", "Pa", "reference pressure", NEPH_ROLE_AIR_PRESSURE},
@@ -389,4 +391,4 @@ std::unique_ptr<plugin::File> openMicrohh(const std::string& path) {
     return makeFile(Case(path).describe());
 }
 
-}  // namespace raw
+}  // namespace les

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
 
-namespace raw {
+namespace les {
 
 /// 80 for a case directory, its .ini and its grid.0000000; 5 for any other file of a case, for
 /// which openMicrohh reports what to open instead; 0 otherwise.
@@ -18,4 +18,4 @@ int scoreMicrohh(const std::string& path);
 /// Opens a path that scoreMicrohh accepts. Throws Error.
 std::unique_ptr<neph::plugin::File> openMicrohh(const std::string& path);
 
-}  // namespace raw
+}  // namespace les

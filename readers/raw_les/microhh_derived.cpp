@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raw {
+namespace les {
 namespace {
 
 namespace plugin = neph::plugin;
@@ -82,4 +82,4 @@ void addHumidity(Contents& contents) {
                         std::move(vapour));
 }
 
-}  // namespace raw
+}  // namespace les

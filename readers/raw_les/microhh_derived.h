@@ -1,8 +1,8 @@
 // microhh_derived.h: what the host needs of a MicroHH case and its files do not hold as such.
 #pragma once
-#include "readers/raw_les/contents.h"
+#include "readers/les/contents.h"
 
-namespace raw {
+namespace les {
 
 /// MicroHH's number of rain drops, nr, is per m³, the host's per kg of air. Nothing is added
 /// without a reference density.
@@ -13,4 +13,4 @@ void addRainNumber(Contents& contents);
 /// pressure.
 void addHumidity(Contents& contents);
 
-}  // namespace raw
+}  // namespace les

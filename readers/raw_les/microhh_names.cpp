@@ -6,10 +6,10 @@
 #include <array>
 #include <filesystem>
 
+#include "readers/les/text.h"
 #include "readers/raw_les/ini.h"
-#include "readers/raw_les/text.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 // Hydrometeors are mass fractions, per kg of moist air; the density to multiply by is rhoref.
@@ -81,4 +81,4 @@ std::vector<std::string> iniFiles(const std::string& folder) {
     return found;
 }
 
-}  // namespace raw
+}  // namespace les

@@ -9,7 +9,7 @@
 
 #include "core/plugin/reader_plugin.h"
 
-namespace raw {
+namespace les {
 
 inline constexpr const char* kMicrohhGrid = "grid.0000000";
 
@@ -40,4 +40,4 @@ bool isCaseIni(const std::string& path);
 /// The .ini files of cases in a folder, sorted.
 std::vector<std::string> iniFiles(const std::string& folder);
 
-}  // namespace raw
+}  // namespace les

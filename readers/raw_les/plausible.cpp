@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raw {
+namespace les {
 namespace {
 
 constexpr std::size_t kEnough = 64;  // values other than zero
@@ -79,4 +79,4 @@ std::string sharesText(const Shares& shares, bool statedBig) {
         statedBig ? "little" : "big");
 }
 
-}  // namespace raw
+}  // namespace les

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "readers/raw_les/quantity.h"
+#include "readers/les/quantity.h"
 #include "readers/raw_les/raw_values.h"
 
-namespace raw {
+namespace les {
 
 /// A field whose values are known to be of a quantity, in SI.
 struct Probe {
@@ -30,4 +30,4 @@ bool isOtherOrder(const Shares& shares);
 /// …".
 std::string sharesText(const Shares& shares, bool statedBig);
 
-}  // namespace raw
+}  // namespace les

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace raw {
+namespace les {
 namespace {
 
 constexpr std::size_t kPieceBytes = 1U << 20U;
@@ -211,10 +211,13 @@ void readBox(const RawField& field, const Box& box, std::span<float> values, con
     tick(1.0);
 }
 
-std::optional<std::uint64_t> fileSize(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
-    return static_cast<std::uint64_t>(status.st_size);
+Source storedAt(Locate locate) {
+    Source source;
+    source.stored = [locate = std::move(locate)](std::size_t time, const Box& box,
+                                                 std::span<float> values, const Tick& tick) {
+        readBox(locate(time), box, values, tick);
+    };
+    return source;
 }
 
 bool changedLately(const std::string& path) {
@@ -240,19 +243,7 @@ std::string folderOf(const std::string& path) {
 
 std::vector<double> readNumbers(const std::string& path, NumberType type, bool swapped,
                                 std::size_t count) {
-    const InputFile file(path);
-    RawField field;
-    field.type = type;
-    std::vector<std::byte> bytes(count * bytesOf(type));
-    file.readAt(0, bytes);
-    std::vector<double> numbers(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::byte* from = bytes.data() + i * bytesOf(type);
-        numbers[i] = type == NumberType::float64
-                         ? numberAt<double>(from, swapped)
-                         : static_cast<double>(numberAt<float>(from, swapped));
-    }
-    return numbers;
+    return readReals(path, bytesOf(type), swapped, count);
 }
 
 std::optional<RecordLength> firstRecordOf(const std::string& path, std::uint64_t expected) {
@@ -270,4 +261,4 @@ void checkFirstRecord(const RawField& field) {
     checkRecord(field, InputFile(field.path), planePosition(field, 0));
 }
 
-}  // namespace raw
+}  // namespace les

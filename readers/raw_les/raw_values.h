@@ -1,7 +1,7 @@
 // raw_values.h: numbers in files without headers: their location, their encoding, and reading boxes
 // of them.
 //
-// A field is a stack of horizontal planes, x fastest. Boxes are x, y, z, half-open. Failures are
+// A field is a stack of horizontal planes, x fastest. Failures are
 // thrown as Error or Cancelled.
 #pragma once
 #include <array>
@@ -13,26 +13,18 @@
 #include <string>
 #include <string_view>
 
-#include "readers/raw_les/text.h"
+#include "readers/les/box.h"
+#include "readers/les/contents.h"
+#include "readers/les/numbers.h"
+#include "readers/les/text.h"
 
-namespace raw {
+namespace les {
 
 enum class NumberType { float32, float64, uint8, int16, uint16, int32 };
 
 std::size_t bytesOf(NumberType type);
 /// Type by its name in a sidecar, such as "uint16"; nothing for an unknown name.
 std::optional<NumberType> numberTypeNamed(std::string_view name);
-
-/// Called between pieces with the fraction done, 0 to 1; throws Cancelled to stop.
-using Tick = std::function<void(double)>;
-
-/// Cells [lower, upper) of a field.
-struct Box {
-    std::array<std::size_t, 3> lower{}, upper{};
-    std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
-    std::size_t plane() const { return length(0) * length(1); }
-    std::size_t count() const { return plane() * length(2); }
-};
 
 /// Location and encoding of one variable at one time. `size` was checked against the file.
 struct RawField {
@@ -55,8 +47,11 @@ struct RawField {
 /// about one megabyte.
 void readBox(const RawField& field, const Box& box, std::span<float> values, const Tick& tick);
 
-/// Size of a regular file in bytes; nothing if there is no such file.
-std::optional<std::uint64_t> fileSize(const std::string& path);
+/// Where a variable is at a time. Throws Error if it lacks that time.
+using Locate = std::function<RawField(std::size_t time)>;
+
+/// Reads a variable wherever it is at a time.
+Source storedAt(Locate locate);
 
 /// Whether a file changed within the last two minutes, so that a model may be writing it.
 bool changedLately(const std::string& path);
@@ -83,4 +78,4 @@ struct RecordLength {
 /// Whether the first record of a file is `expected` bytes long, in either byte order.
 std::optional<RecordLength> firstRecordOf(const std::string& path, std::uint64_t expected);
 
-}  // namespace raw
+}  // namespace les

@@ -23,36 +23,36 @@ bool isFolder(const std::string& path) {
 
 /// Descriptors in a folder. A single one is the data set; of several, the user must choose.
 std::vector<std::string> descriptors(const std::string& folder) {
-    std::vector<std::string> found = raw::modelCtls(folder);
-    for (std::string& sidecar : raw::sidecars(folder)) found.push_back(std::move(sidecar));
+    std::vector<std::string> found = les::modelCtls(folder);
+    for (std::string& sidecar : les::sidecars(folder)) found.push_back(std::move(sidecar));
     return found;
 }
 
 int scoreOf(const std::string& path) {
-    if (const int score = raw::scoreMicrohh(path); score > 0) return score;
+    if (const int score = les::scoreMicrohh(path); score > 0) return score;
     if (isFolder(path)) {
         const std::size_t count = descriptors(path).size();
         return count == 1 ? kWhole : count > 1 ? kPart : 0;
     }
-    if (const int score = raw::scoreCtl(path); score > 0) return score;
-    if (const int score = raw::scoreSidecar(path); score > 0) return score;
-    return raw::findCtlOf(path) ? kPart : 0;
+    if (const int score = les::scoreCtl(path); score > 0) return score;
+    if (const int score = les::scoreSidecar(path); score > 0) return score;
+    return les::findCtlOf(path) ? kPart : 0;
 }
 
 std::unique_ptr<plugin::File> openPath(const std::string& path) {
-    if (raw::scoreMicrohh(path) > 0) return raw::openMicrohh(path);
+    if (les::scoreMicrohh(path) > 0) return les::openMicrohh(path);
     if (isFolder(path)) {
         const auto found = descriptors(path);
         if (found.size() == 1) return openPath(found.front());
-        throw raw::Error{found.empty() ? "contains no descriptor of raw model output"
+        throw les::Error{found.empty() ? "contains no descriptor of raw model output"
                                        : "contains several descriptors of model output",
-                         raw::joined(found), "one .ctl or one nephoscope-brick sidecar",
+                         les::joined(found), "one .ctl or one nephoscope-brick sidecar",
                          found.empty() ? "" : "open one of them"};
     }
-    if (raw::scoreSidecar(path) > 0) return raw::openBrick(path);
-    if (raw::scoreCtl(path) > 0) return raw::openGrads(path);
-    const auto ctl = raw::findCtlOf(path);
-    throw raw::Error{"contains numbers without a header",
+    if (les::scoreSidecar(path) > 0) return les::openBrick(path);
+    if (les::scoreCtl(path) > 0) return les::openGrads(path);
+    const auto ctl = les::findCtlOf(path);
+    throw les::Error{"contains numbers without a header",
                      {},
                      "the descriptor of such a file",
                      ctl ? "open " + *ctl : "open its .ctl"};

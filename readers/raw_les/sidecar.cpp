@@ -9,10 +9,10 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "readers/raw_les/levels.h"
+#include "readers/les/levels.h"
 #include "readers/shared/calendar.h"
 
-namespace raw {
+namespace les {
 namespace {
 
 using Json = nlohmann::json;
@@ -397,4 +397,4 @@ bool looksLikeSidecar(std::string_view text) {
            text.substr(0, 4096).find("nephoscope-brick") != std::string_view::npos;
 }
 
-}  // namespace raw
+}  // namespace les

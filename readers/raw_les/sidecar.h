@@ -11,7 +11,7 @@
 #include "core/plugin/reader_plugin.h"
 #include "readers/raw_les/raw_values.h"
 
-namespace raw {
+namespace les {
 
 enum class BrickRole {
     other,
@@ -64,4 +64,4 @@ Sidecar parseSidecar(std::string_view text);
 /// Whether a text could be a sidecar. Cheap; never throws.
 bool looksLikeSidecar(std::string_view text);
 
-}  // namespace raw
+}  // namespace les

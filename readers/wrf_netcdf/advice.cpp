@@ -17,10 +17,6 @@ constexpr const char* kBrick =
     "write its hydrometeors, heights and density as plain numbers (numpy's tofile) with a "
     "nephoscope-brick sidecar: docs/raw-les.md";
 constexpr const char* kWrfout = "open the wrfout files that wrf.exe writes";
-constexpr const char* kCm1 = "is CM1 output in NetCDF, which is not read yet";
-constexpr const char* kCm1Step =
-    "run CM1 with output_format = 1 (GrADS binary) and open cm1out_s.ctl, or write the fields as "
-    "numbers with a nephoscope-brick sidecar: docs/raw-les.md";
 constexpr const char* kIconStep =
     "remap it to an even grid (cdo remapcon), then write its fields as numbers with a "
     "nephoscope-brick sidecar: docs/raw-les.md";
@@ -49,26 +45,6 @@ constexpr std::array kKinds{
     Kind{.is = "is a file of lateral boundaries (wrfbdy)",
          .hint = kWrfout,
          .dimensions = {"bdy_width"}},
-    Kind{.is = kCm1, .hint = kCm1Step, .attribute = "CM1 version"},
-    Kind{.is = kCm1,
-         .hint = kCm1Step,
-         .dimensions = {"xh", "yh", "zh"},
-         .variables = {"qc", "prs", "th"}},
-    Kind{.is = kCm1, .hint = kCm1Step, .dimensions = {"ni", "nj", "nk"}},
-    Kind{.is = "is PALM output, which is not read yet", .hint = kBrick, .dimensions = {"zu_3d"}},
-    Kind{.is = "is PALM output, which is not read yet",
-         .hint = kBrick,
-         .attribute = "title",
-         .text = "PALM"},
-    Kind{.is = "is DALES output, which is not read yet",
-         .hint = kBrick,
-         .dimensions = {"xt", "yt", "zt"}},
-    Kind{.is = "is MONC output, which is not read yet",
-         .hint = kBrick,
-         .variables = {"options_database"}},
-    Kind{.is = "is SAM output, which is not read yet",
-         .hint = kBrick,
-         .variables = {"QN", "TABS", "QCOND"}},
     Kind{
         .is = "is ICON output on its triangular grid", .hint = kIconStep, .dimensions = {"ncells"}},
     Kind{.is = "is ICON output", .hint = kIconStep, .attribute = "number_of_grid_used"},
@@ -85,12 +61,6 @@ constexpr std::array kKinds{
     Kind{.is = "is a restart file of RAMS or BRAMS, which is not read",
          .hint = kBrick,
          .variables = {"RCP", "RRP", "THP"}},
-    Kind{.is = "is MicroHH output that 3d_to_nc.py made",
-         .hint = "open the case directory with the model's own binary files, where heights and "
-                 "density are, or write the fields as numbers with a nephoscope-brick sidecar: "
-                 "docs/raw-les.md",
-         .dimensions = {"x", "y", "z"},
-         .variables = {"ql", "qr", "qt"}},
     Kind{.is = "holds data on pressure levels (a reanalysis or an analysis)",
          .hint = kBrick,
          .dimensions = {"pressure_level"}},
@@ -169,10 +139,12 @@ Failure adviceFor(const NcFile& file) {
                        kBrick};
     }
     return Failure{
-        "is a NetCDF file, but not WRF output", found,
+        "is a NetCDF file, but neither WRF output nor that of an LES model that is known", found,
         "dimensions west_east, south_north, bottom_top, bottom_top_stag and variables PH, "
-        "PHB, P, PB, T, Q…",
-        fmt::format("if it is of another model, {}", kBrick)};
+        "PHB, P, PB, T, Q…, or what docs/readers.md lists for other models",
+        fmt::format("say what its variables are in a nephoscope-map beside it (docs/readers.md), "
+                    "or {}",
+                    kBrick)};
 }
 
 std::string kindNote(const NcFile& file) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "readers/wrf_netcdf/nc_file.h"
+#include "readers/wrf_netcdf/failure.h"
 
 namespace wrf {
 

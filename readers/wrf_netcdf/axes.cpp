@@ -82,21 +82,6 @@ std::string faceOf(const NcFile& file, const Axes& axes, std::size_t axis) {
 
 }  // namespace
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text.empty() ? "none" : text;
-}
-
-std::string listOf(const std::vector<NcDimension>& dimensions) {
-    std::vector<std::string> texts;
-    texts.reserve(dimensions.size());
-    for (const NcDimension& d : dimensions) {
-        texts.push_back(fmt::format("{} = {}", d.name, d.length));
-    }
-    return joined(texts);
-}
-
 std::optional<Axes> axesOf(const NcFile& file) {
     const NcVariable* field = fieldOnCells(file);
     Axes axes;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "readers/wrf_netcdf/nc_file.h"
+#include "readers/wrf_netcdf/failure.h"
 
 namespace wrf {
 
@@ -39,11 +39,5 @@ struct Shape {
 /// Nothing for a variable that does not lie on the horizontal grid. A third axis may be any, such
 /// as layers of soil; then the variable is neither on cells nor on interfaces.
 std::optional<Shape> shapeOf(const NcVariable& variable, const Axes& axes);
-
-/// "Time = 1, bottom_top = 60, …" for messages.
-std::string listOf(const std::vector<NcDimension>& dimensions);
-
-/// Names separated by commas; "none" if there are none.
-std::string joined(const std::vector<std::string>& names);
 
 }  // namespace wrf

@@ -1,10 +1,19 @@
-// failure.h: what this reader throws: Failure for bad input, Cancelled when the host cancels.
+// failure.h: names of readers/netcdf that this reader uses as its own.
 #pragma once
-#include "core/plugin/reader_plugin.h"
+#include "readers/netcdf/cf_times.h"
+#include "readers/netcdf/nc_file.h"
 
 namespace wrf {
 
-using Failure = neph::plugin::Error;
-using neph::plugin::Cancelled;
+using nc::Cancelled;
+using nc::Container;
+using nc::containerOf;
+using nc::Failure;
+using nc::FileTimes;
+using nc::joined;
+using nc::listOf;
+using nc::NcDimension;
+using nc::NcFile;
+using nc::NcVariable;
 
 }  // namespace wrf

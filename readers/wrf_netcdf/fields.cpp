@@ -163,6 +163,8 @@ class HydrometeorFinder {
         field.units = unitOf(field.role);
         field.description = field.terms.size() == 1 ? field.terms.front().variable->description
                                                     : "sum of " + joined(names);
+        field.reason = field.terms.size() == 1 ? "its name in WRF's Registry, or an alias of it"
+                                               : "computed: " + field.description;
         field.size = {static_cast<int>(length[0]), static_cast<int>(length[1]),
                       static_cast<int>(length[2])};
     }

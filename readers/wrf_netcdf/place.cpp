@@ -172,12 +172,12 @@ void forSome(const std::array<std::size_t, 2>& columns, Visit visit) {
 
 /// Steps on the map, metres, by DX and DY; without them those of the grid.
 std::array<double, 2> nominalStepsM(const NcFile& file, std::array<double, 2> stepsM) {
-    constexpr double kMostDegrees = 10.0;
+    constexpr double kMostAsideDegrees = 10.0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto stated = file.number(axis == 0 ? "DX" : "DY");
         if (!stated || !(*stated > 0.0)) continue;
         const bool degrees =
-            file.number("MAP_PROJ") == kLatitudeLongitude && *stated < kMostDegrees;
+            file.number("MAP_PROJ") == kLatitudeLongitude && *stated < kMostAsideDegrees;
         stepsM[axis] = degrees ? *stated * kEarthRadiusM * std::numbers::pi / 180.0 : *stated;
     }
     return stepsM;
@@ -186,7 +186,8 @@ std::array<double, 2> nominalStepsM(const NcFile& file, std::array<double, 2> st
 /// Lays the grid through its cells. Throws Unplaced if they do not lie on it.
 std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& file,
                            const std::array<double, 2>& stepsM) {
-    constexpr double kMostCells = 0.5, kMostM = 200.0;  // single precision misses by some metres
+    constexpr double kMostCells = 0.5,
+                     kMostAsideM = 200.0;  // single precision misses by some metres
     const auto onMap = [&](std::size_t x, std::size_t y) {
         const std::size_t cell = y * cells.columns[0] + x;
         return map.metres(static_cast<double>(cells.latitudeDeg[cell]),
@@ -212,7 +213,7 @@ std::array<Line, 2> fitted(const Map& map, const Cells& cells, const NcFile& fil
                                              at[1] - lines[1].at(static_cast<double>(y))));
     });
     const double least = std::min(lines[0].step, lines[1].step);
-    if (least > 0.0 && worstM <= std::max(kMostCells * least, kMostM)) return lines;
+    if (least > 0.0 && worstM <= std::max(kMostCells * least, kMostAsideM)) return lines;
     throw Unplaced{
         fmt::format("XLAT and XLONG lie up to {:.4g} km off the map of the attributes "
                     "(MAP_PROJ {:g})",

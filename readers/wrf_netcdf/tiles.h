@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "readers/wrf_netcdf/axes.h"
-#include "readers/wrf_netcdf/nc_file.h"
+#include "readers/wrf_netcdf/failure.h"
 
 namespace wrf {
 

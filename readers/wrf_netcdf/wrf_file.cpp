@@ -25,6 +25,7 @@ Field derived(const char* name, const char* standardName, const char* units,
     field.standardName = standardName;
     field.units = units;
     field.description = description;
+    field.reason = "computed: " + description;
     field.role = role;
     field.source = source;
     return field;

@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/cli/program.h"
 #include "tests/environment.h"
+#include "tests/readers/les_maker.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"
 
@@ -217,4 +219,39 @@ TEST_CASE("info lists where a grid that moves lies at each time, and the sun ove
               times[0].at("sun").at("elevation_deg").get<double>() <
           -5.0);
     CHECK(contains(runProgram("info " + path).out, "Corner of the grid"));
+}
+
+TEST_CASE(
+    "readers --explain says what each variable was taken for and why, and what was left out") {
+    const TemporaryFolder folder;
+    LesFile file = cm1Sample();
+    file.variables.push_back(field("qfog", file.variable("qc").axes, "kg/kg", constant(1e-4)));
+    writeLes(folder / "cm1out_000001.nc", file);
+    const std::string path = "'" + (folder / "cm1out_000001.nc").string() + "'";
+    const Outcome outcome = runProgram("readers --explain " + path);
+    CHECK(outcome.status == 0);
+    for (const char* part :
+         {"Reader   cf_les", "Model    CM1 r21.1", "mixing_ratio of cloud",
+          "CM1 writes cloud water under this name", "Without a role: ", "uinterp",
+          "qfog: is listed and not drawn", "computed: from potential temperature"}) {
+        CAPTURE(part);
+        CHECK(contains(outcome.out, part));
+    }
+    const auto json = nlohmann::json::parse(runProgram("info --json " + path).out);
+    CHECK(json.at("times").at(1).at("grid_offset_m") == nlohmann::json({11250.0, -1800.0}));
+    CHECK(contains(runProgram("info " + path).out, "Moved    the grid, 11.25 km in x and -1.8 km"));
+}
+
+TEST_CASE("--map names what an unknown file holds, and is refused where nothing is opened") {
+    const TemporaryFolder folder;
+    writeLes(folder / "a.nc", cm1Sample());
+    std::ofstream(folder / "m.json") << R"({"type": "nephoscope-map", "version": 1,
+        "axes": {"x": "xh", "y": "yh", "z": "zh"}, "length_unit": "km",
+        "variables": [{"name": "qg", "role": "mixing_ratio", "species": "cloud"}]})";
+    const std::string map = "--map '" + (folder / "m.json").string() + "'";
+    const std::string path = "'" + (folder / "a.nc").string() + "'";
+    CHECK(contains(runProgram("readers " + map + " --explain " + path).out, "the map states it"));
+    CHECK(contains(runProgram("info " + map + " " + path).out, "those of m.json"));
+    CHECK(runProgram("readers " + map).status == 2);
+    CHECK(contains(runProgram("info --map nowhere.json " + path).err, "no such map"));
 }

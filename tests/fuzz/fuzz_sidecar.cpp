@@ -9,7 +9,7 @@
 namespace {
 
 /// What the rest of the reader relies on.
-bool fits(const raw::Sidecar& sidecar) {
+bool fits(const les::Sidecar& sidecar) {
     bool good = sidecar.interfacesM.size() == sidecar.shape[2] + 1 && !sidecar.times.empty();
     for (const double spacing : sidecar.spacingM) good = good && std::isfinite(spacing);
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -18,7 +18,7 @@ bool fits(const raw::Sidecar& sidecar) {
         good = good && edges.size() == sidecar.shape[axis] + 1 && edges.front() == 0.0;
         good = good && std::isfinite(edges.back());
     }
-    for (const raw::BrickVariable& variable : sidecar.variables) {
+    for (const les::BrickVariable& variable : sidecar.variables) {
         const std::size_t files = variable.files.size();
         good = good && (files <= 1 || files == sidecar.times.size());
         good = good && std::isfinite(variable.scale) && std::isfinite(variable.offset);
@@ -30,9 +30,9 @@ bool fits(const raw::Sidecar& sidecar) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text = fuzz::asText({bytes, count});
-    raw::looksLikeSidecar(text);
+    les::looksLikeSidecar(text);
     try {
-        if (!fits(raw::parseSidecar(text))) std::abort();
+        if (!fits(les::parseSidecar(text))) std::abort();
     } catch (const neph::plugin::Error&) {  // expected for invalid input
     }
     return 0;

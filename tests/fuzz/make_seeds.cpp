@@ -12,6 +12,7 @@
 #include "core/plugin/reader_wire.h"
 #include "core/session/session_file.h"
 #include "tests/fuzz/case_files.h"
+#include "tests/readers/les_maker.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"
@@ -238,9 +239,29 @@ void seedMessages() {
     neph::wire::Packer common, cache;
     neph::wire::packBesidesTimes(common, description());
     cache.number(std::uint64_t{1}).text(common.take()).number(std::uint64_t{1}).text("wrfout");
-    cache.number(std::uint64_t{60}).number(std::int64_t{7}).number(std::uint64_t{0});
-    cache.number(std::uint64_t{1}).text("a minute").number(60.0);
+    cache.number(std::uint64_t{60}).number(std::int64_t{7});
+    cache.number(std::uint64_t{0}).number(std::int64_t{0}).number(std::uint64_t{0});
+    cache.number(std::uint64_t{1}).text("a minute").number(60.0).number(3600.0);
+    cache.number(1.0).number(2.0);
     seed("header_cache", "one", cache.take());
+}
+
+void seedLes() {
+    const TemporaryFolder folder;
+    const std::vector<std::pair<std::string, LesFile>> samples{
+        {"cm1", cm1Sample()},       {"sam", samSample()},   {"dales", dalesSample()},
+        {"palm", palmSample()},     {"monc", moncSample()}, {"uclales", uclalesSample()},
+        {"mesonh", mesoNhSample()}, {"cf", cfSample()},     {"microhh", microhhSample("ql")}};
+    for (const auto& sample : samples) {
+        writeLes(folder / "a.nc", sample.second);
+        seed("cf_les", sample.first, contentOf(folder / "a.nc"));
+    }
+    seed("map", "one", R"({"type": "nephoscope-map", "version": 1, "model": "m", "per": "moist_air",
+        "axes": {"x": "i", "z": {"dimension": "k", "positions": "h", "faces": "f"}, "time": "t"},
+        "length_unit": "km", "variables": [
+        {"name": "q", "role": "mixing_ratio", "species": "ice", "unit": "g/kg"},
+        {"name": "n", "role": "number_concentration", "species": "rain", "unit": "m-3"},
+        {"name": "p", "role": "air_pressure"}]})");
 }
 
 }  // namespace
@@ -252,6 +273,7 @@ int main(int count, char** arguments) {
     seedMicrohh();
     seedBricks();
     seedWrf();
+    seedLes();
     seedReaderTexts();
     seedDocuments();
     seedSessions();

@@ -46,7 +46,7 @@ TEST_CASE("NetCDF that is not WRF is refused with what was found and what is rea
     const TemporaryFolder folder;
     writeOtherNetcdf(folder / "era5.nc");
     const ErrorParts error = openError(folder / "era5.nc");
-    CHECK(contains(error.what, "not WRF output"));
+    CHECK(contains(error.what, "neither WRF output"));
     CHECK(contains(error.found, "lat = 3"));
     CHECK(contains(error.found, "level = 2"));
     CHECK(contains(error.expected, "west_east"));

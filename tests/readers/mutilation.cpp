@@ -10,6 +10,7 @@
 #include <iterator>
 #include <random>
 
+#include "tests/readers/les_maker.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"
 
@@ -190,7 +191,18 @@ std::vector<FileSet> fileSets(const fs::path& scratch) {
     fs::create_directories(scratch);
     writeWrf(scratch / "wrfout_nc4", smallWrf(NetcdfFormat::netcdf4));
     writeWrf(scratch / "wrfout_cdf2", smallWrf(NetcdfFormat::offset64));
+    LesFile cm1 = cm1Sample();
+    cm1.netcdf4 = true;
+    writeLes(scratch / "cm1out_000001.nc", cm1);
+    writeLes(scratch / "monc.nc", moncSample());
+    fs::create_directories(scratch / "microhh");
+    for (const char* name : {"ql", "qr"}) {
+        writeLes(scratch / "microhh" / (std::string(name) + ".nc"), microhhSample(name));
+    }
     std::vector<FileSet> list{
+        {"CM1 in NetCDF-4", scratch, {"cm1out_000001.nc"}, "cm1out_000001.nc"},
+        {"MONC, classic", scratch, {"monc.nc"}, "monc.nc"},
+        {"MicroHH in NetCDF", scratch / "microhh", {"ql.nc", "qr.nc"}, "ql.nc"},
         {"small NetCDF-4", scratch, {"wrfout_nc4"}, "wrfout_nc4"},
         {"classic CDF-2", scratch, {"wrfout_cdf2"}, "wrfout_cdf2"},
         {"supercell sample",

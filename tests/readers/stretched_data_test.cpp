@@ -15,13 +15,13 @@ using namespace neph;
 
 namespace {
 
-const char* const kModelData = std::getenv("NEPHOSCOPE_MODEL_DATA");
+const char* const kStretchedData = std::getenv("NEPHOSCOPE_MODEL_DATA");
 
 }  // namespace
 
 TEST_CASE("Each mass of the stretched CM1 storm is that of its file" *
-          doctest::skip(kModelData == nullptr)) {
-    const auto dataset = openFiles({std::filesystem::path(kModelData) / "cm1-stretched"});
+          doctest::skip(kStretchedData == nullptr)) {
+    const auto dataset = openFiles({std::filesystem::path(kStretchedData) / "cm1-stretched"});
     REQUIRE(dataset->info().times.size() == 3);
     // umove and vmove are 12.5 and 3 m/s.
     CHECK(dataset->info().times[1].gridOffsetM == glm::dvec2(22500.0, 5400.0));

@@ -1,4 +1,5 @@
-// wrf_advice_test.cpp: NetCDF files of other programs are recognised, and the advice fits them.
+// wrf_advice_test.cpp: NetCDF files of other programs, or without what is drawn, are recognised,
+// and the advice fits them.
 #include <doctest/doctest.h>
 #include <netcdf.h>
 
@@ -58,16 +59,14 @@ TEST_CASE("NetCDF files of other programs are named, with a step for their owner
                      {"T2"},
                      nullptr,
                      nullptr},
-             Foreign{"CM1", "output_format", {"xh", "yh", "zh"}, {"qc"}, nullptr, nullptr},
-             Foreign{"CM1", "output_format", {"ni", "nj", "nk"}, {}, nullptr, nullptr},
-             Foreign{"PALM", "nephoscope-brick", {"zu_3d", "x", "y"}, {}, nullptr, nullptr},
-             Foreign{"DALES", "nephoscope-brick", {"xt", "yt", "zt"}, {"ql"}, nullptr, nullptr},
-             Foreign{
-                 "MONC", "nephoscope-brick", {"x", "y"}, {"options_database"}, nullptr, nullptr},
-             Foreign{"SAM", "nephoscope-brick", {"x", "y", "z"}, {"QN", "TABS"}, nullptr, nullptr},
+             Foreign{"CM1", "3-D fields", {"xh", "yh", "zh"}, {"qc"}, nullptr, nullptr},
+             Foreign{"PALM", "3-D fields", {"zu_3d", "x", "y"}, {}, nullptr, nullptr},
+             Foreign{"DALES", "3-D fields", {"xt", "yt", "zt"}, {"ql"}, nullptr, nullptr},
+             Foreign{"MONC", "3-D fields", {"x", "y"}, {"options_database"}, nullptr, nullptr},
+             Foreign{"SAM", "3-D fields", {"x", "y", "z"}, {"QN", "TABS"}, nullptr, nullptr},
              Foreign{"ICON", "remapcon", {"ncells", "height"}, {}, nullptr, nullptr},
              Foreign{"MPAS", "convert_mpas", {"nCells", "nVertLevels"}, {}, nullptr, nullptr},
-             Foreign{"MicroHH", "case directory", {"x", "y", "z"}, {"ql"}, nullptr, nullptr},
+             Foreign{"MicroHH", "3-D fields", {"x", "y", "z"}, {"ql"}, nullptr, nullptr},
              Foreign{"nudging", "wrfout", {"west_east"}, {"U_NDG_OLD"}, nullptr, nullptr},
              Foreign{"latitude and longitude",
                      "nephoscope-brick",
@@ -76,7 +75,7 @@ TEST_CASE("NetCDF files of other programs are named, with a step for their owner
                      nullptr,
                      nullptr},
              Foreign{
-                 "not WRF output", "nephoscope-brick", {"lat", "lon"}, {"tas"}, nullptr, nullptr},
+                 "neither WRF output", "nephoscope-map", {"lat", "lon"}, {"tas"}, nullptr, nullptr},
          }) {
         CAPTURE(foreign.kind);
         write(folder / "a.nc", foreign);

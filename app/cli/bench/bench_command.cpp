@@ -74,8 +74,8 @@ Opened openData(const bench::BenchRequest& request, const Look& look, std::uint6
     resetPeak();
     const std::uint64_t before = processBytes("VmRSS");
     const auto start = Clock::now();
-    opened.dataset =
-        Dataset::open(listFiles(request.scene.files), PluginHost::standard(request.scene.readers));
+    opened.dataset = Dataset::open(listFiles(request.scene.files),
+                                   PluginHost::standard(request.scene.readers, request.scene.map));
     opened.openMs = millisecondsSince(start);
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     opened.time = std::min(kBenchTime, last);

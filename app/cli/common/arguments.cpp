@@ -11,6 +11,13 @@ void addReaderOption(CLI::App& command, std::vector<std::string>& readers) {
         ->allow_extra_args(false);  // what follows is a file
 }
 
+CLI::Option* addMapOption(CLI::App& command, std::string& map) {
+    return command
+        .add_option("--map", map,
+                    "What the variables of an unknown NetCDF file are (nephoscope-map)")
+        ->type_name("FILE");
+}
+
 void addMemoryOption(CLI::App& command, std::string& memory) {
     const auto parse = [](const std::string& text) {
         // Read here for its faults; what a share comes to depends on when it is used.
@@ -61,6 +68,7 @@ void addSceneOptions(CLI::App& command, SceneRequest& request) {
         ->type_name("x0:x1,y0:y1[,z0:z1]");
     addMemoryOption(command, request.memory);
     addReaderOption(command, request.readers);
+    addMapOption(command, request.map);
 }
 
 CLI::Option* addAlias(CLI::App& command, const std::string& option, SceneRequest& request) {

@@ -42,6 +42,9 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, Target& targe
 }
 
 void addReaderOption(CLI::App& command, std::vector<std::string>& readers);
+
+/// --map: a file that says what the variables of an unknown file are.
+CLI::Option* addMapOption(CLI::App& command, std::string& map);
 void addMemoryOption(CLI::App& command, std::string& memory);
 void addTimeOption(CLI::App& command, std::optional<TimeRange>& times, const std::string& help);
 /// --preset, --set and --camera.

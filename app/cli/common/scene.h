@@ -33,6 +33,7 @@ struct Setting {
 struct SceneRequest {
     std::vector<std::string> files;       ///< files or folders; none: the bundled storm
     std::vector<std::string> readers;     ///< libraries or folders, before those found elsewhere
+    std::string map;                      ///< of the variables of an unknown file; or empty
     std::string preset;                   ///< name or file
     PresetParts parts = kPresetAll;       ///< of the preset
     std::vector<Setting> settings;        ///< of --set

@@ -16,7 +16,7 @@ int runInfo(const InfoRequest& request) {
     const MemoryBudget budget = chooseBudget(request.memory, MemoryBudget{}.gpu, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
     const auto dataset =
-        Dataset::open(listFiles(request.files), PluginHost::standard(request.readers));
+        Dataset::open(listFiles(request.files), PluginHost::standard(request.readers, request.map));
     fmt::print("{}", request.json ? infoJson(*dataset, request.times, budget)
                                   : infoText(*dataset, request.times, budget));
     return 0;

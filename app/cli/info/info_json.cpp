@@ -170,8 +170,9 @@ Json variablesJson(const DatasetInfo& info) {
                   {"standard_name", variable.standardName},
                   {"units", variable.units},
                   {"description", variable.description},
-                  {"role", kRoleIds.at(static_cast<std::size_t>(variable.role))},
+                  {"role", roleId(variable.role)},
                   {"size", {variable.size.x, variable.size.y, variable.size.z}}};
+        if (!variable.reason.empty()) json["reason"] = variable.reason;
         if (variable.species) json["species"] = neph::info(*variable.species).id;
         variables.push_back(std::move(json));
     }
@@ -204,6 +205,10 @@ Json condensateJson(const DatasetInfo& info, const std::vector<TimeSummary>& sum
 }
 
 }  // namespace
+
+std::string_view roleId(VariableRole role) {
+    return kRoleIds.at(static_cast<std::size_t>(role));
+}
 
 std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
                      const MemoryBudget& budget) {

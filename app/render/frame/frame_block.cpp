@@ -13,7 +13,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 35 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 36 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3

@@ -164,7 +164,8 @@ extern "C" NEPH_READER_EXPORT const NephReader* nephReader(std::uint32_t) {
                              &open,
                              &describe,
                              &read,
-                             &close};
+                             &close,
+                             nullptr};
     const Instruction instruction = loadInstruction();
     instruction.runIn("entry");
     const std::string lie = instruction.actionIn("entry");

@@ -51,10 +51,10 @@ const char* unterminatedText() {
 
 void FalseDescription::setValid() {
     time_ = {header<NephTime>(), "noon", 0.0, {}};
-    variable_ = {header<NephVariable>(), "q",      "", "kg kg-1", "", NEPH_ROLE_MIXING_RATIO,
-                 NEPH_SPECIES_CLOUD,     {4, 4, 4}};
-    heights_ = {header<NephVariable>(), "h",      "", "m", "", NEPH_ROLE_INTERFACE_HEIGHT,
-                NEPH_SPECIES_NONE,      {1, 1, 5}};
+    variable_ = {header<NephVariable>(), "q",       "", "kg kg-1", "", NEPH_ROLE_MIXING_RATIO,
+                 NEPH_SPECIES_CLOUD,     {4, 4, 4}, ""};
+    heights_ = {header<NephVariable>(), "h",       "", "m", "", NEPH_ROLE_INTERFACE_HEIGHT,
+                NEPH_SPECIES_NONE,      {1, 1, 5}, ""};
     attribute_ = {header<NephAttribute>(), "name", "value"};
     times_ = {&time_};
     variables_ = {&variable_, &heights_};
