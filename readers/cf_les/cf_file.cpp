@@ -84,7 +84,7 @@ void Describer::readRun(const nc::NcFile& file) {
         run_ = std::move(stated);
         return;
     }
-    if (number != 5.0 && number != 2.0) return;
+    if ((number != 5.0 && number != 2.0) || named(file, "qg") == nullptr) return;
     contents_.description.notes.emplace_back(
         "qg is taken as graupel: whether it is hail (ihail = 1) stands in namelist.input, which is "
         "not beside the file.");

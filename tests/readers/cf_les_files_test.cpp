@@ -1,6 +1,7 @@
 // cf_les_files_test.cpp: data sets of several files, maps for unknown files, and what is refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
