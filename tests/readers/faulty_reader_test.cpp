@@ -210,10 +210,9 @@ TEST_CASE("Libraries that are not readers are rejected with a reason, and the ot
                                folder / "z_copy.so");
     const PluginHost host(std::vector<std::filesystem::path>{NEPH_TEST_READER_DIR, folder.path(),
                                                              folder / "nowhere", "libm.so.6"});
-    REQUIRE(host.readers().size() == 2);
-    CHECK(host.readers()[0]->id == "raw_les");
-    CHECK(host.readers()[1]->id == "wrf_netcdf");
-    CHECK(host.readers()[1]->abiVersion == NEPH_READER_ABI_VERSION);
+    REQUIRE(host.readers().size() == readerHost().readers().size());  // the copy is not counted
+    CHECK(host.readers().back()->id == "wrf_netcdf");
+    CHECK(host.readers().back()->abiVersion == NEPH_READER_ABI_VERSION);
     REQUIRE(host.rejected().size() == 2);
     CHECK(host.rejected()[0].library == folder / "broken.so");
     CHECK(!host.rejected()[0].reason.empty());

@@ -146,7 +146,7 @@ TEST_CASE("A library that misbehaves while it is loaded is rejected with a reaso
         CHECK(!host.rejected()[0].reason.empty());
         INFO(host.rejected()[0].reason);
         if (kMemoryIsLimited) CHECK(contains(host.rejected()[0].reason, reason));
-        CHECK(host.readers().size() == 2);
+        CHECK(host.readers().size() == readerHost().readers().size());
     }
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("A reader that crashes while looking at a file leaves the file to othe
     CHECK(contains(hostile.fault("score throw"), "no reader knows this format"));
     CHECK(hostile.read("score huge").size() == 64);
     const PluginHost both(std::vector<fs::path>{NEPH_TEST_HOSTILE, fs::path(NEPH_TEST_READER_DIR)});
-    CHECK(both.readers().size() == 3);
+    CHECK(both.readers().size() == readerHost().readers().size() + 1);
     const fs::path sample =
         fs::path(NEPH_TEST_SOURCE_DIR) / "samples/supercell/wrfout_d01_0001-01-01_01:00:00";
     CHECK(both.pick(sample)->id == "wrf_netcdf");
