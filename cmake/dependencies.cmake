@@ -15,6 +15,13 @@ pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 # HDF5 comes with NetCDF; it is named for one call, which keeps it from printing on threads that
 # NetCDF did not start.
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+# Debian's pkg-config file of ecCodes names folders that do not exist, and its CMake package needs
+# tools of another package.
+find_path(ECCODES_INCLUDE_DIR eccodes.h REQUIRED)
+find_library(ECCODES_LIBRARY eccodes REQUIRED)
+add_library(eccodes INTERFACE IMPORTED)
+target_link_libraries(eccodes INTERFACE ${ECCODES_LIBRARY})
+target_include_directories(eccodes SYSTEM INTERFACE ${ECCODES_INCLUDE_DIR})
 pkg_check_modules(PROJ REQUIRED IMPORTED_TARGET proj)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
 if(NEPHOSCOPE_TESTS)

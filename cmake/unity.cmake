@@ -12,6 +12,7 @@ neph_compile_alone(core base/child_process.cpp camera/camera_moves.cpp optics/bl
   optics/particle_size.cpp plugin/plugin_library.cpp session/settings.cpp
   transport/direction_feed.cpp)
 neph_compile_alone(readers/raw_les sidecar.cpp)
+neph_compile_alone(readers/grib codes.cpp)  # its fuzz target leaves this one out
 file(GLOB action_tables RELATIVE ${PROJECT_SOURCE_DIR}/app CONFIGURE_DEPENDS app/ui/shell/actions_*.cpp)
 neph_compile_alone(app ${action_tables} cli/bench/bench_growth.cpp cli/bench/bench_modes.cpp
   cli/bench/bench_reference.cpp cli/render/render_request.cpp
@@ -25,5 +26,5 @@ if(NEPHOSCOPE_TESTS)
     core/bindings_test.cpp core/camera/camera_path_test.cpp core/camera/camera_test.cpp gpu/yield_test.cpp
     gpu/reference/reference_test.cpp readers/raw_les_brick_test.cpp
     readers/raw_les_grads_test.cpp readers/raw_les_grid_test.cpp readers/raw_les_microhh_test.cpp
-    readers/raw_les_names_test.cpp readers/raw_les_numbers_test.cpp)
+    readers/raw_les_names_test.cpp readers/raw_les_numbers_test.cpp readers/stretched_data_test.cpp)
 endif()

@@ -136,18 +136,15 @@ constexpr auto kKinds = std::to_array<FileKindRow>({
     {.id = "grib2",
      .what = "GRIB, edition 2",
      .sign = "`GRIB` and the edition, perhaps behind a bulletin's heading",
-     .step = "list what it holds: `wgrib2 FILE` or `cdo sinfo FILE`; no reader takes GRIB, but "
-             "hydrometeors on model levels come in as numbers: `wgrib2 FILE -match ':CLMR:' "
-             "-no_header -bin cloud.bin` for each of them, and a `nephoscope-brick` sidecar "
-             "(docs/raw-les.md)",
+     .step =
+         "open it by itself: the reader `grib` says what it lacks; if `nephoscope readers` does "
+         "not list that reader, reinstall Nephoscope, or name the folder of its readers with "
+         "--reader",
      .is = [](const FileSigns& s) { return gribEdition(s) >= 2; }},
     {.id = "grib1",
      .what = "GRIB, edition 1",
      .sign = "`GRIB` and the edition, perhaps behind a bulletin's heading",
-     .step = "list what it holds: `wgrib FILE` or `cdo sinfo FILE`; no reader takes GRIB, but "
-             "hydrometeors on model levels come in as numbers: `wgrib FILE | grep ':CLWMR:' | "
-             "wgrib -i -nh -o cloud.bin FILE` for each of them, and a `nephoscope-brick` sidecar "
-             "(docs/raw-les.md)",
+     .step = "convert it to edition 2 with NCEP's tool: `cnvgrib -g12 FILE STEM.grib2`",
      .is = [](const FileSigns& s) { return gribEdition(s) == 1; }},
     {.id = "bufr",
      .what = "BUFR, which holds observations",

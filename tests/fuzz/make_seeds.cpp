@@ -12,6 +12,7 @@
 #include "core/plugin/reader_wire.h"
 #include "core/session/session_file.h"
 #include "tests/fuzz/case_files.h"
+#include "tests/readers/grib_maker.h"
 #include "tests/readers/les_maker.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"
@@ -230,6 +231,45 @@ std::string packed(const Message& message) {
     return to.take();
 }
 
+/// Every grid; simple and complex packing of every order; gaps, scanning modes, several fields.
+void seedGrib() {
+    const TemporaryFolder folder;
+    GribSpec base;
+    base.nz = 2;
+    base.omit = {"SNMR", "GRLE", "CIMIXR", "RWMR"};
+    base.fields["CLMR"] = [](int x, int y, int z, int) { return 1e-5 * ((x * y + z) % 7); };
+    base.ground["HGT"] = [](int, int, int, int) { return 3.0; };
+    const auto add = [&](const char* name, const GribSpec& spec) {
+        writeGrib(folder / "a", spec);
+        seed("grib", name, contentOf(folder / "a"));
+    };
+    GribSpec lambert = base;
+    lambert.severalFields = true;
+    lambert.missing = [](const std::string& name, int x, int, int) {
+        return name == "CLMR" && x == 2;
+    };
+    add("lambert", lambert);
+    GribSpec degrees = base;
+    degrees.grid = "regular_ll";
+    degrees.packing = "complex";
+    degrees.isobaric = true;
+    degrees.northward = false;
+    add("degrees", degrees);
+    GribSpec rotated = lambert;
+    rotated.grid = "rotated_ll";
+    rotated.packing = "complex";
+    rotated.order = rotated.marked = 1;
+    add("rotated", rotated);
+    GribSpec polar = base;
+    polar.grid = "polar_stereographic";
+    polar.alongY = true;
+    add("polar", polar);
+    GribSpec mercator = base;
+    mercator.grid = "mercator";
+    mercator.alternating = mercator.westward = true;
+    add("mercator", mercator);
+}
+
 void seedMessages() {
     const std::string described = packed(description());
     seed("messages", "description", '\0' + described);
@@ -274,6 +314,7 @@ int main(int count, char** arguments) {
     seedBricks();
     seedWrf();
     seedLes();
+    seedGrib();
     seedReaderTexts();
     seedDocuments();
     seedSessions();

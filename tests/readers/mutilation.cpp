@@ -10,6 +10,7 @@
 #include <iterator>
 #include <random>
 
+#include "tests/readers/grib_maker.h"
 #include "tests/readers/les_maker.h"
 #include "tests/readers/raw_maker.h"
 #include "tests/readers/wrf_maker.h"
@@ -185,6 +186,20 @@ WrfSpec smallWrf(NetcdfFormat format) {
     return spec;
 }
 
+/// All three ways to the values: unpacked here by row and by group, and by ecCodes.
+GribSpec smallGrib(const char* packing) {
+    GribSpec spec;
+    spec.nx = 12;
+    spec.ny = 10;
+    spec.nz = 4;
+    spec.packing = packing;
+    spec.omit = {"SNMR", "GRLE", "CIMIXR"};
+    spec.fields["CLMR"] = [](int x, int y, int z, int) { return 1e-5 * ((x * y + z) % 13); };
+    spec.fields["HGT"] = [](int x, int y, int z, int) { return 50.0 + x + y + 100.0 * z; };
+    spec.ground["HGT"] = [](int x, int y, int, int) { return 0.5 * x + y; };
+    return spec;
+}
+
 }  // namespace
 
 std::vector<FileSet> fileSets(const fs::path& scratch) {
@@ -199,10 +214,16 @@ std::vector<FileSet> fileSets(const fs::path& scratch) {
     for (const char* name : {"ql", "qr"}) {
         writeLes(scratch / "microhh" / (std::string(name) + ".nc"), microhhSample(name));
     }
+    for (const char* packing : {"grid_simple", "complex", "grid_ccsds"}) {
+        writeGrib(scratch / packing, smallGrib(packing));
+    }
     std::vector<FileSet> list{
         {"CM1 in NetCDF-4", scratch, {"cm1out_000001.nc"}, "cm1out_000001.nc"},
         {"MONC, classic", scratch, {"monc.nc"}, "monc.nc"},
         {"MicroHH in NetCDF", scratch / "microhh", {"ql.nc", "qr.nc"}, "ql.nc"},
+        {"GRIB2, simple", scratch, {"grid_simple"}, "grid_simple"},
+        {"GRIB2, complex", scratch, {"complex"}, "complex"},
+        {"GRIB2, CCSDS", scratch, {"grid_ccsds"}, "grid_ccsds"},
         {"small NetCDF-4", scratch, {"wrfout_nc4"}, "wrfout_nc4"},
         {"classic CDF-2", scratch, {"wrfout_cdf2"}, "wrfout_cdf2"},
         {"supercell sample",

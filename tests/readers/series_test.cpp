@@ -199,11 +199,11 @@ TEST_CASE(
     CHECK(contains(store.found, "a Zarr store"));
     CHECK(contains(store.hint, "open_zarr"));
     writeWrf(folder / "a", {});
-    std::ofstream(folder / "b.grb2") << std::string("GRIB\0\0\0\2 and more", 17);
-    const ErrorParts grib = errorOf([&] { openFiles({folder / "a", folder / "b.grb2"}); });
-    CHECK(contains(grib.where, "b.grb2"));
-    CHECK(contains(grib.found, "GRIB, edition 2"));
-    CHECK(contains(grib.hint, "wgrib2"));
+    std::ofstream(folder / "b.bufr") << std::string("BUFR\0\1\0\4 and more", 17);
+    const ErrorParts bufr = errorOf([&] { openFiles({folder / "a", folder / "b.bufr"}); });
+    CHECK(contains(bufr.where, "b.bufr"));
+    CHECK(contains(bufr.found, "BUFR"));
+    CHECK(contains(bufr.hint, "open output of a model"));
 }
 
 TEST_CASE("Every file that is named must be readable") {
