@@ -121,6 +121,7 @@ void deriveVapour(const Model& model, const Meanings& meanings, les::Contents& c
     const auto total = meanings.find(Meaning::totalWater);
     if (vapour && !meanings.perMoistAir.contains(*vapour)) {
         contents.vapour = vapour;
+        contents.description.variables[*vapour].role = NEPH_ROLE_WATER_VAPOUR;
         return;
     }
     if (!vapour && !total) return;
@@ -141,7 +142,7 @@ void deriveVapour(const Model& model, const Meanings& meanings, les::Contents& c
     contents.vapour = contents.sources.size();
     contents.addDerived(
         onCells(contents, "water_vapour_mixing_ratio", "humidity_mixing_ratio", "kg kg-1",
-                text + (moist ? ", per kg of dry air" : ""), NEPH_ROLE_OTHER),
+                text + (moist ? ", per kg of dry air" : ""), NEPH_ROLE_WATER_VAPOUR),
         std::move(derived));
 }
 

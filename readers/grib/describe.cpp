@@ -203,6 +203,7 @@ void GribFile::addAir() {
     }
     Quantity vapour = onCells("humidity_mixing_ratio", "kg kg-1", "from " + wet);
     vapour.standardName = "humidity_mixing_ratio";
+    vapour.role = NEPH_ROLE_WATER_VAPOUR;
     vapour.source = Source::vapour;
     quantities_.push_back(vapour);
     if (wet == "RH" || wet == "DPT") {
