@@ -10,7 +10,6 @@
 namespace neph {
 namespace {
 
-constexpr std::size_t kMostNodes = 60000;
 constexpr int kSets = 6;  // of 12 directions
 
 /// The same level with moments everywhere.
@@ -57,11 +56,11 @@ LightDirections manyDirections(std::uint64_t seed) {
 
 }  // namespace
 
-LightAround lightAround(const LightSolver& solver) {
+LightAround lightAround(const LightSolver& solver, std::size_t mostNodes) {
     const auto& levels = solver.levels();
     LightField field = solver.field();
     std::size_t at = 0;
-    while (at + 1 < levels.size() && levels[at].grid.nodeCount() > kMostNodes) {
+    while (at + 1 < levels.size() && levels[at].grid.nodeCount() > mostNodes) {
         field = restricted(levels[at], levels[at + 1], field, levels[at].emptyField());
         ++at;
     }

@@ -1,5 +1,6 @@
 // light_around.h: what clouds change of the light that air around them is in.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "core/transport/directions.h"
@@ -16,8 +17,8 @@ struct LightAround {
     std::vector<float> change;
 };
 
-/// Of the solver's field as it is: one more sweep, on a grid of the multigrid with at most 60,000
+/// Of the solver's field as it is: one more sweep, on a grid of the multigrid with at most so many
 /// nodes, or its coarsest.
-LightAround lightAround(const LightSolver& solver);
+LightAround lightAround(const LightSolver& solver, std::size_t mostNodes);
 
 }  // namespace neph

@@ -22,6 +22,8 @@ constexpr std::size_t kMostThreads = 16;
 constexpr std::array<int, kLightParts> kAveragedCycles{8, 4, 4};
 constexpr double kWorthACoarseStart = 5000;  // nodes
 constexpr int kCoarseCycles = 3;
+/// At which the light around clouds is collected; and for a first look.
+constexpr std::size_t kNodesAround = 60000, kFirstNodesAround = 12000;
 // While cycles are averaged, every so many of them are worth showing.
 constexpr int kShownOf = 4;
 
@@ -137,7 +139,7 @@ struct LightWork::Solution {
         return averaged <= 0 || averaged % kShownOf == 0 || settled();
     }
     std::shared_ptr<const LightState> state(bool whole) {
-        if (!around || settled()) lookAround();
+        if (!around || (whole && settled())) lookAround(whole ? kNodesAround : kFirstNodesAround);
         auto made = std::make_shared<LightState>();
         made->request = request;
         made->size = solvers[0]->level().grid.nodes;
@@ -159,11 +161,11 @@ struct LightWork::Solution {
         return made;
     }
 
-    void lookAround() {
+    void lookAround(std::size_t mostNodes) {
         auto made = std::make_shared<std::array<LightAround, kLightParts>>();
         shareOut(kLightParts, workerCount(kLightParts),
                  [&](std::size_t i, std::size_t, const Progress&) {
-                     (*made)[i] = lightAround(*solvers[i]);
+                     (*made)[i] = lightAround(*solvers[i], mostNodes);
                  });
         around = std::move(made);
     }

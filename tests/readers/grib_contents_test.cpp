@@ -64,10 +64,10 @@ TEST_CASE("Winds along the grid are told from those to the east and north") {
     for (const long alongGrid : {0L, 1L}) {
         spec.keys["uvRelativeToGrid"] = alongGrid;
         const auto dataset = openSpec(folder, spec);
-        const auto& variables = dataset->info().variables;
-        const auto wind = std::ranges::find(variables, alongGrid == 1 ? "x_wind" : "eastward_wind",
+        const auto& found = dataset->info().variables;
+        const auto wind = std::ranges::find(found, alongGrid == 1 ? "x_wind" : "eastward_wind",
                                             &VariableInfo::standardName);
-        REQUIRE(wind != variables.end());
+        REQUIRE(wind != found.end());
         CHECK(dataset->read(wind->name, 0).at(0, 0, 0) == 5.0f);
     }
 }
@@ -255,7 +255,8 @@ TEST_CASE("A GRIB2 field that cannot be unpacked is named with its message") {
     auto messages = gribMessages(spec);
     // The number of groups of message 2, at octets 32 to 35 of its section 5.
     const std::array<std::uint8_t, 5> head{0, 0, 0, 49, 5};
-    const auto section = std::ranges::search(messages[1], head).begin();
+    const auto section =
+        std::search(messages[1].begin(), messages[1].end(), head.begin(), head.end());
     REQUIRE(section != messages[1].end());
     section[33] = 1;
     writeMessages(folder / "a", messages);

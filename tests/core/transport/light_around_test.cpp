@@ -30,7 +30,7 @@ LightMedium blockOfCloud(double extinctionPerM) {
 LightAround solvedAround(const LightMedium& medium, const LightScene& scene) {
     LightSolver solver(medium, scene, {.aligned = true, .threads = 1});
     for (int cycle = 0; cycle < 6; ++cycle) solver.cycle();
-    return lightAround(solver);
+    return lightAround(solver, 60000);
 }
 
 /// Of the sphere, which a square covers as seen from below its middle.
