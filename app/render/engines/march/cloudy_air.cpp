@@ -39,7 +39,7 @@ glm::vec2 reachOf(const FrameBlock& block, bool repeats) {
         const glm::dvec3 at = glm::mix(boxLower - around, boxUpper + around, glm::dvec3(high));
         const double altitudeM = at.z + static_cast<double>(block.eyeM.w);
         const double fallM = sun.z > 0.0 ? altitudeM : altitudeM - kHighestShadowM;
-        const double lengthM = std::clamp(fallM / sun.z, 0.0, farthestM);
+        const double lengthM = sun.z == 0.0 ? farthestM : std::clamp(fallM / sun.z, 0.0, farthestM);
         for (const glm::dvec3& end : {at, at - lengthM * sun}) {
             lower = glm::min(lower, end);
             upper = glm::max(upper, end);
@@ -63,7 +63,8 @@ glm::ivec3 sizeOf(const FrameBlock& block) {
 
 void CloudyAir::open(const SlicePlan& plan) {
     const glm::ivec3 size{(plan.lightSizePx + 1) / 2, layersOf(plan)};
-    if (through_.size() == size) return;
+    if (through_.size() == size && repeats_ == plan.repeats) return;
+    repeats_ = plan.repeats;
     through_ = gl::Texture::make3D(GL_R16, size);
     through_.setLinear();
     if (plan.repeats) through_.setRepeat();

@@ -27,8 +27,9 @@ class CloudyAir {
     std::size_t bytes() const { return through_.bytes() + change_.bytes(); }
 
   private:
-    gl::Texture through_;  ///< R16: share of sunlight by place across the light, and slice
-    gl::Texture change_;   ///< RGBA16F: by place in the image and distance
+    bool repeats_ = false;  ///< beyond each edge across the light is the opposite one
+    gl::Texture through_;   ///< R16: share of sunlight by place across the light, and slice
+    gl::Texture change_;    ///< RGBA16F: by place in the image and distance
 };
 
 }  // namespace neph::render
