@@ -12,9 +12,10 @@ pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
-# HDF5 comes with NetCDF; it is named for one call, which keeps it from printing on threads that
-# NetCDF did not start.
+# HDF5 comes with NetCDF; it is named for the stored bytes of compressed chunks, and to keep it from
+# printing on threads that NetCDF did not start.
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+pkg_check_modules(LIBDEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 # Debian's pkg-config file of ecCodes names folders that do not exist, and its CMake package needs
 # tools of another package.
 find_path(ECCODES_INCLUDE_DIR eccodes.h REQUIRED)

@@ -267,6 +267,7 @@ DatasetInfo checkedDescription(const NephDescription* pointer) {
     }
     description.spacingM = {raw.spacing_m[0], raw.spacing_m[1]};
     addNewer(raw, description);
+    description.rowsTogether = raw.rows_together;
     description.times = checkedTimes(raw);
     description.variables = checkedVariables(raw);
     for (const char* note : checkedList(raw.notes, raw.note_count, "notes")) {

@@ -85,7 +85,10 @@ struct DatasetInfo {
     std::string domain;                        ///< files with different texts are never one series
     std::vector<std::filesystem::path> parts;  ///< other files that are read with this one
     MapGrid map;                               ///< where the grid lies on the earth
-    std::string noPlace;          ///< why it has none, such as \"the run is idealised\"; or empty
+    std::string noPlace;  ///< why it has none, such as \"the run is idealised\"; or empty
+    /// Rows along y that are stored as one, such as those of a compressed chunk: a handle keeps
+    /// what it has read of them. 0 or 1: each row by itself.
+    std::uint32_t rowsTogether = 0;
     std::vector<TimeInfo> times;  ///< sorted by time; of one file: in its order, at least one
     std::vector<VariableInfo> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each

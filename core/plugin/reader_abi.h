@@ -21,7 +21,7 @@ extern "C" {
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
  * 1: the first. 2: place and date (from projection on), roles of vapour and wind, grids that move,
- * and reasons. */
+ * reasons, and rows that are stored together. */
 #define NEPH_READER_ABI_VERSION 2u
 
 #if defined(_WIN32)
@@ -181,6 +181,11 @@ typedef struct NephDescription {
     /* Why there is no place, where that is as it should be: "the run is idealised". What should be
      * there and cannot be used is a note instead. Null or empty: no reason. */
     const char* no_place;
+    /* How many rows of cells along y are stored as one, such as the rows of a compressed chunk: the
+     * first read of any of them costs as much as reading them all, and the handle keeps the others
+     * for the reads that follow. The host then reads the whole grid through one handle, from south
+     * to north. 0 or 1: each row by itself. */
+    uint32_t rows_together;
 } NephDescription;
 
 /* Returns 0 to cancel. `fraction` lies in [0, 1]. */

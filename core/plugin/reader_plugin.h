@@ -61,8 +61,9 @@ struct Description {
     std::string projection;                  ///< PROJ string to metres; empty: place unknown
     std::array<double, 2> mapOriginM{};      ///< the grid's south-west corner on that map
     std::array<double, 2> mapPerGrid{1, 1};  ///< metres on the map per metre of the grid
-    std::string utcOfZero;  ///< when `seconds` are 0, "YYYY-MM-DDThh:mm:ssZ"; empty: unknown
-    std::string noPlace;    ///< why there is none, where that is as it should be
+    std::string utcOfZero;      ///< when `seconds` are 0, "YYYY-MM-DDThh:mm:ssZ"; empty: unknown
+    std::string noPlace;        ///< why there is none, where that is as it should be
+    unsigned rowsTogether = 0;  ///< rows along y that are stored as one; 0 or 1: each by itself
     std::vector<Time> times;
     std::vector<Variable> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
@@ -176,6 +177,7 @@ class Layout {
         }
         description_.utc_of_zero = from.utcOfZero.c_str();
         description_.no_place = from.noPlace.c_str();
+        description_.rows_together = from.rowsTogether;
         description_.time_count = static_cast<std::uint32_t>(timePointers_.size());
         description_.times = timePointers_.data();
         description_.variable_count = static_cast<std::uint32_t>(variablePointers_.size());

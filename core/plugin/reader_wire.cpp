@@ -136,7 +136,7 @@ void packBesidesTimes(Packer& to, const DatasetInfo& info) {
     to.number(static_cast<std::int32_t>(info.microphysics)).number(info.cloudDropletsPerM3);
     to.number(info.size).number(info.spacingM).text(info.domain);
     to.text(info.map.projection).number(info.map.originM).number(info.map.mapPerGrid);
-    to.text(info.noPlace);
+    to.text(info.noPlace).number(info.rowsTogether);
     for (const std::vector<double>& edges : info.edgesM) {
         to.number(static_cast<std::uint64_t>(edges.size()));
         for (const double edge : edges) to.number(edge);
@@ -169,6 +169,7 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
     info.map.originM = from.number<glm::dvec2>();
     info.map.mapPerGrid = from.number<glm::dvec2>();
     info.noPlace = from.text();
+    info.rowsTogether = from.number<std::uint32_t>();
     for (std::size_t axis = 0; axis < info.edgesM.size(); ++axis) {
         unpackEdges(from, info.size[static_cast<int>(axis)], info.edgesM[axis]);
     }

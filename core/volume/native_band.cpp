@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -24,6 +25,24 @@ std::string textOf(glm::ivec3 size) {
 bool isProfile(const VariableInfo& variable, const DatasetInfo& info) {
     return variable.size.x == 1 && variable.size.y == 1 && (info.size.x > 1 || info.size.y > 1);
 }
+
+/// One handle that several threads read through by turns.
+class SharedHandle final : public Dataset {
+  public:
+    explicit SharedHandle(Dataset& dataset) : dataset_(dataset) { info_ = dataset.info(); }
+    bool has(std::string_view variable, int time) const override {
+        return dataset_.has(variable, time);
+    }
+    Array3f read(std::string_view variable, int time, std::optional<CellBox> box,
+                 const Progress& progress) override {
+        const std::lock_guard lock(mutex_);
+        return dataset_.read(variable, time, box, progress);
+    }
+
+  private:
+    Dataset& dataset_;
+    std::mutex mutex_;
+};
 
 /// A value that cannot be used.
 struct BadCell {
@@ -164,6 +183,18 @@ Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, cons
 void overBands(Dataset& dataset, std::size_t bandCount, const BandWork& work,
                const Progress& progress) {
     const std::size_t workers = std::min(workerCount(kMostThreads), bandCount);
+    if (dataset.info().rowsTogether > 1) {
+        // Bands and rows that are stored together seldom end at the same row: with one handle, what
+        // two bands need is still read once.
+        SharedHandle shared(dataset);
+        shareOut(
+            bandCount, workers,
+            [&](std::size_t band, std::size_t, const Progress& report) {
+                work(shared, band, report);
+            },
+            progress);
+        return;
+    }
     std::vector<std::unique_ptr<Dataset>> handles;
     while (handles.size() + 1 < workers) {
         auto handle = dataset.anotherHandle();

@@ -70,7 +70,7 @@ ColumnField readDensity(Dataset& dataset, int time, const CellBox& band,
 Array3f readRatio(Dataset& dataset, const VariableInfo& variable, int time, const CellBox& band,
                   Repairs& repairs, const Progress& progress = {}, int countedFrom = 0);
 
-/// Called with a handle of the data set that no other thread uses at the same time.
+/// Called with a handle of the data set that only reads for one thread at a time.
 using BandWork = std::function<void(Dataset& dataset, std::size_t band, const Progress& progress)>;
 
 /// Runs `work` for every band, on several threads if the data set provides further handles. Throws

@@ -120,6 +120,8 @@ NcFile::NcFile(const std::string& path) : path_(path), floats_(path) {
 
 NcFile::~NcFile() {
     const LibraryLock lock;
+    deflated_.clear();
+    if (hdf5_ && *hdf5_ >= 0) H5Fclose(*hdf5_);
     nc_close(id_);
 }
 
@@ -168,6 +170,7 @@ NcVariable NcFile::describe(int id) const {
     if (rank > 0 && nc_inq_var_chunking(id_, id, &storage, chunk.data()) == NC_NOERR &&
         storage == NC_CHUNKED) {
         variable.chunk = chunk;
+        variable.deflated = variable.floats && onlyDeflated(id_, id);
     }
     return variable;
 }
@@ -241,7 +244,8 @@ void NcFile::read(const NcVariable& variable, std::span<const std::size_t> start
         variable.packing.unpack(readDoubles(variable, start, count), values);
         return;
     }
-    if (!readClassic(variable, start, count, values)) {
+    if (!readClassic(variable, start, count, values) &&
+        !readDeflated(variable, start, count, values)) {
         readWithLibrary(variable, start, count, values);
     }
     variable.packing.unpack(values);
@@ -262,6 +266,37 @@ bool NcFile::readClassic(const NcVariable& variable, std::span<const std::size_t
         shape.push_back(variable.axes[axis].length);
     }
     return floats_.read(*begin, shape, start.subspan(first), count.subspan(first), values);
+}
+
+/// False if the library has to read or to name the error: anything but sound chunks of floats that
+/// were compressed with deflate.
+bool NcFile::readDeflated(const NcVariable& variable, std::span<const std::size_t> start,
+                          std::span<const std::size_t> count, std::span<float> values) const {
+    if (!variable.deflated) return false;
+    DeflatedFloats* floats = nullptr;
+    std::optional<std::vector<DeflatedFloats::Stored>> chunks;
+    {
+        const LibraryLock lock;
+        floats = deflated(variable);
+        if (floats != nullptr) chunks = floats->fetch(start, count);
+    }
+    if (!chunks || !floats->inflate(*chunks)) return false;
+    floats->copy(start, count, values);
+    return true;
+}
+
+/// How the chunks of a variable are read without the filters of HDF5; null if they cannot be.
+DeflatedFloats* NcFile::deflated(const NcVariable& variable) const {
+    const auto known = deflated_.find(variable.id);
+    if (known != deflated_.end()) return known->second.get();
+    if (!hdf5_) {
+        hdf5_ = DeflatedFloats::fileOf(path_);
+    }
+    std::vector<std::size_t> shape;
+    for (const NcDimension& axis : variable.axes) shape.push_back(axis.length);
+    auto floats =
+        *hdf5_ < 0 ? nullptr : DeflatedFloats::of(*hdf5_, variable.name, shape, variable.chunk);
+    return deflated_.emplace(variable.id, std::move(floats)).first->second.get();
 }
 
 void NcFile::readWithLibrary(const NcVariable& variable, std::span<const std::size_t> start,

@@ -1,10 +1,12 @@
 // nc_file.h: one NetCDF file, opened for reading. All calls of the library are made here.
 //
-// NetCDF-C is not thread-safe, so each method holds one lock for the whole process. The exception
-// is floats of classic files, which are read without the library. Sizes and starts are in file
-// order, slowest axis first.
+// NetCDF-C is not thread-safe, so each method holds one lock for the whole process. The exceptions
+// are floats of classic files, which are read without the library, and inflating chunks of floats.
+// Sizes and starts are in file order, slowest axis first.
 #pragma once
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,6 +15,7 @@
 
 #include "readers/netcdf/classic_floats.h"
 #include "readers/netcdf/classic_layout.h"
+#include "readers/netcdf/deflated_floats.h"
 #include "readers/netcdf/failure.h"
 #include "readers/netcdf/nc_packing.h"
 
@@ -31,6 +34,8 @@ struct NcVariable {
     bool floats = false;   ///< of these, as floats
     bool text = false;     ///< stored as characters
     bool strings = false;  ///< stored as strings
+    bool deflated =
+        false;  ///< as floats, in chunks that deflate has compressed, and no other filter
     std::vector<NcDimension> axes;
     std::vector<std::size_t> chunk;  ///< cells per axis; empty if not chunked
     NcPacking packing;
@@ -99,6 +104,9 @@ class NcFile {
     void requireWhole(const NcVariable& variable, std::size_t lastRecord) const;
     bool readClassic(const NcVariable& variable, std::span<const std::size_t> start,
                      std::span<const std::size_t> count, std::span<float> values) const;
+    bool readDeflated(const NcVariable& variable, std::span<const std::size_t> start,
+                      std::span<const std::size_t> count, std::span<float> values) const;
+    DeflatedFloats* deflated(const NcVariable& variable) const;
     void enlargeChunkCache(const NcVariable& variable) const;
     void readWithLibrary(const NcVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count, std::span<float> values) const;
@@ -109,6 +117,9 @@ class NcFile {
     int id_ = -1;
     std::optional<ClassicLayout> layout_;
     ClassicFloats floats_;
+    mutable std::optional<hid_t> hdf5_;  ///< the same file, opened with HDF5; negative: failed
+    /// By the id of a variable; null where the library has to read.
+    mutable std::map<int, std::unique_ptr<DeflatedFloats>> deflated_;
     mutable std::set<int> cacheEnlarged_;  ///< ids of variables whose chunk cache was enlarged
     std::vector<NcDimension> dimensions_;
     std::vector<NcVariable> variables_;

@@ -17,6 +17,7 @@ struct Filter {
     unsigned id;
     std::string_view name;
 };
+constexpr unsigned kDeflate = 1, kShuffle = 2;
 constexpr std::array kRegistered{
     Filter{4, "szip"},
     Filter{307, "bzip2"},
@@ -46,6 +47,21 @@ std::optional<std::string> missingFilter(int file, int variable) {
         return fmt::format("{} (id {})", known == kRegistered.end() ? "a filter" : known->name, id);
     }
     return {};
+}
+
+bool onlyDeflated(int file, int variable) {
+    int shuffled = 0, deflated = 0, checksums = 0;
+    std::size_t count = 0;
+    if (nc_inq_var_deflate(file, variable, &shuffled, &deflated, nullptr) != NC_NOERR ||
+        nc_inq_var_fletcher32(file, variable, &checksums) != NC_NOERR ||
+        nc_inq_var_filter_ids(file, variable, &count, nullptr) != NC_NOERR) {
+        return false;
+    }
+    std::vector<unsigned> ids(count);
+    if (nc_inq_var_filter_ids(file, variable, &count, ids.data()) != NC_NOERR) return false;
+    const bool others =
+        std::ranges::any_of(ids, [](unsigned id) { return id != kDeflate && id != kShuffle; });
+    return deflated != 0 && checksums == 0 && !others;
 }
 
 std::string filterHint() {

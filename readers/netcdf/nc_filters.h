@@ -12,4 +12,8 @@ std::optional<std::string> missingFilter(int file, int variable);
 /// What to do about it.
 std::string filterHint();
 
+/// Whether a variable is compressed with deflate, after the shuffle filter or without, and passes
+/// no other filter. The caller holds the lock of the library.
+bool onlyDeflated(int file, int variable);
+
 }  // namespace nc

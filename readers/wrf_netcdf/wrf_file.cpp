@@ -191,6 +191,13 @@ void WrfFile::addFields() {
         return field.terms.empty() ? -1 : field.terms.front().variable->id;
     });
     units.addTo(description_.notes);
+    for (const Field& field : fields_) {
+        if (field.role == NEPH_ROLE_OTHER) continue;
+        const NcVariable& leading = leadingVariable(field);
+        if (!leading.deflated || leading.chunk.size() < 2) continue;
+        const auto rows = static_cast<unsigned>(leading.chunk[leading.chunk.size() - 2]);
+        description_.rowsTogether = std::max(description_.rowsTogether, rows);
+    }
     description_.variables.assign(fields_.begin(), fields_.end());
 }
 

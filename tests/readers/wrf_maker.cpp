@@ -233,7 +233,10 @@ void writeWrf(const std::filesystem::path& path, const WrfSpec& spec) {
     for (const std::string& name : names) {
         ids.push_back(defineField(file, name, spec, axes));
         if (spec.format == NetcdfFormat::netcdf4) {
-            require(nc_def_var_deflate(file, ids.back(), 1, 1, 4));
+            require(nc_def_var_deflate(file, ids.back(), spec.shuffled ? 1 : 0, 1, 4));
+            const std::array<std::size_t, 4> chunk{1, spec.chunk[0], spec.chunk[1], spec.chunk[2]};
+            if (spec.chunk[0] == 0 || spec.flat.contains(name)) continue;
+            require(nc_def_var_chunking(file, ids.back(), NC_CHUNKED, chunk.data()));
         }
     }
     if (withTimes && !spec.timesFirst) times = defineTimes(file, axes, spec.timesAsStrings);

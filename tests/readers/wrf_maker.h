@@ -1,5 +1,6 @@
 // wrf_maker.h: writes small files with the structure of WRF output, valid or invalid on purpose.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -47,6 +48,9 @@ struct WrfSpec {
     std::string calendar;
     bool timesAsStrings = false;  ///< NC_STRING, in NetCDF-4 only
     std::optional<WrfPatch> patch;
+    /// Cells per chunk in z, y, x of the fields, in NetCDF-4 only; 0: the library's.
+    std::array<std::size_t, 3> chunk{};
+    bool shuffled = true;    ///< before deflate, in NetCDF-4 only
     bool timesFirst = true;  ///< Times before the fields in the file, as in WRF output
 
     /// Layers are 100 m deep; air as in the first test value of docs/physics.md §7: p 5e4 Pa, theta

@@ -23,6 +23,7 @@ DatasetInfo described(double seconds) {
     description.spacingM = {1000.0, 0.1};
     description.map = {"+proj=merc", {-1.0 / 3.0, 2e6}, {1.5, 2.0}};
     description.noPlace = "none";
+    description.rowsTogether = 267;
     description.times = {{"t\xC3\xA9", seconds, {}, 0}};
     description.times[0].gridOffsetM = {22500.0, -1.0 / 3.0};
     if (seconds > 0.0) description.times[0].utc = UtcTime(UtcTime::duration(seconds / 3.0));
@@ -47,6 +48,7 @@ void checkSame(const DatasetInfo& a, const DatasetInfo& b) {
     CHECK(a.spacingM == b.spacingM);
     CHECK(a.map == b.map);
     CHECK(a.noPlace == b.noPlace);
+    CHECK(a.rowsTogether == b.rowsTogether);
     REQUIRE(a.times.size() == 1);
     CHECK(a.times[0].label == b.times[0].label);
     CHECK(a.times[0].seconds == b.times[0].seconds);

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/volume/native_band.h"
 #include "tests/core/memory_dataset.h"
 
 using namespace neph;
@@ -291,4 +292,23 @@ TEST_CASE("A profile of temperature sizes particles as the same temperature in e
     const std::vector<float> profile = extinction({1, 1, 4});
     CHECK(profile == extinction({3, 5, 4}));
     CHECK(std::ranges::any_of(profile, [](float value) { return value > 0.0f; }));
+}
+
+TEST_CASE("Where rows are stored together, all bands are read through one handle") {
+    const auto height = [](int, int, int z) { return 100.0f * static_cast<float>(z); };
+    const auto ratio = [](int x, int y, int z) {
+        return 1e-6f * static_cast<float>(1 + (x + 3 * y + 7 * z) % 11);
+    };
+    MemoryDataset apart({512, 64, 40}, height);
+    apart.addRatio(Species::cloud, ratio);
+    MemoryDataset together = apart;
+    together.stated().rowsTogether = 27;
+    const auto bands = static_cast<int>(bandsOf(wholeBox(apart.info()), 1).size());
+    REQUIRE(bands > 4);
+    const SpeciesVolume expected = resample(apart, 0);
+    const SpeciesVolume found = resample(together, 0);
+    CHECK(together.reads("Q_cloud") == bands);
+    const std::size_t cloud = static_cast<std::size_t>(Species::cloud);
+    CHECK(found.contentKgPerM3[cloud].values == expected.contentKgPerM3[cloud].values);
+    CHECK(found.extinctionPerM[cloud].values == expected.extinctionPerM[cloud].values);
 }
