@@ -288,8 +288,8 @@ void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
     for (const std::string& note : held.volume->notes) {
         if (std::ranges::find(lasting, note) == lasting.end()) add(Message::Kind::note, note);
     }
-    const std::string haze =
-        hazeNote(document.look, held.volume->timeLabel, held.summary.noHumidity);
+    const std::string haze = hazeNote(document.look, held.summary.where, held.volume->timeLabel,
+                                      held.summary.noHumidity, held.summary.noAerosol);
     if (!haze.empty()) add(Message::Kind::note, haze);
     if (held.summary.empty()) {
         add(Message::Kind::warning,
