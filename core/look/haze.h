@@ -13,7 +13,7 @@
 
 namespace neph {
 
-/// What visibilities can be: images of thicker air are not accurate.
+/// The range of `sky.visibility`.
 inline constexpr double kLeastVisibilityM = 2e3, kMostVisibilityM = 300e3;
 
 /// Whether the look needs the humidity, and perhaps the aerosol, of the lowest air.
