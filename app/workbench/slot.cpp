@@ -47,11 +47,11 @@ void Slot::takeData() {
 }
 
 void Slot::noteChanges() {
-    const std::optional<double> humidity = session.where().humidity;
-    const bool sameAir = humidity == seenHumidity_;
+    const double visibilityM = hazeOf(session.document.look, session.where()).visibilityM;
+    const bool sameAir = visibilityM == seenVisibilityM_;
     if (session.document == seen_ && sameAir) return;
     changed_ = Clock::now();
-    seenHumidity_ = humidity;
+    seenVisibilityM_ = visibilityM;
     if (drawn_ && drawn_->step == ui::kFullStep && sameAir &&
         sameSamples(session.document, seen_)) {
         retone_ = true;

@@ -124,8 +124,8 @@ class Slot {
 
     render::Renderer renderer_{resourcePath("shaders")};
     std::array<ui::QualityControl, kEngineCount> qualities_ = ui::qualityOfEachEngine();
-    Document seen_;  // as of the last look
-    std::optional<double> seenHumidity_;
+    Document seen_;                 // as of the last look
+    double seenVisibilityM_ = 0.0;  ///< by the look and the air of the data
     glm::ivec2 placePx_{0};
     render::Accumulation image_;
     std::optional<ui::Draft> drawn_;  // none: to be drawn again

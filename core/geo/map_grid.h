@@ -41,6 +41,8 @@ struct Whereabouts {
     std::optional<UtcTime> utc;
     /// Of the lowest air, 0 to 1; where a look asks for it and the data have it.
     std::optional<double> humidity = {};
+    /// Of the aerosol in it at 550 nm, 1/m; where the humidity is asked for and the data have both.
+    std::optional<double> aerosolPerM = {};
 };
 
 }  // namespace neph

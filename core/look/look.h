@@ -30,8 +30,9 @@ enum class LightSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
-/// How thick haze is: by the look's visibility, or by the humidity of the data's lowest air.
-enum class Haze : int { fixed, humidity };
+/// How thick haze is: by the look's visibility, by the humidity of the data's lowest air, or by the
+/// aerosol in it.
+enum class Haze : int { fixed, humidity, aerosol };
 /// What lights the scene: the sun, or the moon in its place.
 enum class LightBody : int { sun, moon };
 /// How paths of the reference meet the air within the grid. docs/sky.md

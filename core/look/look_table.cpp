@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "core/look/haze.h"
 #include "core/look/parameter_rows.h"
 
 namespace neph {
@@ -257,14 +258,17 @@ void addSunAndSky(std::vector<Parameter>& table) {
         {{"fixed", "Fixed", "Of the visibility below."},
          {"humidity", "By humidity",
           "Of the visibility that the mean humidity of the lowest layer of the data brings [UPP]; "
-          "without water vapour in them, of the one below."}},
-        "Whether the haze is the same at all times or grows with the humidity of the data. "
+          "without water vapour in them, of the one below."},
+         {"aerosol", "By aerosol",
+          "Of the visibility that the aerosol of the lowest layer of the data brings at its "
+          "humidity (WRF's QNWFA and QNIFA); without aerosol in them, by humidity."}},
+        "Whether the haze is the same at all times or follows humidity or aerosol of the data. "
         "docs/sky.md"));
     Parameter& visibility = rows.number(
-        "sky.visibility", "Visibility", "m", &Look::visibilityM, {2000.0, 300e3, true},
-        Stage::light,
+        "sky.visibility", "Visibility", "m", &Look::visibilityM,
+        {kLeastVisibilityM, kMostVisibilityM, true}, Stage::light,
         "How far one sees through the haze near the ground, which thins by a factor e in 1.2 km; "
-        "where haze does not follow the humidity.");
+        "where haze does not follow the data.");
     visibility.displayUnit = "km";
     visibility.displayScale = 1e-3;
     ofAtmosphere(visibility);

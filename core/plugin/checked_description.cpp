@@ -34,7 +34,7 @@ constexpr double kMaxExtentM = 1e9;
 static_assert(static_cast<int>(VariableRole::mixingRatio) == NEPH_ROLE_MIXING_RATIO);
 static_assert(static_cast<int>(VariableRole::interfaceHeight) == NEPH_ROLE_INTERFACE_HEIGHT);
 static_assert(static_cast<int>(VariableRole::waterVapour) == NEPH_ROLE_WATER_VAPOUR);
-static_assert(kVariableRoles == NEPH_ROLE_UPWARD_WIND + 1);
+static_assert(kVariableRoles == NEPH_ROLE_DUST_NUMBER + 1);
 static_assert(kMicrophysics == NEPH_MICROPHYSICS_MORRISON + 1);
 static_assert(static_cast<int>(Species::cloud) == NEPH_SPECIES_CLOUD);
 static_assert(kSpeciesCount == NEPH_SPECIES_HAIL + 1);

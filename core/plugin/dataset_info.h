@@ -24,19 +24,21 @@ namespace neph {
 /// values are those of NephRole.
 enum class VariableRole : int {
     other,
-    mixingRatio,          ///< of `species`, kg per kg of dry air
-    dryAirDensity,        ///< kg/m³ at cell centres
-    interfaceHeight,      ///< m above sea level, nz + 1 levels, increasing
-    airPressure,          ///< Pa
-    airTemperature,       ///< K
-    effectiveRadius,      ///< of `species`, m
-    numberConcentration,  ///< of `species`, per kg of dry air
-    waterVapour,          ///< kg per kg of dry air
-    xWind,                ///< m/s along the grid's x, at cell centres
-    yWind,                ///< m/s along the grid's y, at cell centres
-    upwardWind            ///< m/s, at cell centres
+    mixingRatio,               ///< of `species`, kg per kg of dry air
+    dryAirDensity,             ///< kg/m³ at cell centres
+    interfaceHeight,           ///< m above sea level, nz + 1 levels, increasing
+    airPressure,               ///< Pa
+    airTemperature,            ///< K
+    effectiveRadius,           ///< of `species`, m
+    numberConcentration,       ///< of `species`, per kg of dry air
+    waterVapour,               ///< kg per kg of dry air
+    xWind,                     ///< m/s along the grid's x, at cell centres
+    yWind,                     ///< m/s along the grid's y, at cell centres
+    upwardWind,                ///< m/s, at cell centres
+    hygroscopicAerosolNumber,  ///< of aerosol that takes up water, per kg of dry air
+    dustNumber                 ///< of mineral dust, per kg of dry air
 };
-inline constexpr int kVariableRoles = 12;
+inline constexpr int kVariableRoles = 14;
 
 /// The scheme whose particle size distributions the hydrometeors follow. The values are those of
 /// NephMicrophysics. docs/physics.md §7

@@ -68,6 +68,9 @@ typedef int32_t NephRole;
 #define NEPH_ROLE_X_WIND 9       /* m/s along the grid's x at cell centres; x_wind */
 #define NEPH_ROLE_Y_WIND 10      /* the same along y; y_wind */
 #define NEPH_ROLE_UPWARD_WIND 11 /* m/s at cell centres; upward_air_velocity */
+/* Of aerosol that takes up water, per kg of dry air; particles as core/optics/aerosol.h has them */
+#define NEPH_ROLE_HYGROSCOPIC_AEROSOL_NUMBER 12
+#define NEPH_ROLE_DUST_NUMBER 13 /* of mineral dust, the same */
 
 typedef int32_t NephSpecies;
 #define NEPH_SPECIES_NONE (-1)

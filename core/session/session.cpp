@@ -135,6 +135,7 @@ void Session::copyFrom(const Session& other) {
     cache_ = other.cache_;
     shown_ = fresh_ = other.shown_;
     shownKey_ = other.shownKey_;
+    saidHaze_ = other.saidHaze_;
     seenTime_ = document.time;
     watch_.watch(paths_, stamps_);
 }
@@ -183,6 +184,8 @@ void Session::poll() {
 void Session::want(const VolumeKey& key) {
     if ((key == shownKey_ && !shownStale_) || key == failedKey_) {
         if (jobs_.busy() && !opening_) jobs_.cancel();  // the previous request was withdrawn
+        // Haze by humidity and by aerosol need the same volume, and can lack different things.
+        if (key == shownKey_ && document.look.haze != saidHaze_) sayOfTime(*shown_, key.request);
         return;
     }
     if (const Held held = cache_.find(key)) {
@@ -281,6 +284,7 @@ void Session::show(const VolumeKey& key, const Held& held) {
 /// request entails for every time has been said.
 void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
     std::erase_if(messages, &Message::ofTime);
+    saidHaze_ = document.look.haze;
     const auto add = [this](Message::Kind kind, const std::string& text) {
         messages.push_back({kind, text, ++lastSerial_, true});
     };
@@ -288,8 +292,8 @@ void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
     for (const std::string& note : held.volume->notes) {
         if (std::ranges::find(lasting, note) == lasting.end()) add(Message::Kind::note, note);
     }
-    const std::string haze =
-        hazeNote(document.look, held.volume->timeLabel, held.summary.noHumidity);
+    const std::string haze = hazeNote(document.look, held.summary.where, held.volume->timeLabel,
+                                      held.summary.noHumidity, held.summary.noAerosol);
     if (!haze.empty()) add(Message::Kind::note, haze);
     if (held.summary.empty()) {
         add(Message::Kind::warning,

@@ -171,6 +171,7 @@ class Session {
 
     Held shown_, fresh_;
     std::optional<VolumeKey> shownKey_, readingKey_, failedKey_;
+    Haze saidHaze_ = Haze::fixed;             ///< what the messages about the shown time are for
     bool shownStale_ = false;                 // its file has changed since it was read
     FieldSet metres_ = 0, presetMetres_ = 0;  // of document and presetLook: see takeMetres()
     bool unframed_ = false;

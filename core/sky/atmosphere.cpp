@@ -40,6 +40,11 @@ double moleculesDepth(double nm) {
            (1.0 + 0.0027059889 / um2 - 85.968563 * um2);
 }
 
+/// Their extinction at sea level, 550 nm.
+double greenMoleculesPerM() {
+    return moleculesDepth(550.0) / kMoleculesHeightM;
+}
+
 Spectrum byWavelength(const auto& valueAt) {
     Spectrum made;
     for (std::size_t i = 0; i < kSpectrumSize; ++i) made.at[i] = static_cast<float>(valueAt(i));
@@ -136,11 +141,14 @@ struct Atmosphere::Sum {
     Spectrum depth;          ///< of what is seen through it
 };
 
+double visibilityOfHazeM(double hazePerM) {
+    return kContrast / (hazePerM + greenMoleculesPerM());
+}
+
 Atmosphere::Atmosphere(const AtmosphereSpec& spec) : spec_(spec) {
     moleculesPerM_ = byWavelength(
         [](std::size_t i) { return moleculesDepth(kSpectrumNm[i]) / kMoleculesHeightM; });
-    const double molecules = moleculesDepth(550.0) / kMoleculesHeightM;
-    const double hazePerM = std::max(0.0, kContrast / spec.visibilityM - molecules);
+    const double hazePerM = std::max(0.0, kContrast / spec.visibilityM - greenMoleculesPerM());
     hazePerM_ = byWavelength(
         [&](std::size_t i) { return hazePerM * std::pow(kSpectrumNm[i] / 550.0, -kHazeAngstrom); });
     const double ozonePerM3 = spec.ozoneDobson * kDobsonPerM2 / kOzoneTentM;

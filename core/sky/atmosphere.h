@@ -28,6 +28,10 @@ struct AtmosphereSpec {
     bool operator==(const AtmosphereSpec&) const = default;
 };
 
+/// AtmosphereSpec::visibilityM of air whose haze has an extinction of `hazePerM` at 550 nm, with
+/// that of molecules.
+double visibilityOfHazeM(double hazePerM);
+
 /// Where someone looks, and where the sun stands there.
 struct SkyRay {
     double altitudeM = 0.0;       ///< of the eye, above sea level

@@ -1,10 +1,16 @@
-// humidity.cpp: three formulas.
+// humidity.cpp: four formulas.
 #include "core/sky/humidity.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace neph {
+namespace {
+
+constexpr double kGasRatio = 0.622;  // of dry air and vapour [Bolton80]
+constexpr double kDryAir = 287.0;    // J/(kg K), as in docs/physics.md §7
+
+}  // namespace
 
 double saturationPressurePa(double temperatureK) {
     const double celsius = temperatureK - 273.15;
@@ -12,9 +18,12 @@ double saturationPressurePa(double temperatureK) {
 }
 
 double relativeHumidity(double pressurePa, double temperatureK, double vapourRatio) {
-    constexpr double kGasRatio = 0.622;  // of dry air and vapour [Bolton80]
     const double ratio = std::max(vapourRatio, 0.0);
     return pressurePa * ratio / (kGasRatio + ratio) / saturationPressurePa(temperatureK);
+}
+
+double dryDensityKgPerM3(double pressurePa, double temperatureK, double vapourRatio) {
+    return pressurePa / (kDryAir * temperatureK * (1.0 + std::max(vapourRatio, 0.0) / kGasRatio));
 }
 
 double visibilityOfHumidityM(double humidity) {

@@ -10,6 +10,9 @@ double saturationPressurePa(double temperatureK);
 /// below 0, and above 1 where the air is supersaturated.
 double relativeHumidity(double pressurePa, double temperatureK, double vapourRatio);
 
+/// Density of the dry part of such air, kg/m³.
+double dryDensityKgPerM3(double pressurePa, double temperatureK, double vapourRatio);
+
 /// Visibility in clear air, metres, at a contrast of 0.02 like AtmosphereSpec::visibilityM: that of
 /// NCEP's post-processor, 90 km exp(-2.5 (humidity - 0.15)), even below a humidity of 15 and above
 /// 95 %, which is at a contrast of 0.05. [UPP]

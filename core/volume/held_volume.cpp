@@ -137,6 +137,8 @@ void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& p
     const LowestAir air = readLowestAir(dataset, time, progress);
     held.summary.where.humidity = air.humidity;
     held.summary.noHumidity = air.reason;
+    held.summary.where.aerosolPerM = air.aerosolPerM;
+    held.summary.noAerosol = air.noAerosol;
 }
 
 BoxM withMargin(const BoxM& region) {

@@ -59,6 +59,7 @@ struct VolumeSummary {
     std::string timeLabel;
     Whereabouts where;       ///< the middle of the grid, at this time
     std::string noHumidity;  ///< why it is not known although it was asked for; or empty
+    std::string noAerosol;   ///< the same of the aerosol
     bool empty() const;      ///< no hydrometeor anywhere
 };
 
@@ -73,7 +74,7 @@ VolumeSummary summarise(const SpeciesVolume& volume);
 /// Plans, reads and summarises. Throws Error or Cancelled.
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress = {});
-/// Adds the humidity to what was read without. Throws Cancelled.
+/// Adds humidity and aerosol of the lowest air to what was read without. Throws Cancelled.
 void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& progress = {});
 
 /// `region` extended by a tenth of its extent on every side.

@@ -33,6 +33,8 @@ constexpr Limits kPressure{NEPH_LEAST_PRESSURE_PA, NEPH_MOST_PRESSURE_PA, "Pa"};
 constexpr Limits kTemperature{NEPH_LEAST_TEMPERATURE_K, NEPH_MOST_TEMPERATURE_K, "K"};
 constexpr Limits kDensity{NEPH_LEAST_DENSITY_KG_PER_M3, NEPH_MOST_DENSITY_KG_PER_M3, "kg/m3"};
 constexpr Limits kVapour{NEPH_LEAST_VAPOUR_KG_PER_KG, NEPH_MOST_VAPOUR_KG_PER_KG, "kg/kg"};
+// A hundred times what `gt_aod` of [WRF] counts at most; advection leaves values below zero.
+constexpr Limits kAerosol{-1e9, 1e13, "per kg"};
 
 // Density falls by a factor e in this height, from that at the ground, within a fifth of the
 // standard atmosphere's up to 20 km and a factor of 1.3 up to 80 km. [USSA76]
@@ -63,6 +65,9 @@ std::optional<Limits> limitsOf(VariableRole role) {
     if (role == VariableRole::airTemperature) return kTemperature;
     if (role == VariableRole::dryAirDensity) return kDensity;
     if (role == VariableRole::waterVapour) return kVapour;
+    if (role == VariableRole::hygroscopicAerosolNumber || role == VariableRole::dustNumber) {
+        return kAerosol;
+    }
     return {};
 }
 

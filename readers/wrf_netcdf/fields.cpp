@@ -53,6 +53,8 @@ constexpr std::array kKnown{
     KnownName{"QNSNOW", kNumber, NEPH_SPECIES_SNOW},
     KnownName{"QNGRAUPEL", kNumber, NEPH_SPECIES_GRAUPEL},
     KnownName{"QNHAIL", kNumber, NEPH_SPECIES_HAIL},
+    KnownName{"QNWFA", NEPH_ROLE_HYGROSCOPIC_AEROSOL_NUMBER, NEPH_SPECIES_NONE},
+    KnownName{"QNIFA", NEPH_ROLE_DUST_NUMBER, NEPH_SPECIES_NONE},
     KnownName{"qc", kRatio, NEPH_SPECIES_CLOUD, "", true},
     KnownName{"clwmr", kRatio, NEPH_SPECIES_CLOUD, "", true},
     KnownName{"qi", kRatio, NEPH_SPECIES_ICE, "", true},

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/volume/lowest_air.h"
 #include "tests/readers/reader_host.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"
@@ -100,6 +101,35 @@ TEST_CASE("Dry air density, temperature and pressure are those of docs/physics.m
         CHECK(vapour->units == "kg kg-1");
         CHECK(dataset->read("QVAPOR", 0).at(2, 1, 3) == c.vapour);
     }
+}
+
+TEST_CASE("Aerosol of Thompson's scheme has its roles, and haze its extinction") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.mpPhysics = 28;
+    spec.fields["QNWFA"] = [](int, int, int z, int) { return z == 0 ? 1e9f : 1e8f; };
+    spec.fields["QNIFA"] = [](int, int, int z, int) { return z == 0 ? 2e5f : 1e5f; };
+    spec.units["QNWFA"] = spec.units["QNIFA"] = "# kg(-1)";  // as in the Registry
+    spec.fields["PB"] = everywhere(9e4f);
+    spec.fields["P"] = everywhere(0.0f);
+    spec.fields["T"] = everywhere(0.0f);
+    spec.fields["QVAPOR"] = everywhere(0.0001f);
+    writeWrf(folder / "a", spec);
+    const auto dataset = openFiles({folder / "a"});
+    const VariableInfo* aerosol = dataset->info().find(VariableRole::hygroscopicAerosolNumber);
+    const VariableInfo* dust = dataset->info().find(VariableRole::dustNumber);
+    REQUIRE(aerosol != nullptr);
+    REQUIRE(dust != nullptr);
+    CHECK(aerosol->name == "QNWFA");
+    CHECK(dust->name == "QNIFA");
+    CHECK(aerosol->units == "kg-1");
+    CHECK_FALSE(aerosol->species.has_value());
+    CHECK(dataset->read("QNWFA", 0).at(1, 1, 0) == 1e9f);
+    const LowestAir air = readLowestAir(*dataset, 0);
+    // 1.077 kg/m³ of air at 291.1 K, almost dry: the cross-sections of [WRF] gt_aod below 10 %.
+    CHECK(*air.humidity < 0.01);
+    CHECK(air.aerosolPerM.value_or(0.0) ==
+          doctest::Approx(1.077 * (1e9 * 5.73936e-15 + 2e5 * 2.63577e-12)).epsilon(0.02));
 }
 
 TEST_CASE("Without QVAPOR the air is treated as dry, with a note") {

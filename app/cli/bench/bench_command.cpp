@@ -134,7 +134,11 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene
     scene.document.camera = poseFor(request, scene, opened.volume);
     Look& look = scene.document.look;
     Whereabouts where = whereaboutsOf(opened.dataset->info(), opened.time, opened.volume.grid);
-    if (asksHumidity(look)) where.humidity = readLowestAir(*opened.dataset, opened.time).humidity;
+    if (asksHumidity(look)) {
+        const LowestAir air = readLowestAir(*opened.dataset, opened.time);
+        where.humidity = air.humidity;
+        where.aerosolPerM = air.aerosolPerM;
+    }
     look = lookAsDrawn(look, where);
     render::FrameInputs inputs;
     static_cast<ParameterSet&>(inputs) = scene.document;

@@ -8,6 +8,7 @@
 #include "app/cli/info/info_findings.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
+#include "core/look/haze.h"
 #include "core/sky/humidity.h"
 
 namespace neph {
@@ -106,6 +107,10 @@ Json summaryJson(const TimeSummary& summary) {
         json["lowest_layer"] = {
             {"relative_humidity", *humidity},
             {"visibility_by_humidity_km", visibilityOfHumidityM(*humidity) * kKmPerM}};
+    }
+    if (const auto& perM = summary.lowestAir.aerosolPerM) {
+        json["lowest_layer"]["aerosol_extinction_per_m"] = *perM;
+        json["lowest_layer"]["visibility_by_aerosol_km"] = visibilityOfAerosolM(*perM) * kKmPerM;
     }
     return json;
 }

@@ -11,6 +11,7 @@
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/grid_text.h"
+#include "core/look/haze.h"
 #include "core/sky/humidity.h"
 
 namespace neph {
@@ -138,6 +139,23 @@ std::string humidityLine(const std::vector<TimeSummary>& summaries) {
         spanText(visibilityOfHumidityM(most) * kKmPerM, visibilityOfHumidityM(least) * kKmPerM, 3));
 }
 
+/// The same of its aerosol; nothing where the data have none.
+std::string aerosolLine(const std::vector<TimeSummary>& summaries) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const TimeSummary& summary : summaries) {
+        const auto& perM = summary.lowestAir.aerosolPerM;
+        if (!perM) continue;
+        least = std::min(least, *perM);
+        most = std::max(most, *perM);
+    }
+    if (least > most) return {};
+    return fmt::format(
+        "Aerosol  extinction {} per Mm in the lowest layer; visibility by it (sky.haze=aerosol) {} "
+        "km\n",
+        spanText(1e6 * least, 1e6 * most, 3),
+        spanText(visibilityOfAerosolM(most) * kKmPerM, visibilityOfAerosolM(least) * kKmPerM, 3));
+}
+
 std::string kmOf(const std::optional<HeightRange>& range, double HeightRange::*end) {
     return range ? fmt::format("{:.2f}", (*range).*end * kKmPerM) : "none";
 }
@@ -184,7 +202,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     text += timeLine(info) + movementLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
-    text += humidityLine(summaries);
+    text += humidityLine(summaries) + aerosolLine(summaries);
     text += seriesLines(info, summaries) + motionLines(info) + sunLines(info, summaries);
     const std::vector<std::string> notes = allNotes(info, found);
     if (!notes.empty()) text += fmt::format("\nNotes\n  {}\n", fmt::join(notes, "\n  "));

@@ -111,9 +111,9 @@ void Side::show(int time, const Progress& progress) {
     if (shown_.where.humidity) {
         notes_.push_back(fmt::format("{}: {}.", shown_.timeLabel,
                                      hazeText(hazeOf(parameters().look, shown_.where))));
-    } else {
-        notes_.push_back(hazeNote(parameters().look, shown_.timeLabel, shown_.noHumidity));
     }
+    notes_.push_back(hazeNote(parameters().look, shown_.where, shown_.timeLabel, shown_.noHumidity,
+                              shown_.noAerosol));
 }
 
 std::vector<std::string> Side::newNotes() {

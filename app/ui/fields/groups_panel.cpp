@@ -68,8 +68,11 @@ void drawHaze(const Session& session) {
     if (!asksHumidity(look)) return;
     const HazeState haze = hazeOf(look, session.where());
     if (haze.humidity) {
-        ImGui::TextDisabled("%.3g km, relative humidity %.0f %%", 1e-3 * haze.visibilityM,
-                            100.0 * *haze.humidity);
+        const char* by = haze.byAerosol               ? ", by aerosol"
+                         : look.haze == Haze::aerosol ? ", no aerosol in the data"
+                                                      : "";
+        ImGui::TextDisabled("%.3g km, relative humidity %.0f %%%s", 1e-3 * haze.visibilityM,
+                            100.0 * *haze.humidity, by);
     } else {
         ImGui::TextDisabled("No humidity in the data: visibility as set");
     }

@@ -99,3 +99,31 @@ TEST_CASE(
     CHECK(said() == 0);
     CHECK(lookAsDrawn(session.document.look, session.where()).visibilityM < 31e3f);
 }
+
+TEST_CASE("Asking for haze by aerosol says at once that the data have none, and takes it back") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "memory") << "0";
+    Session session(
+        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
+    session.document.look.skyModel = SkyModel::atmosphere;
+    session.document.look.haze = Haze::humidity;
+    session.open(std::array{(folder / "memory").string()}, 0);
+    REQUIRE(pollUntilShown(session));
+    const auto said = [&] {
+        return std::ranges::count_if(session.messages, [](const Message& message) {
+            return contains(message.text,
+                            "haze does not follow the aerosol: the data have no number of "
+                            "hygroscopic aerosol; visibility 30.1 km by a relative humidity of 69 "
+                            "% of the lowest air");
+        });
+    };
+    CHECK(said() == 0);
+    session.document.look.haze = Haze::aerosol;
+    REQUIRE(pollUntilShown(session));
+    CHECK(said() == 1);
+    REQUIRE(pollUntilShown(session));
+    CHECK(said() == 1);
+    session.document.look.haze = Haze::humidity;
+    REQUIRE(pollUntilShown(session));
+    CHECK(said() == 0);
+}

@@ -31,6 +31,11 @@ TEST_CASE("Air of known pressure, temperature and vapour has a known humidity") 
     CHECK(relativeHumidity(1e5, 298.15, -1e-4) == 0.0);  // as advection leaves it
 }
 
+TEST_CASE("The density of dry air is that of docs/physics.md section 7") {
+    CHECK(dryDensityKgPerM3(5e4, 262.5073, 0.002) == doctest::Approx(0.661534).epsilon(1e-4));
+    CHECK(dryDensityKgPerM3(9e4, 291.1037, 0.015) == doctest::Approx(1.051864).epsilon(1e-4));
+}
+
 TEST_CASE("Haze follows humidity as NCEP's post-processor has it, at a contrast of 2 percent") {
     // 90 km e^(-2.5 (h - 0.15)) at a contrast of 5 %; ln 0.02 / ln 0.05 = 1.305865.
     CHECK(visibilityOfHumidityM(0.5) == doctest::Approx(48993.0).epsilon(1e-4));

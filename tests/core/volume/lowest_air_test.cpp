@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/optics/aerosol.h"
 #include "core/volume/held_volume.h"
 #include "tests/core/memory_dataset.h"
 #include "tests/text.h"
@@ -84,6 +85,43 @@ TEST_CASE("Without vapour, pressure or temperature there is no humidity but a re
     dataset.addTime("2024-05-06_21:10:00", "second", {"qv"});
     CHECK(readLowestAir(dataset, 0).humidity.has_value());
     CHECK(readLowestAir(dataset, 1).reason == "there is no water vapour at this time");
+}
+
+TEST_CASE("The extinction of the lowest air is that of its aerosol, each cell at its humidity") {
+    MemoryDataset dataset = humidAir();
+    CHECK(readLowestAir(dataset, 0).noAerosol == "the data have no number of hygroscopic aerosol");
+    const auto number = [](float perKg) {
+        return [perKg](int x, int, int z) { return z == 1 ? 9e9f : x == 0 ? perKg : -1.0f; };
+    };
+    dataset.add("nwfa", VariableRole::hygroscopicAerosolNumber, {}, {2, 2, 2}, number(2e9f));
+    CHECK(readLowestAir(dataset, 0).noAerosol == "the data have no number of dust");
+    dataset.add("nifa", VariableRole::dustNumber, {}, {2, 2, 2}, number(1e6f));
+    const LowestAir air = readLowestAir(dataset, 0);
+    REQUIRE(air.aerosolPerM.has_value());
+    CHECK(air.noAerosol.empty());
+    // Half of the air has aerosol, at its own humidity. Density by 1e5 / (287 T (1 + q / 0.622)).
+    const double density = 1e5 / (287.0 * 298.15 * (1.0 + 0.014 / 0.622));
+    const double west = density * (2e9 * meanExtinctionM2(kHygroscopicAerosol, kWest) +
+                                   1e6 * meanExtinctionM2(kDustAerosol, kWest));
+    CHECK(*air.aerosolPerM == doctest::Approx(0.5 * west).epsilon(1e-3));
+    dataset.addTime("2024-05-06_21:10:00", "second", {"nifa"});
+    CHECK(readLowestAir(dataset, 1).noAerosol == "there is no number of dust at this time");
+    CHECK(readLowestAir(dataset, 1).humidity.has_value());
+}
+
+TEST_CASE("Aerosol is not known without humidity, nor where it is missing in a cell") {
+    MemoryDataset dataset = humidAir();
+    const auto add = [&](const char* name, VariableRole role, float perKg) {
+        dataset.add(name, role, {}, {2, 2, 2}, [perKg](int, int, int) { return perKg; });
+    };
+    add("nwfa", VariableRole::hygroscopicAerosolNumber, 1e9f);
+    add("nifa", VariableRole::dustNumber, std::numeric_limits<float>::quiet_NaN());
+    const LowestAir missing = readLowestAir(dataset, 0);
+    CHECK(missing.humidity.has_value());
+    CHECK_FALSE(missing.aerosolPerM.has_value());
+    CHECK(contains(missing.noAerosol, "variable nifa is unusable"));
+    std::erase_if(dataset.stated().variables, [](const auto& v) { return v.name == "qv"; });
+    CHECK(readLowestAir(dataset, 0).noAerosol == "the data have no water vapour");
 }
 
 TEST_CASE("Vapour that is missing in a cell gives no humidity but the cell") {

@@ -266,6 +266,9 @@ TEST_CASE("Below a haze that follows the humidity stands what it comes to") {
     panel.frame();
     CHECK(ui::placeOf("sky.haze_text").has_value());
     CHECK(ui::placeOf("sky.visibility").has_value());
+    panel.look().haze = Haze::aerosol;
+    panel.frame();
+    CHECK(ui::placeOf("sky.haze_text").has_value());
     panel.look().skyModel = SkyModel::gradient;
     panel.frame();
     CHECK_FALSE(ui::placeOf("sky.haze_text").has_value());
