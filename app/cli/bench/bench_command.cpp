@@ -144,6 +144,7 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene
     static_cast<ParameterSet&>(inputs) = scene.document;
     inputs.sizePx = kFirstImagePx;
     inputs.camera = placeCamera(scene.document.camera, opened.volume.grid, 1.0);
+    inputs.settledLight = false;  // as in the window, where it comes by itself
     renderer.render(inputs);
     Json summary = summaryOf(opened, millisecondsSince(start), renderer.gpuBytes());
     fmt::print(stderr, "{}\nopen {:.0f} ms, resample {:.0f} ms, first image after {:.0f} ms\n",
