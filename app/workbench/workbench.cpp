@@ -6,7 +6,6 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "app/gl/context.h"
@@ -39,18 +38,6 @@ constexpr double kIdleWaitS = 1.0;   // between looks while nothing happens
 constexpr double kBusyWaitS = 0.05;  // while data load or the image waits to be refined
 constexpr double kLingerS = 1.0;     // panels are drawn on after the last input: tooltips
 constexpr double kPanelsS = 0.022;   // between two turns of the panels while an image is drawn
-
-/// Of the files that readers take, as they say, without dots.
-std::vector<std::string> extensionsOf(const PluginHost& host) {
-    std::vector<std::string> extensions;
-    for (const auto& reader : host.readers()) {
-        std::istringstream words(reader->extensions);
-        for (std::string word; words >> word;) {
-            extensions.push_back(word.starts_with('.') ? word.substr(1) : word);
-        }
-    }
-    return extensions;
-}
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -149,7 +136,7 @@ void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
 
 std::unique_ptr<Slot> Workbench::makeSlot() {
     PluginHost readers = PluginHost::standard(readers_, map_);
-    ui_.sessionDialogs.browser.extensions = extensionsOf(readers);
+    ui_.sessionDialogs.browser.extensions = readers.extensions();
     auto slot = std::make_unique<Slot>(std::move(readers), &WorkbenchHost::wake);
     slot->session.setBudget(budget_);
     return slot;

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -185,6 +186,17 @@ void PluginHost::load(const fs::path& library, const ReaderLimits& limits) {
         return;
     }
     readers_.push_back(std::move(reader));
+}
+
+std::vector<std::string> PluginHost::extensions() const {
+    std::vector<std::string> extensions;
+    for (const auto& reader : readers_) {
+        std::istringstream words(reader->extensions);
+        for (std::string word; words >> word;) {
+            extensions.push_back(word.starts_with('.') ? word.substr(1) : word);
+        }
+    }
+    return extensions;
 }
 
 bool PluginHost::isKnown(const fs::path& file) const {

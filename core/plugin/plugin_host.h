@@ -69,6 +69,9 @@ class PluginHost {
     const std::vector<RejectedPlugin>& rejected() const { return rejected_; }
     const std::filesystem::path& map() const { return map_; }
 
+    /// Of the files that readers take, as they say, without dots.
+    std::vector<std::string> extensions() const;
+
     /// Whether a reader knows the format of a file, if only to say what is wrong with it.
     bool isKnown(const std::filesystem::path& file) const;
 

@@ -165,15 +165,7 @@ void TiledFile::read(const nc::NcVariable& variable, const Layout& layout, std::
         if (empty) continue;
         part.resize(cells.count());
         readTile(tile, *own, layout, record, cells, part);
-        for (std::size_t row = 0; row < cells.length(1) * cells.length(2); ++row) {
-            const std::size_t y = cells.lower[1] - box.lower[1] + row % cells.length(1);
-            const std::size_t z = row / cells.length(1);
-            const std::size_t to =
-                (z * box.length(1) + y) * box.length(0) + cells.lower[0] - box.lower[0];
-            std::ranges::copy_n(part.begin() + static_cast<std::ptrdiff_t>(row * cells.length(0)),
-                                static_cast<std::ptrdiff_t>(cells.length(0)),
-                                values.begin() + static_cast<std::ptrdiff_t>(to));
-        }
+        shared::putInto(box, values, cells, part);
     }
 }
 

@@ -199,7 +199,7 @@ void Tiles::read(const NcVariable& variable, std::size_t record, const Box& box,
     readRows(variable, record, turned, values);
     const std::size_t width = box.length(0);
     for (std::size_t z = 0; z < box.length(2); ++z) {
-        const auto level = values.subspan(z * box.layer(), box.layer());
+        const auto level = values.subspan(z * box.plane(), box.plane());
         for (std::size_t y = 0; y < box.length(1) / 2; ++y) {
             std::swap_ranges(
                 level.begin() + static_cast<std::ptrdiff_t>(y * width),
@@ -244,15 +244,7 @@ void Tiles::readRows(const NcVariable& variable, std::size_t record, const Box& 
             if (failure.where.empty()) failure.where = tile.file->path();
             throw;
         }
-        for (std::size_t row = 0; row < cells.length(1) * cells.length(2); ++row) {
-            const std::size_t y = cells.lower[1] - box.lower[1] + row % cells.length(1);
-            const std::size_t z = row / cells.length(1);
-            const std::size_t to =
-                (z * box.length(1) + y) * box.length(0) + cells.lower[0] - box.lower[0];
-            std::ranges::copy_n(part.begin() + static_cast<std::ptrdiff_t>(row * cells.length(0)),
-                                static_cast<std::ptrdiff_t>(cells.length(0)),
-                                values.begin() + static_cast<std::ptrdiff_t>(to));
-        }
+        shared::putInto(box, values, cells, part);
     }
 }
 

@@ -7,18 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "readers/shared/box.h"
 #include "readers/wrf_netcdf/axes.h"
 #include "readers/wrf_netcdf/failure.h"
 
 namespace wrf {
 
-/// Cells [lower, upper) of a field, in x, y, z.
-struct Box {
-    std::array<std::size_t, 3> lower{}, upper{};
-    std::size_t length(std::size_t axis) const { return upper[axis] - lower[axis]; }
-    std::size_t layer() const { return length(0) * length(1); }
-    std::size_t count() const { return layer() * length(2); }
-};
+using shared::Box;
 
 class Tiles {
   public:

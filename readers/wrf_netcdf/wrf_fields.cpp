@@ -28,7 +28,7 @@ constexpr std::size_t kSlabValues = 1U << 18U;
 /// decompressed twice.
 std::size_t slabEnd(const NcVariable& variable, std::size_t z, const Box& box) {
     const std::size_t rank = variable.axes.size();
-    const std::size_t levels = std::max<std::size_t>(1, kSlabValues / box.layer());
+    const std::size_t levels = std::max<std::size_t>(1, kSlabValues / box.plane());
     std::size_t end = z + levels;
     if (variable.chunk.size() == rank && rank >= 3) {
         const std::size_t chunk = std::max<std::size_t>(1, variable.chunk[rank - 3]);
@@ -80,7 +80,7 @@ void WrfFile::read(std::size_t variable, std::size_t time, const Box& box, std::
         tick(static_cast<double>(z - box.lower[2]) / static_cast<double>(box.length(2)));
         const Box slab = withLevels(box, z, slabEnd(leading, z, box));
         readSlab(field, record, slab,
-                 values.subspan((z - box.lower[2]) * box.layer(), slab.count()));
+                 values.subspan((z - box.lower[2]) * box.plane(), slab.count()));
         z = slab.upper[2];
     }
     tick(1.0);
@@ -146,7 +146,7 @@ void WrfFile::readHeightsOfCentres(std::size_t record, const Box& box,
     if (air_.geopotential) {
         for (float& value : height) value /= kGravity;
     }
-    const std::size_t layer = box.layer();
+    const std::size_t layer = box.plane();
     const auto centre = [&](std::size_t column, std::size_t level) {
         return height[(level - first) * layer + column];
     };

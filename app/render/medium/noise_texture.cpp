@@ -16,6 +16,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/resources.h"
+#include "core/optics/blue_noise.h"
 
 namespace neph::render {
 namespace {
@@ -126,6 +127,12 @@ const gl::Texture& NoiseTextures::stacked(gl::ProgramCache& programs, gl::PassTi
         stacked_ = bakeStacked(programs);
     }
     return stacked_;
+}
+
+gl::Texture uploadBlueNoise() {
+    gl::Texture texture = gl::Texture::make2D(GL_R32F, glm::ivec2(kBlueNoiseSize));
+    texture.upload(GL_RED, GL_FLOAT, blueNoise().data());
+    return texture;
 }
 
 }  // namespace neph::render

@@ -26,4 +26,7 @@ class NoiseTextures {
     gl::Texture filtered_, stacked_;
 };
 
+/// R32F: the pattern that spreads samples over pixels. core/optics/blue_noise.h
+gl::Texture uploadBlueNoise();
+
 }  // namespace neph::render

@@ -16,7 +16,6 @@
 #include "app/render/medium/detail_kinds.h"
 #include "app/render/medium/noise_texture.h"
 #include "core/look/sun.h"
-#include "core/optics/blue_noise.h"
 
 namespace neph::render {
 
@@ -153,12 +152,6 @@ void repack(const Look& look, PackedDetail wanted, PackedMedium& medium, RenderC
     repackMedium(context.volume, look, wanted, stackedNoise(medium.look, context), context.programs,
                  medium);
     context.stats.bakedMedium = true;
-}
-
-gl::Texture uploadBlueNoise() {
-    gl::Texture texture = gl::Texture::make2D(GL_R32F, glm::ivec2(kBlueNoiseSize));
-    texture.upload(GL_RED, GL_FLOAT, blueNoise().data());
-    return texture;
 }
 
 }  // namespace
