@@ -36,14 +36,6 @@ std::string timeLine(const DatasetInfo& info) {
                        times.back().label, minutesText(span), timeStepText(info));
 }
 
-/// Where the grid has gone, if it moves over the ground.
-std::string movementLine(const DatasetInfo& info) {
-    const glm::dvec2 km = (info.times.back().gridOffsetM) * kKmPerM;
-    if (km == glm::dvec2(0.0)) return {};
-    return fmt::format("Moved    the grid, {:.4g} km in x and {:.4g} km in y by {}\n", km.x, km.y,
-                       info.times.back().label);
-}
-
 std::string peakLines(const DatasetInfo& info, const std::vector<TimeSummary>& summaries) {
     if (summaries.front().peaks.empty()) return "\nNo hydrometeors in this file.\n";
     std::string text = fmt::format("\n{:<10}{:>8}{:>9}{:>9}{:>11}   {}\n", "Maximum", "g/kg",
@@ -199,7 +191,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
-    text += timeLine(info) + movementLine(info) + placeLines(info);
+    text += timeLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += humidityLine(summaries) + aerosolLine(summaries);

@@ -41,15 +41,30 @@ bool pollUntilShown(Session& session) {
     return false;
 }
 
+/// A session that shows one of the times, or loads it.
+struct Humid {
+    TemporaryFolder folder;
+    Session session{
+        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); }};
+
+    Humid(Haze haze, int time) {
+        std::ofstream(folder / "memory") << "0";
+        session.document.look.skyModel = SkyModel::atmosphere;
+        session.document.look.haze = haze;
+        session.open(std::array{(folder / "memory").string()}, time);
+    }
+    int said(std::string_view text) const {
+        return static_cast<int>(std::ranges::count_if(
+            session.messages,
+            [&](const Message& message) { return contains(message.text, text); }));
+    }
+};
+
 }  // namespace
 
 TEST_CASE("Asking for haze by humidity reads the humidity and keeps the volume") {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "memory") << "0";
-    Session session(
-        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
-    session.document.look.skyModel = SkyModel::atmosphere;
-    session.open(std::array{(folder / "memory").string()}, 0);
+    Humid humid(Haze::fixed, 0);
+    Session& session = humid.session;
     REQUIRE(pollUntilShown(session));
     REQUIRE(session.takeVolume() != nullptr);
     CHECK_FALSE(session.where().humidity.has_value());
@@ -77,20 +92,13 @@ TEST_CASE("Asking for haze by humidity reads the humidity and keeps the volume")
 
 TEST_CASE(
     "A time without vapour has the haze of the look, and a message says so while it is shown") {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "memory") << "0";
-    Session session(
-        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
-    session.document.look.skyModel = SkyModel::atmosphere;
-    session.document.look.haze = Haze::humidity;
-    session.open(std::array{(folder / "memory").string()}, 2);
+    Humid humid(Haze::humidity, 2);
+    Session& session = humid.session;
     REQUIRE(pollUntilShown(session));
     const auto said = [&] {
-        return std::ranges::count_if(session.messages, [](const Message& message) {
-            return contains(message.text,
-                            "21:20:00: haze does not follow the humidity: there is no "
-                            "water vapour at this time; visibility 100 km");
-        });
+        return humid.said(
+            "21:20:00: haze does not follow the humidity: there is no "
+            "water vapour at this time; visibility 100 km");
     };
     CHECK(said() == 1);
     CHECK(lookAsDrawn(session.document.look, session.where()).visibilityM == 100e3f);
@@ -101,21 +109,14 @@ TEST_CASE(
 }
 
 TEST_CASE("Asking for haze by aerosol says at once that the data have none, and takes it back") {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "memory") << "0";
-    Session session(
-        [](std::span<const std::filesystem::path>, const Progress&) { return humidTimes(); });
-    session.document.look.skyModel = SkyModel::atmosphere;
-    session.document.look.haze = Haze::humidity;
-    session.open(std::array{(folder / "memory").string()}, 0);
+    Humid humid(Haze::humidity, 0);
+    Session& session = humid.session;
     REQUIRE(pollUntilShown(session));
     const auto said = [&] {
-        return std::ranges::count_if(session.messages, [](const Message& message) {
-            return contains(message.text,
-                            "haze does not follow the aerosol: the data have no number of "
-                            "hygroscopic aerosol; visibility 30.1 km by a relative humidity of 69 "
-                            "% of the lowest air");
-        });
+        return humid.said(
+            "haze does not follow the aerosol: the data have no number of "
+            "hygroscopic aerosol; visibility 30.1 km by a relative humidity of 69 "
+            "% of the lowest air");
     };
     CHECK(said() == 0);
     session.document.look.haze = Haze::aerosol;
