@@ -198,7 +198,7 @@ std::vector<Entry> entriesOf(const Inventory& inventory, const Bytes& grid,
                       "GRIB of edition 2", "convert it with NCEP's tool: cnvgrib -g12 IN OUT"};
     }
     throw Failure{"it has no levels with height, pressure and temperature",
-                  fmt::format("{} fields; hybrid levels: {}; isobaric levels: {}",
+                  fmt::format("fields: {}; hybrid levels: {}; isobaric levels: {}",
                               inventory.fields.size(), hybrid.summary(), isobaric.summary()),
                   "HGT, PRES and TMP on hybrid levels, or HGT and TMP on isobaric levels",
                   "of HRRR and RRFS give the files of native levels (wrfnat, natlev) or pressure "

@@ -20,16 +20,25 @@ Contents requireContents(const InputFile& file, const Inventory& inventory) {
                       fmt::format("{} bytes", file.size()), "messages of edition 2",
                       "the file is damaged: download it again"};
     }
-    if (inventory.fields.empty() && inventory.unfinished) {
-        const auto writing = shared::beingWritten(file.path());
-        throw Failure{fmt::format("the file is {}", writing ? "being written" : "cut short"),
+    if (!inventory.unfinished) return contentsOf(inventory);
+    const auto writing = shared::beingWritten(file.path());
+    const std::string end = writing ? "being written" : "cut short";
+    const std::string hint = writing
+                                 ? fmt::format("open it again when that has ended ({})", *writing)
+                                 : "download the file again";
+    if (inventory.fields.empty()) {
+        throw Failure{"the file is " + end,
                       fmt::format("{} bytes, and its first message has {}", file.size(),
                                   inventory.unfinished->length),
-                      "whole messages",
-                      writing ? fmt::format("open it again when that has ended ({})", *writing)
-                              : std::string("download the file again")};
+                      "whole messages", hint};
     }
-    return contentsOf(inventory);
+    try {
+        return contentsOf(inventory);
+    } catch (Failure& failure) {  // what is missing may be in what has not arrived
+        failure.found += fmt::format("; the file is {}, {} bytes", end, file.size());
+        failure.hint = hint;
+        throw;
+    }
 }
 
 /// What NCEP and NOAA's laboratories call a process. NCEP office note 388, table A.

@@ -232,6 +232,11 @@ TEST_CASE("GRIB2 messages that are cut short or damaged are left out with a note
     CHECK(hasNote(cut->info(), "The file is cut short"));
     std::filesystem::last_write_time(folder / "cut", std::filesystem::file_time_type::clock::now());
     CHECK(hasNote(openFiles({folder / "cut"})->info(), "The file is being written"));
+    // Within the second message: what is missing is not there yet.
+    truncateTo(folder / "cut", messages[0].size() + 100);
+    const ErrorParts within = openError(folder / "cut");
+    CHECK(contains(within.found, "the file is cut short"));
+    CHECK(contains(within.hint, "download"));
     truncateTo(folder / "cut", 100);
     CHECK(contains(openError(folder / "cut").what, "cut short"));
     // Message 2 is CLMR of the lowest level: sections of wrong length.
