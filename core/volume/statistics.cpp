@@ -262,9 +262,10 @@ double medianOf(std::vector<float>& depths) {
     return static_cast<double>(*middle);
 }
 
-/// The variable that holds the upward wind, on layers or on interfaces. The reader interface has no
-/// role for it: it is not drawn, and only tells which columns are the main updraft.
+/// The variable that holds the upward wind: by its role, or, of readers that give it none, by its
+/// name, on layers or on interfaces.
 const VariableInfo* upwardWind(const DatasetInfo& info) {
+    if (const VariableInfo* wind = info.find(VariableRole::upwardWind)) return wind;
     const auto isWind = [&](const VariableInfo& variable) {
         const bool named = variable.standardName == "upward_air_velocity" ||
                            std::ranges::find(kWindNames, variable.name) != kWindNames.end();

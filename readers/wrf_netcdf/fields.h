@@ -15,8 +15,9 @@ enum class Source {
     airPressure,
     airTemperature,
     dryAirDensity,
-    warmPart,  ///< the sum where the air is not below 0 °C, zero elsewhere
-    coldPart   ///< the sum where the air is below 0 °C
+    warmPart,    ///< the sum where the air is not below 0 °C, zero elsewhere
+    coldPart,    ///< the sum where the air is below 0 °C
+    meanOfFaces  ///< of the term, which is stored on the faces of cells along one axis
 };
 
 struct Field : neph::plugin::Variable {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "readers/wrf_netcdf/winds.h"
 #include "readers/wrf_netcdf/wrf_file.h"
 
 namespace wrf {
@@ -60,6 +61,7 @@ const NcVariable& WrfFile::leadingVariable(const Field& field) const {
         case Source::sum:
         case Source::warmPart:
         case Source::coldPart:
+        case Source::meanOfFaces:
             return *field.terms.front().variable;
         case Source::interfaceHeight:
             return *air_.height.front().variable;
@@ -104,6 +106,8 @@ void WrfFile::readSlab(const Field& field, std::size_t record, const Box& box,
         case Source::warmPart:
         case Source::coldPart:
             return readPhase(field, record, box, values);
+        case Source::meanOfFaces:
+            return readMeans(field, record, box, values);
     }
 }
 
@@ -231,6 +235,17 @@ void WrfFile::readPhase(const Field& field, std::size_t record, const Box& box,
             values[i] = 0.0f;
         }
     }
+}
+
+void WrfFile::readMeans(const Field& field, std::size_t record, const Box& box,
+                        std::span<float> values) const {
+    const Term& term = field.terms.front();
+    const int axis = facesAxisOf(tiles_, *term.variable);
+    Box wider = box;
+    ++wider.upper[static_cast<std::size_t>(axis)];
+    std::vector<float> faces(wider.count());
+    readTerm(term, record, wider, faces);
+    meansOfFaces(faces, axis, box, values);
 }
 
 }  // namespace wrf

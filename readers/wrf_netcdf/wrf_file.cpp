@@ -11,6 +11,7 @@
 #include "readers/wrf_netcdf/advice.h"
 #include "readers/wrf_netcdf/grid.h"
 #include "readers/wrf_netcdf/place.h"
+#include "readers/wrf_netcdf/winds.h"
 
 namespace wrf {
 namespace {
@@ -184,6 +185,9 @@ void WrfFile::addFields() {
     if (!air_.vapour.empty()) fields_.push_back(vapourOf(air_, description_.size));
     auto hydrometeors = findHydrometeors(tiles_, scheme_, units, description_.notes);
     std::ranges::move(hydrometeors, std::back_inserter(fields_));
+    auto winds = findWinds(tiles_, units, description_.notes);
+    for (Field& wind : winds) wind.size = description_.size;
+    std::ranges::move(winds, std::back_inserter(fields_));
     auto others = otherFields(tiles_, fields_);
     std::ranges::move(others, std::back_inserter(fields_));
     // Derived fields first, then the others in the order of the file.

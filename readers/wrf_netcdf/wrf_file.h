@@ -58,6 +58,8 @@ class WrfFile {
     std::vector<float> readTemperature(std::size_t record, const Box& box,
                                        std::span<const float> pressure) const;
     void readDensity(std::size_t record, const Box& box, std::span<float> values) const;
+    void readMeans(const Field& field, std::size_t record, const Box& box,
+                   std::span<float> values) const;
     void readPhase(const Field& field, std::size_t record, const Box& box,
                    std::span<float> values) const;
 

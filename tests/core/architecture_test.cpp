@@ -65,7 +65,7 @@ using Floors = std::vector<std::vector<std::string>>;
 
 const Floors kCore{{"core/base", "core/grid"},
                    {"core/geo", "core/sky"},
-                   {"core/image", "core/plugin", "core/optics", "core/camera"},
+                   {"core/image", "core/plugin", "core/optics", "core/camera", "core/air"},
                    {"core/dataset", "core/look", "core/transport"},
                    {"core/volume"},
                    {"core/preset"},

@@ -259,3 +259,26 @@ TEST_CASE("Pressure or heights in another unit than stated are refused") {
     writeWrf(folder / "b", spec);
     CHECK(contains(errorOf([&] { summarise(*openFiles({folder / "b"}), 0); }).what, "height"));
 }
+
+TEST_CASE("The wind in a cell is the mean of its faces") {
+    const TemporaryFolder folder;
+    WrfSpec spec;
+    spec.fields["W"] = [](int x, int y, int z, int) {
+        return static_cast<float>(x + 10 * y + 100 * z * z);
+    };
+    spec.units["W"] = "cm s-1";
+    writeWrf(folder / "a", spec);
+    const auto dataset = openFiles({folder / "a"});
+    const VariableInfo* wind = dataset->info().find(VariableRole::upwardWind);
+    REQUIRE(wind != nullptr);
+    CHECK(wind->size == dataset->info().size);
+    CHECK(wind->units == "m s-1");
+    const Array3f values = dataset->read(wind->name, 0, CellBox{{1, 2, 1}, {4, 3, 4}});
+    for (int z = 0; z < 3; ++z) {
+        for (int x = 0; x < 3; ++x) {
+            const int lower = (z + 1) * (z + 1), upper = (z + 2) * (z + 2);
+            CHECK(values.at(x, 0, z) ==
+                  doctest::Approx(0.01 * (x + 1 + 20 + 50 * (lower + upper))));
+        }
+    }
+}

@@ -1,0 +1,34 @@
+// sounding.h: the air of one column as a balloon would find it.
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+namespace neph {
+
+/// Air at one height.
+struct SoundingLevel {
+    double pressurePa = 0.0;
+    double heightM = 0.0;  ///< above sea level
+    double temperatureK = 0.0;
+    double vapourRatio = 0.0;  ///< kg per kg of dry air
+    /// Along the grid's x and y over the ground, m/s; where the data have it.
+    std::optional<glm::dvec2> windMPerS = {};
+};
+
+/// From the ground up; pressure falls from level to level.
+struct Sounding {
+    double groundM = 0.0;  ///< above sea level
+    std::vector<SoundingLevel> levels;
+
+    bool hasWind() const { return !levels.empty() && levels.front().windMPerS.has_value(); }
+};
+
+/// Air between two levels: linear in the logarithm of pressure, that of the ends beyond them.
+SoundingLevel levelAt(const Sounding& sounding, double pressurePa);
+
+/// Wind at a height above the ground, linear in height; that of the ends beyond them. The sounding
+/// has wind.
+glm::dvec2 windAt(const Sounding& sounding, double aboveGroundM);
+
+}  // namespace neph
