@@ -4,7 +4,7 @@
 build_packages=(
   g++ cmake ninja-build pkg-config
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libglm-dev
-  libnetcdf-dev libdeflate-dev libeccodes-dev libproj-dev libudunits2-dev libopenexr-dev libpng-dev
+  libnetcdf-dev libdeflate-dev libeccodes-dev libproj-dev libudunits2-dev libopenexr-dev libpng-dev libcairo2-dev
   nlohmann-json3-dev libcli11-dev libfmt-dev
 )
 runtime_packages=(libgl1 libegl1 libgl1-mesa-dri fonts-roboto-unhinted fonts-dejavu-core)

@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 
+#include "app/cli/ask/ask_commands.h"
 #include "app/cli/bench/bench_arguments.h"
 #include "app/cli/common/arguments.h"
 #include "app/cli/common/misuse.h"
@@ -41,6 +42,8 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope compare march.exr reference.exr        how far one image is from another
   nephoscope presets show default > mine.json       a preset to edit
   nephoscope info wrfout_d01 --json                 what is in a file
+  nephoscope probe wrfout_d01 --at 35.2N,97.4W      what is in the column over a place
+  nephoscope section wrfout_d01 --from 20,30 --to 80,30 --show w --out w.svg
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
 )";
 
@@ -154,9 +157,10 @@ int parseAndRun(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("nephoscope {}", versionText()));
     app.require_subcommand(0, 1);
     const Command window = addWorkbench(app);
-    const std::vector<Command> commands{addRender(app),  addCompare(app), addThumbnails(app),
-                                        addPresets(app), addInfo(app),    addReaders(app),
-                                        addKeys(app),    addBench(app),   addValidate(app)};
+    const std::vector<Command> commands{
+        addRender(app),  addCompare(app), addThumbnails(app), addPresets(app),  addInfo(app),
+        addReaders(app), addKeys(app),    addBench(app),      addValidate(app), addProbe(app),
+        addProfile(app), addSection(app), addSeries(app)};
     app.footer(std::string(kExamples));  // after the commands, which would take it over
     try {
         app.parse(argc, argv);

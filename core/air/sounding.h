@@ -12,7 +12,8 @@ struct SoundingLevel {
     double heightM = 0.0;  ///< above sea level
     double temperatureK = 0.0;
     double vapourRatio = 0.0;  ///< kg per kg of dry air
-    /// Along the grid's x and y over the ground, m/s; where the data have it.
+    /// Along the grid's x and y, m/s, as the data state it (CM1: relative to a grid that moves);
+    /// where they have it.
     std::optional<glm::dvec2> windMPerS = {};
 };
 

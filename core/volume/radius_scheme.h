@@ -7,6 +7,7 @@
 #pragma once
 #include <limits>
 
+#include "core/air/thermodynamics.h"
 #include "core/dataset/dataset.h"
 #include "core/grid/species.h"
 #include "core/look/look.h"
@@ -19,8 +20,6 @@ struct ParticleSize {
     double radiusM = 0.0;
     double densityKgPerM3 = 0.0;
 };
-
-inline constexpr double kFreezingK = 273.15;
 
 /// What is known about the hydrometeor and the air of one cell.
 struct CellState {

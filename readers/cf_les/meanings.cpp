@@ -36,6 +36,10 @@ les::Quantity quantityOf(Meaning meaning) {
         case ground:
         case cellHeight:
             return les::Quantity::length;
+        case xWind:
+        case yWind:
+        case upwardWind:
+            return les::Quantity::speed;
         default:
             return les::Quantity::ratio;
     }
@@ -84,6 +88,12 @@ std::string meaningText(Meaning meaning, NephSpecies species) {
             return "height of the ground";
         case cellHeight:
             return "heights of cells";
+        case xWind:
+            return "wind along x";
+        case yWind:
+            return "wind along y";
+        case upwardWind:
+            return "upward wind";
         case other:
             break;
     }
@@ -117,7 +127,10 @@ const std::vector<Name>& standardNames() {
         standard("humidity_mixing_ratio", vapour),
         standard("specific_humidity", vapour, NEPH_SPECIES_NONE, true),
         standard("surface_altitude", ground),
-        standard("altitude", cellHeight)};
+        standard("altitude", cellHeight),
+        standard("x_wind", xWind),
+        standard("y_wind", yWind),
+        standard("upward_air_velocity", upwardWind)};
     return table;
 }
 

@@ -23,8 +23,11 @@ constexpr const char* kEast = "x_wind";
 constexpr const char* kNorth = "y_wind";
 constexpr const char* kUp = "upward_air_velocity";
 
-Name wind(const char* name, const char* standardName) {
-    return {name, Meaning::other, kNone, "m s-1", false, standardName};
+Name wind(const char* name, std::string_view standardName) {
+    const Meaning meaning = standardName == kEast    ? Meaning::xWind
+                            : standardName == kNorth ? Meaning::yWind
+                                                     : Meaning::upwardWind;
+    return {name, meaning, kNone, "m s-1", false, std::string(standardName)};
 }
 
 Meaning meaningOf(const les::KnownVariable& known) {
@@ -54,6 +57,12 @@ Meaning meaningOf(const les::KnownVariable& known) {
             return Meaning::temperature;
         case NEPH_ROLE_DRY_AIR_DENSITY:
             return Meaning::dryDensity;
+        case NEPH_ROLE_X_WIND:
+            return Meaning::xWind;
+        case NEPH_ROLE_Y_WIND:
+            return Meaning::yWind;
+        case NEPH_ROLE_UPWARD_WIND:
+            return Meaning::upwardWind;
         default:
             return Meaning::other;
     }
@@ -66,9 +75,10 @@ Model cm1() {
         names.push_back({std::string(known.name), meaningOf(known), known.species, "", false,
                          std::string(known.standardName)});
     }
-    for (const char* name : {"uinterp", "u"}) names.push_back(wind(name, kEast));
-    for (const char* name : {"vinterp", "v"}) names.push_back(wind(name, kNorth));
-    for (const char* name : {"winterp", "w"}) names.push_back(wind(name, kUp));
+    // Without the interpolated ones: on faces, and so without a role.
+    names.push_back(wind("u", kEast));
+    names.push_back(wind("v", kNorth));
+    names.push_back(wind("w", kUp));
     return {.title = "CM1",
             .marks = {{.attribute = "CM1 version"},
                       {.dimensions = {"xh", "yh", "zh"}, .variables = {"qc", "prs", "th"}},

@@ -34,7 +34,10 @@ enum class Meaning {
     cloudCondensate,  ///< cloud water and ice, not told apart
     precipitation,    ///< rain, snow and graupel, not told apart
     ground,           ///< height of the ground
-    cellHeight        ///< of the middle of every cell
+    cellHeight,       ///< of the middle of every cell
+    xWind,            ///< along the grid, in cells
+    yWind,
+    upwardWind
 };
 
 /// The unit that values of a meaning convert to; every meaning but `other` has one.

@@ -24,8 +24,13 @@ namespace plugin = neph::plugin;
 // cancellation soon.
 constexpr std::size_t kPieceValues = 1U << 20U;
 
+bool isWind(Meaning meaning) {
+    return meaning == Meaning::xWind || meaning == Meaning::yWind || meaning == Meaning::upwardWind;
+}
+
 bool isEssential(Meaning meaning) {
-    return meaning != Meaning::number && meaning != Meaning::radius && meaning != Meaning::other;
+    return meaning != Meaning::number && meaning != Meaning::radius && meaning != Meaning::other &&
+           !isWind(meaning);
 }
 
 /// Reads a variable box by box, along the outermost axis of the file.
@@ -188,6 +193,15 @@ void VariableAdder::setRole(const Stored& stored, plugin::Variable& variable) {
         case Meaning::dryDensity:
             variable.role = NEPH_ROLE_DRY_AIR_DENSITY;
             break;
+        case Meaning::xWind:
+            variable.role = NEPH_ROLE_X_WIND;
+            break;
+        case Meaning::yWind:
+            variable.role = NEPH_ROLE_Y_WIND;
+            break;
+        case Meaning::upwardWind:
+            variable.role = NEPH_ROLE_UPWARD_WIND;
+            break;
         case Meaning::ground:
             terrain_.ground = index;
             break;
@@ -232,7 +246,7 @@ void VariableAdder::addStored(const Stored& stored) {
         (stored.name->meaning == Meaning::hydrometeor || stored.name->meaning == Meaning::number ||
          stored.name->meaning == Meaning::radius || stored.name->meaning == Meaning::cellHeight ||
          stored.name->meaning == Meaning::cloudCondensate ||
-         stored.name->meaning == Meaning::precipitation);
+         stored.name->meaning == Meaning::precipitation || isWind(stored.name->meaning));
     const bool shaped = ground   ? layout.isPlane()
                         : amount ? layout.isField()
                                  : layout.isField() || layout.isProfile();

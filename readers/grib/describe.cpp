@@ -56,6 +56,12 @@ std::string windName(const std::string& standardName, bool alongGrid) {
     return standardName;
 }
 
+NephRole windRole(std::string_view standardName) {
+    if (standardName == "x_wind") return NEPH_ROLE_X_WIND;
+    if (standardName == "y_wind") return NEPH_ROLE_Y_WIND;
+    return standardName == "upward_air_velocity" ? NEPH_ROLE_UPWARD_WIND : NEPH_ROLE_OTHER;
+}
+
 }  // namespace
 
 GribFile::GribFile(const char* path)
@@ -293,6 +299,8 @@ void GribFile::addOthers() {
         quantity.standardName = windName(text.standardName, contents_.grid.windsAlongGrid);
         quantity.parameter = parameter;
         if (parameter == Parameter{0, 2, 9}) quantity.standardName = "upward_air_velocity";
+        quantity.role = windRole(quantity.standardName);
+        if (quantity.role != NEPH_ROLE_OTHER) quantity.units = "m s-1";
         names.insert(quantity.name);
         quantities_.push_back(quantity);
     }

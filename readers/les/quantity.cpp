@@ -29,6 +29,7 @@ constexpr std::array kQuantities{
     QuantityRow{Quantity::radius, "m", "m or micron", 0.0, 0.1},
     QuantityRow{Quantity::number, "kg-1", "#/kg or 1/kg", -1.0, 1e16},
     QuantityRow{Quantity::length, "m", "m or km", -1000.0, 1e6},
+    QuantityRow{Quantity::speed, "m s-1", "m/s or cm/s", -500.0, 500.0},
 };
 constexpr double kLeastMagnitude = 1e-24;
 

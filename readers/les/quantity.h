@@ -8,7 +8,7 @@
 
 namespace les {
 
-enum class Quantity { ratio, density, pressure, temperature, radius, number, length };
+enum class Quantity { ratio, density, pressure, temperature, radius, number, length, speed };
 
 /// Conversion from `unit`, as a model spells it, to the SI unit of `quantity`; nothing for a unit
 /// of another kind. Where case matters to UDUNITS and the unit fails as written, lower case is

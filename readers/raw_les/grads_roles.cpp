@@ -11,7 +11,7 @@ namespace {
 /// Hydrometeors and the state of the air: without them the rest would mislead.
 bool isEssential(const KnownVariable& known) {
     return known.quantity != Quantity::number && known.quantity != Quantity::radius &&
-           known.quantity != Quantity::length;
+           known.quantity != Quantity::length && known.quantity != Quantity::speed;
 }
 
 Error unitError(const CtlVariable& variable, Quantity quantity) {

@@ -66,8 +66,9 @@ using Floors = std::vector<std::vector<std::string>>;
 const Floors kCore{{"core/base", "core/grid"},
                    {"core/geo", "core/sky"},
                    {"core/image", "core/plugin", "core/optics", "core/camera", "core/air"},
-                   {"core/dataset", "core/look", "core/transport"},
+                   {"core/dataset", "core/look", "core/transport", "core/plot"},
                    {"core/volume"},
+                   {"core/analysis"},
                    {"core/preset"},
                    {"core/session"}};
 
@@ -90,7 +91,7 @@ const Floors kCommands{
     {"app/cli/common"},
     {"app/workbench"},
     {"app/cli/render", "app/cli/info"},
-    {"app/cli/bench", "app/cli/compare"},
+    {"app/cli/ask", "app/cli/bench", "app/cli/compare"},
     {"app/cli"},
 };
 

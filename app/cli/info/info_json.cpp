@@ -16,10 +16,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, kVariableRoles> kRoleIds{
-    "other",        "mixing_ratio",    "dry_air_density",  "interface_height",
-    "air_pressure", "air_temperature", "effective_radius", "number_concentration",
-    "water_vapour", "x_wind",          "y_wind",           "upward_wind"};
+constexpr std::array<std::string_view, kVariableRoles> kRoleIds{"other",
+                                                                "mixing_ratio",
+                                                                "dry_air_density",
+                                                                "interface_height",
+                                                                "air_pressure",
+                                                                "air_temperature",
+                                                                "effective_radius",
+                                                                "number_concentration",
+                                                                "water_vapour",
+                                                                "x_wind",
+                                                                "y_wind",
+                                                                "upward_wind",
+                                                                "hygroscopic_aerosol_number",
+                                                                "dust_number"};
 
 Json gridJson(const DatasetInfo& info, const LayerSummary& layers) {
     const glm::dvec2 extentM = info.extentM();

@@ -1,0 +1,395 @@
+// draw.cpp: lays out a figure and draws its parts from back to front.
+#include "core/plot/draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/number_text.h"
+
+namespace neph::plot {
+namespace {
+
+constexpr double kTickPt = 4.0, kGapPt = 6.0, kBarPt = 14.0;
+constexpr double kPtPerTickX = 60.0, kPtPerTickY = 36.0;
+
+struct InkRow {
+    glm::vec3 light, dark;  ///< on light and on dark ground
+};
+// The hues are those of [OkabeIto08], darker on white where they would be faint.
+constexpr std::array kInks{
+    InkRow{{0.10f, 0.10f, 0.12f}, {0.92f, 0.93f, 0.95f}},
+    InkRow{{0.80f, 0.80f, 0.82f}, {0.32f, 0.34f, 0.37f}},
+    InkRow{{0.78f, 0.22f, 0.05f}, {0.98f, 0.48f, 0.30f}},
+    InkRow{{0.00f, 0.39f, 0.65f}, {0.40f, 0.70f, 0.98f}},
+    InkRow{{0.00f, 0.50f, 0.36f}, {0.25f, 0.82f, 0.62f}},
+    InkRow{{0.80f, 0.52f, 0.00f}, {0.95f, 0.70f, 0.20f}},
+    InkRow{{0.68f, 0.36f, 0.55f}, {0.90f, 0.60f, 0.78f}},
+    InkRow{{0.16f, 0.58f, 0.80f}, {0.45f, 0.82f, 0.98f}},
+    InkRow{{1.00f, 1.00f, 1.00f}, {0.11f, 0.12f, 0.14f}},
+    InkRow{{0.62f, 0.55f, 0.47f}, {0.40f, 0.35f, 0.30f}},
+};
+
+double shareOf(const Axis& axis, double at) {
+    if (!axis.logarithmic) return (at - axis.from) / (axis.to - axis.from);
+    return std::log(std::max(at, 1e-300) / axis.from) / std::log(axis.to / axis.from);
+}
+
+double valueOf(const Axis& axis, double share) {
+    if (!axis.logarithmic) return std::lerp(axis.from, axis.to, share);
+    return axis.from * std::pow(axis.to / axis.from, share);
+}
+
+class Drawing {
+  public:
+    Drawing(const Figure& figure, const RectPt& area, Canvas& canvas, const Style& style)
+        : figure_(figure), area_(area), canvas_(canvas), style_(style) {}
+
+    Frame draw() {
+        canvas_.fillRect(area_, ink(Ink::background));
+        layOut();
+        canvas_.clip(frame_.plot);
+        drawGrid();
+        if (figure_.field) drawField(*figure_.field);
+        for (const Curve& curve : figure_.curves) {
+            if (curve.closed) drawCurve(curve);
+        }
+        for (const Contours& contours : figure_.contours) drawContours(contours);
+        for (const Curve& curve : figure_.curves) {
+            if (!curve.closed) drawCurve(curve);
+        }
+        for (const Barb& barb : figure_.barbs) drawBarb(barb);
+        for (const Mark& mark : figure_.marks) drawMark(mark);
+        canvas_.endClip();
+        drawAxes();
+        drawTitle();
+        drawLegend();
+        drawNotes();
+        if (figure_.field) drawBar(*figure_.field);
+        return frame_;
+    }
+
+  private:
+    glm::vec4 ink(Ink of) const { return inkColour(of, style_); }
+    double text() const { return style_.textPt; }
+    Pen pen(Ink of, double width, bool dashed = false) const { return {ink(of), width, dashed}; }
+
+    void write(glm::dvec2 at, Anchor anchor, const std::string& words, Ink of = Ink::foreground,
+               double scale = 1.0, bool upwards = false) {
+        canvas_.text(at, anchor, words, ink(of), scale * text(), upwards);
+    }
+
+    double notesWidth() {
+        double width = 0.0;
+        for (const auto& [label, value] : figure_.notes) {
+            width = std::max(width, canvas_.textSize(label + "   " + value, text()).x);
+        }
+        return figure_.notes.empty() ? 0.0 : width + 2.0 * kGapPt;
+    }
+
+    void layOut() {
+        frame_.x = figure_.x;
+        frame_.y = figure_.y;
+        const double line = 1.4 * text();
+        double labels = 0.0;
+        for (const Tick& tick : ticksOf(figure_.y, 8)) {
+            labels = std::max(labels, canvas_.textSize(tick.text, text()).x);
+        }
+        RectPt plot = area_;
+        plot.lower += glm::dvec2(kGapPt + line + labels + kTickPt + kGapPt,
+                                 kGapPt + (figure_.title.empty() ? 0.0 : line * 1.2) +
+                                     (figure_.subtitle.empty() ? 0.0 : line));
+        plot.upper -= glm::dvec2(2.0 * kGapPt + notesWidth(), 2.0 * line + kTickPt + 2.0 * kGapPt);
+        if (!legendOf().empty()) plot.upper.y -= line;
+        if (figure_.field) plot.upper.x -= kBarPt + 3.5 * text() + line + 2.0 * kGapPt;
+        plot.upper = glm::max(plot.upper, plot.lower + glm::dvec2(20.0));
+        if (figure_.equalScale) {
+            const double spanX = std::abs(figure_.x.to - figure_.x.from);
+            const double spanY = std::abs(figure_.y.to - figure_.y.from);
+            const double scale = std::min(plot.size().x / spanX, plot.size().y / spanY);
+            plot.upper = plot.lower + scale * glm::dvec2(spanX, spanY);
+        }
+        frame_.plot = plot;
+        ticksX_ = ticksOf(figure_.x, std::max(2, static_cast<int>(plot.size().x / kPtPerTickX)));
+        ticksY_ = ticksOf(figure_.y, std::max(2, static_cast<int>(plot.size().y / kPtPerTickY)));
+    }
+
+    double xOf(double at) const { return frame_.toPt({at, figure_.y.from}).x; }
+    double yOf(double at) const { return frame_.toPt({figure_.x.from, at}).y; }
+
+    void drawGrid() {
+        for (const Tick& tick : ticksX_) {
+            const std::array<glm::dvec2, 2> ends{glm::dvec2(xOf(tick.at), frame_.plot.lower.y),
+                                                 glm::dvec2(xOf(tick.at), frame_.plot.upper.y)};
+            canvas_.line(ends, pen(Ink::faint, 0.5));
+        }
+        for (const Tick& tick : ticksY_) {
+            const std::array<glm::dvec2, 2> ends{glm::dvec2(frame_.plot.lower.x, yOf(tick.at)),
+                                                 glm::dvec2(frame_.plot.upper.x, yOf(tick.at))};
+            canvas_.line(ends, pen(Ink::faint, 0.5));
+        }
+    }
+
+    /// Cells of one colour beside one another are one rectangle.
+    void drawField(const Field& field) {
+        constexpr int kColours = 64;
+        const auto step = [&](std::size_t cell) {
+            const auto value = static_cast<double>(field.values[cell]);
+            if (!std::isfinite(value)) return -1;
+            const double share = (value - field.from) / (field.to - field.from);
+            return std::clamp(static_cast<int>(share * kColours), 0, kColours - 1);
+        };
+        for (std::size_t row = 0; row < field.rows(); ++row) {
+            const double lower = yOf(field.edgesY[row]), upper = yOf(field.edgesY[row + 1]);
+            for (std::size_t from = 0; from < field.columns();) {
+                const int colour = step(row * field.columns() + from);
+                std::size_t to = from + 1;
+                while (to < field.columns() && step(row * field.columns() + to) == colour) ++to;
+                if (colour >= 0) {
+                    const glm::dvec2 a(xOf(field.edgesX[from]), std::min(lower, upper));
+                    const glm::dvec2 b(xOf(field.edgesX[to]), std::max(lower, upper));
+                    canvas_.fillRect(
+                        {a, b}, glm::vec4(colourAt(field.map, (colour + 0.5) / kColours), 1.0f));
+                }
+                from = to;
+            }
+        }
+    }
+
+    void drawCurve(const Curve& curve) {
+        std::vector<glm::dvec2> run;
+        const auto finish = [&] {
+            if (curve.closed && run.size() > 2) canvas_.fill(run, ink(curve.ink));
+            if (!curve.closed && run.size() > 1) {
+                canvas_.line(run, pen(curve.ink, curve.width, curve.dashed));
+            }
+            run.clear();
+        };
+        for (const glm::dvec2& point : curve.points) {
+            if (std::isfinite(point.x) && std::isfinite(point.y)) {
+                run.push_back(frame_.toPt(point));
+            } else {
+                finish();
+            }
+        }
+        finish();
+    }
+
+    void drawContours(const Contours& contours) {
+        for (const double level : contours.levels) {
+            for (const auto& line : contourLines(contours, level)) {
+                std::vector<glm::dvec2> points;
+                for (const glm::dvec2& at : line) points.push_back(frame_.toPt(at));
+                canvas_.line(points, pen(contours.ink, contours.width));
+                if (contours.named) nameLine(points, numberText(level), contours.ink);
+            }
+        }
+    }
+
+    /// Writes a level where a long line is in its middle.
+    void nameLine(const std::vector<glm::dvec2>& points, const std::string& words, Ink of) {
+        double length = 0.0;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            length += glm::distance(points[i], points[i + 1]);
+        }
+        if (length < 12.0 * text()) return;
+        const glm::dvec2 at = points[points.size() / 2];
+        const glm::dvec2 size = canvas_.textSize(words, 0.85 * text());
+        const RectPt behind{at - 0.5 * size - 1.0, at + 0.5 * size + 1.0};
+        if (!frame_.contains(behind.lower) || !frame_.contains(behind.upper)) return;
+        glm::vec4 ground = ink(Ink::background);
+        ground.a = 0.75f;
+        canvas_.fillRect(behind, ground);
+        write(at, {0.5, 0.5}, words, of, 0.85);
+    }
+
+    void drawMark(const Mark& mark) {
+        const glm::dvec2 at = frame_.toPt(mark.at);
+        if (mark.dot) {
+            constexpr double kDotPt = 2.5;
+            canvas_.fillRect({at - kDotPt, at + kDotPt}, ink(mark.ink));
+        }
+        write(at + glm::dvec2(kGapPt, 0.0), {0.0, 0.5}, mark.text, mark.ink);
+    }
+
+    void drawBarb(const Barb& barb) {
+        constexpr double kStaffPt = 26.0, kFlagPt = 9.0, kApartPt = 4.0;
+        const glm::dvec2 at = frame_.toPt(barb.at);
+        const double speed = glm::length(barb.windMPerS);
+        const Pen line = pen(Ink::foreground, 1.0);
+        if (!std::isfinite(speed) || speed < 2.5) return;
+        // The staff points to where the wind comes from; flags are on its left as seen from there.
+        const glm::dvec2 from = glm::dvec2(-barb.windMPerS.x, barb.windMPerS.y) / speed;
+        const glm::dvec2 side = glm::dvec2(-from.y, from.x);
+        const std::array<glm::dvec2, 2> staff{at, at + kStaffPt * from};
+        canvas_.line(staff, line);
+        double place = kStaffPt;
+        int halves = static_cast<int>(std::lround(speed / 5.0));
+        const auto flag = [&](double length) {
+            const glm::dvec2 foot = at + place * from;
+            const std::array<glm::dvec2, 2> ends{foot, foot + length * (side + 0.4 * from)};
+            canvas_.line(ends, line);
+            place -= kApartPt;
+        };
+        for (; halves >= 10; halves -= 10) {
+            const glm::dvec2 foot = at + place * from;
+            const std::array<glm::dvec2, 3> pennant{foot, foot + kFlagPt * side,
+                                                    foot - kApartPt * from};
+            canvas_.fill(pennant, line.colour);
+            place -= kApartPt + 2.0;
+        }
+        for (; halves >= 2; halves -= 2) flag(kFlagPt);
+        if (halves == 1) {
+            if (place == kStaffPt) place -= kApartPt;
+            flag(0.5 * kFlagPt);
+        }
+    }
+
+    void drawAxes() {
+        const RectPt& plot = frame_.plot;
+        const std::array<glm::dvec2, 5> box{plot.lower, glm::dvec2(plot.upper.x, plot.lower.y),
+                                            plot.upper, glm::dvec2(plot.lower.x, plot.upper.y),
+                                            plot.lower};
+        canvas_.line(box, pen(Ink::foreground, 1.0));
+        for (const Tick& tick : ticksX_) {
+            const double x = xOf(tick.at);
+            if (x < plot.lower.x - 0.5 || x > plot.upper.x + 0.5) continue;
+            const std::array<glm::dvec2, 2> ends{glm::dvec2(x, plot.upper.y),
+                                                 glm::dvec2(x, plot.upper.y + kTickPt)};
+            canvas_.line(ends, pen(Ink::foreground, 1.0));
+            write({x, plot.upper.y + kTickPt + 1.0}, {0.5, 0.0}, tick.text);
+        }
+        for (const Tick& tick : ticksY_) {
+            const double y = yOf(tick.at);
+            if (y < plot.lower.y - 0.5 || y > plot.upper.y + 0.5) continue;
+            const std::array<glm::dvec2, 2> ends{glm::dvec2(plot.lower.x - kTickPt, y),
+                                                 glm::dvec2(plot.lower.x, y)};
+            canvas_.line(ends, pen(Ink::foreground, 1.0));
+            write({plot.lower.x - kTickPt - 2.0, y}, {1.0, 0.5}, tick.text);
+        }
+        const glm::dvec2 middle = 0.5 * (plot.lower + plot.upper);
+        write({middle.x, plot.upper.y + kTickPt + 1.4 * text()}, {0.5, 0.0}, figure_.x.label);
+        write({area_.lower.x + kGapPt, middle.y}, {0.0, 0.5}, figure_.y.label, Ink::foreground, 1.0,
+              true);
+    }
+
+    void drawTitle() {
+        double y = area_.lower.y + kGapPt;
+        if (!figure_.title.empty()) {
+            write({frame_.plot.lower.x, y}, {0.0, 0.0}, figure_.title, Ink::foreground, 1.2);
+            y += 1.2 * 1.4 * text();
+        }
+        if (figure_.subtitle.empty()) return;
+        write({frame_.plot.lower.x, y}, {0.0, 0.0}, figure_.subtitle);
+    }
+
+    struct Entry {
+        std::string label;
+        Ink ink;
+        bool dashed;
+    };
+    std::vector<Entry> legendOf() const {
+        std::vector<Entry> entries;
+        for (const Curve& curve : figure_.curves) {
+            if (!curve.label.empty()) entries.push_back({curve.label, curve.ink, curve.dashed});
+        }
+        for (const Contours& contours : figure_.contours) {
+            if (!contours.label.empty()) entries.push_back({contours.label, contours.ink, false});
+        }
+        return entries;
+    }
+
+    void drawLegend() {
+        constexpr double kSamplePt = 18.0;
+        double x = frame_.plot.lower.x;
+        const double y = frame_.plot.upper.y + kTickPt + 3.5 * text();
+        for (const Entry& entry : legendOf()) {
+            const std::array<glm::dvec2, 2> ends{glm::dvec2(x, y), glm::dvec2(x + kSamplePt, y)};
+            canvas_.line(ends, pen(entry.ink, 2.0, entry.dashed));
+            write({x + kSamplePt + 4.0, y}, {0.0, 0.5}, entry.label);
+            x += kSamplePt + 4.0 + canvas_.textSize(entry.label, text()).x + 2.0 * kGapPt;
+        }
+    }
+
+    void drawNotes() {
+        const double x = area_.upper.x - notesWidth() + kGapPt;
+        double y = frame_.plot.lower.y;
+        for (const auto& [label, value] : figure_.notes) {
+            write({x, y}, {0.0, 0.0}, label);
+            write({area_.upper.x - kGapPt, y}, {1.0, 0.0}, value);
+            y += 1.4 * text();
+        }
+    }
+
+    void drawBar(const Field& field) {
+        constexpr int kSteps = 64;
+        const double x = frame_.plot.upper.x + 2.0 * kGapPt;
+        const RectPt bar{{x, frame_.plot.lower.y}, {x + kBarPt, frame_.plot.upper.y}};
+        const double step = bar.size().y / kSteps;
+        for (int i = 0; i < kSteps; ++i) {
+            canvas_.fillRect({{bar.lower.x, bar.upper.y - (i + 1) * step},
+                              {bar.upper.x, bar.upper.y - i * step + 0.3}},
+                             glm::vec4(colourAt(field.map, (i + 0.5) / kSteps), 1.0f));
+        }
+        const Axis axis{{}, field.from, field.to, false, {}};
+        for (const Tick& tick : ticksOf(axis, static_cast<int>(bar.size().y / kPtPerTickY))) {
+            const double y = bar.upper.y - shareOf(axis, tick.at) * bar.size().y;
+            write({bar.upper.x + 4.0, y}, {0.0, 0.5}, tick.text);
+        }
+        write({bar.upper.x + 3.5 * text() + kGapPt, 0.5 * (bar.lower.y + bar.upper.y)}, {0.0, 0.5},
+              field.label, Ink::foreground, 1.0, true);
+    }
+
+    const Figure& figure_;
+    RectPt area_;
+    Canvas& canvas_;
+    const Style& style_;
+    Frame frame_;
+    std::vector<Tick> ticksX_, ticksY_;
+};
+
+}  // namespace
+
+glm::vec4 inkColour(Ink ink, const Style& style) {
+    const InkRow& row = kInks[static_cast<std::size_t>(ink)];
+    return {style.dark ? row.dark : row.light, 1.0f};
+}
+
+glm::dvec2 Frame::toPt(glm::dvec2 at) const {
+    return {std::lerp(plot.lower.x, plot.upper.x, shareOf(x, at.x)),
+            std::lerp(plot.upper.y, plot.lower.y, shareOf(y, at.y))};
+}
+
+glm::dvec2 Frame::toAxes(glm::dvec2 pt) const {
+    const glm::dvec2 share = (pt - plot.lower) / plot.size();
+    return {valueOf(x, share.x), valueOf(y, 1.0 - share.y)};
+}
+
+bool Frame::contains(glm::dvec2 pt) const {
+    return glm::all(glm::greaterThanEqual(pt, plot.lower)) &&
+           glm::all(glm::lessThanEqual(pt, plot.upper));
+}
+
+Frame draw(const Figure& figure, const RectPt& area, Canvas& canvas, const Style& style) {
+    return Drawing(figure, area, canvas, style).draw();
+}
+
+std::string readout(const Figure& figure, const Frame& frame, glm::dvec2 pt) {
+    const glm::dvec2 at = frame.toAxes(pt);
+    std::string text = fmt::format("{}: {}\n{}: {}", figure.x.label, numberText(at.x, 3),
+                                   figure.y.label, numberText(at.y, 3));
+    if (!figure.field) return text;
+    const Field& field = *figure.field;
+    const auto cellOf = [](const std::vector<double>& edges, double value) {
+        return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin());
+    };
+    const std::size_t x = cellOf(field.edgesX, at.x), y = cellOf(field.edgesY, at.y);
+    if (x == 0 || y == 0 || x > field.columns() || y > field.rows()) return text;
+    const float value = field.values[(y - 1) * field.columns() + x - 1];
+    if (!std::isfinite(value)) return text;
+    return text + fmt::format("\n{}: {}", field.label, numberText(static_cast<double>(value), 3));
+}
+
+}  // namespace neph::plot
