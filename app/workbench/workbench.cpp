@@ -19,6 +19,7 @@
 #include "app/ui/widgets/places.h"
 #include "app/workbench/image_textures.h"
 #include "app/workbench/measure_error.h"
+#include "app/workbench/save_plots.h"
 #include "app/workbench/script_player.h"
 #include "app/workbench/slots.h"
 #include "app/workbench/workbench_host.h"
@@ -146,6 +147,10 @@ void Workbench::offerServices() {
     ui_.services.loadImage = [this](const auto& png) { return textures_.load(png); };
     ui_.services.showImage = [this](const Image8& image) { return textures_.show(image); };
     ui_.services.dropImage = [this](unsigned texture) { textures_.drop(texture); };
+    ui_.services.savePlots = [this](const auto& name, const auto& figures, const auto& table) {
+        const std::filesystem::path out(ui_.output.settings.file);
+        return savePlots(out.parent_path(), name, figures, table, session().info());
+    };
     ui_.services.state = [this] { return slots_.state(); };
     ui_.services.restore = [this](const SessionState& state) {
         slots_.restore(state);

@@ -30,6 +30,12 @@ plot::Curve curveOf(plot::Ink ink, double width) {
     return curve;
 }
 
+plot::Curve backgroundCurve(plot::Ink ink) {
+    plot::Curve curve = curveOf(ink, 0.7);
+    curve.opacity = 0.3;
+    return curve;
+}
+
 /// Pressures from the lower to the upper side of the plot.
 std::vector<double> plotPressures() {
     std::vector<double> pressures;
@@ -41,21 +47,22 @@ std::vector<double> plotPressures() {
 /// Isotherms, dry adiabats, pseudoadiabats and lines of equal mixing ratio.
 void addBackground(plot::Figure& figure) {
     for (double celsius = -120.0; celsius <= 40.0; celsius += 10.0) {
-        plot::Curve curve = curveOf(celsius == 0.0 ? plot::Ink::cyan : plot::Ink::faint, 0.7);
+        plot::Curve curve =
+            backgroundCurve(celsius == 0.0 ? plot::Ink::cyan : plot::Ink::foreground);
         for (const double p : {kLowestPa, kHighestPa}) {
             curve.points.push_back(skewed(p, celsius + kFreezingK));
         }
         figure.curves.push_back(std::move(curve));
     }
     for (double theta = 240.0; theta <= 460.0; theta += 20.0) {
-        plot::Curve curve = curveOf(plot::Ink::orange, 0.4);
+        plot::Curve curve = backgroundCurve(plot::Ink::orange);
         for (const double p : plotPressures()) {
             curve.points.push_back(skewed(p, theta / potentialTemperatureK(p, 1.0)));
         }
         figure.curves.push_back(std::move(curve));
     }
     for (double celsius = -10.0; celsius <= 36.0; celsius += 6.0) {
-        plot::Curve curve = curveOf(plot::Ink::green, 0.4);
+        plot::Curve curve = backgroundCurve(plot::Ink::green);
         for (const double p : plotPressures()) {
             if (p < 2e4) break;
             curve.points.push_back(skewed(p, pseudoadiabatK(1e5, celsius + kFreezingK, p)));
@@ -63,7 +70,7 @@ void addBackground(plot::Figure& figure) {
         figure.curves.push_back(std::move(curve));
     }
     for (const double gramsPerKg : {0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 24.0}) {
-        plot::Curve curve = curveOf(plot::Ink::blue, 0.4);
+        plot::Curve curve = backgroundCurve(plot::Ink::blue);
         curve.dashed = true;
         for (const double p : {kLowestPa, 5e4}) {
             curve.points.push_back(skewed(p, dewPointK(p, 1e-3 * gramsPerKg)));

@@ -122,7 +122,8 @@ std::vector<Stretch> stretchesOf(const std::vector<Point>& points) {
     return stretches;
 }
 
-void addTropopause(CrossSection& section, const AirBlock& block, const Point& point, std::size_t i) {
+void addTropopause(CrossSection& section, const AirBlock& block, const Point& point,
+                   std::size_t i) {
     std::vector<double> heights, temperatures;
     for (int level = 0; level < block.levels(); ++level) {
         const glm::ivec3 cell{point.x.share < 0.5 ? point.x.lower : point.x.upper,
@@ -189,8 +190,8 @@ std::optional<double> tropopauseOf(std::span<const double> heightsM,
 }
 
 CrossSection verticalSection(Dataset& dataset, int time, glm::dvec2 fromM, glm::dvec2 toM,
-                        std::span<const Quantity> quantities, bool tropopause,
-                        const Progress& progress) {
+                             std::span<const Quantity> quantities, bool tropopause,
+                             const Progress& progress) {
     const DatasetInfo& info = dataset.info();
     std::vector<Quantity> read(quantities.begin(), quantities.end());
     if (tropopause) read.push_back(Quantity::temperature);
@@ -232,7 +233,7 @@ CrossSection verticalSection(Dataset& dataset, int time, glm::dvec2 fromM, glm::
 }
 
 CrossSection horizontalSection(Dataset& dataset, int time, double heightM,
-                          std::span<const Quantity> quantities, const Progress& progress) {
+                               std::span<const Quantity> quantities, const Progress& progress) {
     const DatasetInfo& info = dataset.info();
     for (const Quantity quantity : quantities) requireQuantity(dataset, time, quantity);
     CrossSection section = emptySection(quantities);

@@ -41,12 +41,12 @@ struct CrossSection {
 /// height. Two points a cell and 800 at most; heights in steps of 100 m, or 250 of them where that
 /// would be more. `tropopause` needs temperature. Throws Error or Cancelled.
 CrossSection verticalSection(Dataset& dataset, int time, glm::dvec2 fromM, glm::dvec2 toM,
-                        std::span<const Quantity> quantities, bool tropopause = false,
-                        const Progress& progress = {});
+                             std::span<const Quantity> quantities, bool tropopause = false,
+                             const Progress& progress = {});
 
 /// Of all native columns. Throws Error (no column reaches the height) or Cancelled.
 CrossSection horizontalSection(Dataset& dataset, int time, double heightM,
-                          std::span<const Quantity> quantities, const Progress& progress = {});
+                               std::span<const Quantity> quantities, const Progress& progress = {});
 
 /// The lowest height from which temperature falls by less than 2 K/km over the next 2 km [WMO57],
 /// above 500 hPa's usual 5 km; `heightsM` increase. Nothing where there is none.

@@ -79,16 +79,13 @@ plot::Contours contoursOf(const CrossSection& section, const SectionField& field
     return contours;
 }
 
-/// The ground as a filled shape from the lower end of the plot.
-plot::Curve groundOf(const CrossSection& section, double lowestKm) {
+plot::Curve groundOf(const CrossSection& section) {
     plot::Curve ground;
     ground.ink = plot::Ink::ground;
-    ground.closed = true;
-    ground.points.push_back({kKm * section.acrossM.front(), lowestKm});
+    ground.filledBelow = true;
     for (std::size_t i = 0; i < section.acrossM.size(); ++i) {
         ground.points.push_back({kKm * section.acrossM[i], kKm * section.groundM[i]});
     }
-    ground.points.push_back({kKm * section.acrossM.back(), lowestKm});
     return ground;
 }
 
@@ -141,7 +138,7 @@ plot::Figure sectionFigure(const CrossSection& section, const SectionStyle& styl
         figure.contours.push_back(contoursOf(section, section.fields[i]));
     }
     if (style.temperatureLines) addTemperatureLines(figure, section);
-    if (section.vertical) figure.curves.push_back(groundOf(section, figure.y.from));
+    if (section.vertical) figure.curves.push_back(groundOf(section));
     return figure;
 }
 

@@ -28,7 +28,7 @@ class Canvas {
     virtual ~Canvas() = default;
 
     virtual void line(std::span<const glm::dvec2> points, const Pen& pen) = 0;
-    /// A polygon; any that is simple.
+    /// A convex polygon.
     virtual void fill(std::span<const glm::dvec2> points, const glm::vec4& colour) = 0;
     virtual void fillRect(const RectPt& rect, const glm::vec4& colour) = 0;
     virtual void text(glm::dvec2 at, Anchor anchor, const std::string& text,

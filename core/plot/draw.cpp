@@ -13,34 +13,7 @@ namespace neph::plot {
 namespace {
 
 constexpr double kTickPt = 4.0, kGapPt = 6.0, kBarPt = 14.0;
-constexpr double kPtPerTickX = 60.0, kPtPerTickY = 36.0;
-
-struct InkRow {
-    glm::vec3 light, dark;  ///< on light and on dark ground
-};
-// The hues are those of [OkabeIto08], darker on white where they would be faint.
-constexpr std::array kInks{
-    InkRow{{0.10f, 0.10f, 0.12f}, {0.92f, 0.93f, 0.95f}},
-    InkRow{{0.80f, 0.80f, 0.82f}, {0.32f, 0.34f, 0.37f}},
-    InkRow{{0.78f, 0.22f, 0.05f}, {0.98f, 0.48f, 0.30f}},
-    InkRow{{0.00f, 0.39f, 0.65f}, {0.40f, 0.70f, 0.98f}},
-    InkRow{{0.00f, 0.50f, 0.36f}, {0.25f, 0.82f, 0.62f}},
-    InkRow{{0.80f, 0.52f, 0.00f}, {0.95f, 0.70f, 0.20f}},
-    InkRow{{0.68f, 0.36f, 0.55f}, {0.90f, 0.60f, 0.78f}},
-    InkRow{{0.16f, 0.58f, 0.80f}, {0.45f, 0.82f, 0.98f}},
-    InkRow{{1.00f, 1.00f, 1.00f}, {0.11f, 0.12f, 0.14f}},
-    InkRow{{0.62f, 0.55f, 0.47f}, {0.40f, 0.35f, 0.30f}},
-};
-
-double shareOf(const Axis& axis, double at) {
-    if (!axis.logarithmic) return (at - axis.from) / (axis.to - axis.from);
-    return std::log(std::max(at, 1e-300) / axis.from) / std::log(axis.to / axis.from);
-}
-
-double valueOf(const Axis& axis, double share) {
-    if (!axis.logarithmic) return std::lerp(axis.from, axis.to, share);
-    return axis.from * std::pow(axis.to / axis.from, share);
-}
+constexpr double kPtPerTickX = 60.0, kPtPerTickY = 28.0;
 
 class Drawing {
   public:
@@ -54,11 +27,11 @@ class Drawing {
         drawGrid();
         if (figure_.field) drawField(*figure_.field);
         for (const Curve& curve : figure_.curves) {
-            if (curve.closed) drawCurve(curve);
+            if (curve.filledBelow) fillBelow(curve);
         }
         for (const Contours& contours : figure_.contours) drawContours(contours);
         for (const Curve& curve : figure_.curves) {
-            if (!curve.closed) drawCurve(curve);
+            if (!curve.filledBelow) drawCurve(curve);
         }
         for (const Barb& barb : figure_.barbs) drawBarb(barb);
         for (const Mark& mark : figure_.marks) drawMark(mark);
@@ -158,13 +131,24 @@ class Drawing {
         }
     }
 
+    void fillBelow(const Curve& curve) {
+        const double foot = frame_.plot.upper.y;
+        for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+            const glm::dvec2 a = frame_.toPt(curve.points[i]);
+            const glm::dvec2 b = frame_.toPt(curve.points[i + 1]);
+            if (!std::isfinite(a.y + b.y)) continue;
+            const std::array<glm::dvec2, 4> piece{a, b, glm::dvec2(b.x, foot),
+                                                  glm::dvec2(a.x, foot)};
+            canvas_.fill(piece, ink(curve.ink));
+        }
+    }
+
     void drawCurve(const Curve& curve) {
         std::vector<glm::dvec2> run;
         const auto finish = [&] {
-            if (curve.closed && run.size() > 2) canvas_.fill(run, ink(curve.ink));
-            if (!curve.closed && run.size() > 1) {
-                canvas_.line(run, pen(curve.ink, curve.width, curve.dashed));
-            }
+            Pen line = pen(curve.ink, curve.width, curve.dashed);
+            line.colour.a = static_cast<float>(curve.opacity);
+            if (run.size() > 1) canvas_.line(run, line);
             run.clear();
         };
         for (const glm::dvec2& point : curve.points) {
@@ -335,7 +319,7 @@ class Drawing {
         }
         const Axis axis{{}, field.from, field.to, false, {}};
         for (const Tick& tick : ticksOf(axis, static_cast<int>(bar.size().y / kPtPerTickY))) {
-            const double y = bar.upper.y - shareOf(axis, tick.at) * bar.size().y;
+            const double y = bar.upper.y - axisShare(axis, tick.at) * bar.size().y;
             write({bar.upper.x + 4.0, y}, {0.0, 0.5}, tick.text);
         }
         write({bar.upper.x + 3.5 * text() + kGapPt, 0.5 * (bar.lower.y + bar.upper.y)}, {0.0, 0.5},
@@ -352,44 +336,8 @@ class Drawing {
 
 }  // namespace
 
-glm::vec4 inkColour(Ink ink, const Style& style) {
-    const InkRow& row = kInks[static_cast<std::size_t>(ink)];
-    return {style.dark ? row.dark : row.light, 1.0f};
-}
-
-glm::dvec2 Frame::toPt(glm::dvec2 at) const {
-    return {std::lerp(plot.lower.x, plot.upper.x, shareOf(x, at.x)),
-            std::lerp(plot.upper.y, plot.lower.y, shareOf(y, at.y))};
-}
-
-glm::dvec2 Frame::toAxes(glm::dvec2 pt) const {
-    const glm::dvec2 share = (pt - plot.lower) / plot.size();
-    return {valueOf(x, share.x), valueOf(y, 1.0 - share.y)};
-}
-
-bool Frame::contains(glm::dvec2 pt) const {
-    return glm::all(glm::greaterThanEqual(pt, plot.lower)) &&
-           glm::all(glm::lessThanEqual(pt, plot.upper));
-}
-
 Frame draw(const Figure& figure, const RectPt& area, Canvas& canvas, const Style& style) {
     return Drawing(figure, area, canvas, style).draw();
-}
-
-std::string readout(const Figure& figure, const Frame& frame, glm::dvec2 pt) {
-    const glm::dvec2 at = frame.toAxes(pt);
-    std::string text = fmt::format("{}: {}\n{}: {}", figure.x.label, numberText(at.x, 3),
-                                   figure.y.label, numberText(at.y, 3));
-    if (!figure.field) return text;
-    const Field& field = *figure.field;
-    const auto cellOf = [](const std::vector<double>& edges, double value) {
-        return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin());
-    };
-    const std::size_t x = cellOf(field.edgesX, at.x), y = cellOf(field.edgesY, at.y);
-    if (x == 0 || y == 0 || x > field.columns() || y > field.rows()) return text;
-    const float value = field.values[(y - 1) * field.columns() + x - 1];
-    if (!std::isfinite(value)) return text;
-    return text + fmt::format("\n{}: {}", field.label, numberText(static_cast<double>(value), 3));
 }
 
 }  // namespace neph::plot

@@ -13,6 +13,9 @@ struct Style {
 
 glm::vec4 inkColour(Ink ink, const Style& style);
 
+/// Share of the way from the axis's start to its end.
+double axisShare(const Axis& axis, double at);
+
 /// Where the axes of a figure are on a canvas.
 struct Frame {
     RectPt plot;  ///< within the axes

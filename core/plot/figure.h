@@ -43,8 +43,9 @@ struct Curve {
     std::vector<glm::dvec2> points;  ///< NaN interrupts it
     Ink ink = Ink::foreground;
     double width = 1.5;  ///< in points
+    double opacity = 1.0;
     bool dashed = false;
-    bool closed = false;  ///< filled
+    bool filledBelow = false;  ///< down to the lower end of the plot
 };
 
 enum class ColourMap : int { sequential, diverging };

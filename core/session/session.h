@@ -120,6 +120,9 @@ class Session {
 
     /// Metadata of the open data; nullptr before the first.
     const DatasetInfo* info() const { return dataset_ ? &dataset_->info() : nullptr; }
+    /// The open data, for questions that are answered beside the session through handles of their
+    /// own (Dataset::anotherHandle).
+    std::shared_ptr<const Dataset> data() const { return dataset_; }
     /// What is shown; nullptr before the first.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
     /// Where and when that is, as far as the data state it.

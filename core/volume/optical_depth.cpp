@@ -10,8 +10,20 @@ namespace {
 
 constexpr double kStepsPerCell = 2.0;
 
-/// Trilinear interpolation; `at` is in cells from the lower corner, so that centres are at halves.
-double valueAt(const Array3f& field, const glm::dvec3& at) {
+/// Trapezoidal rule, in units of one step.
+double integral(const Array3f& field, const glm::dvec3& entry, const glm::dvec3& perStep,
+                int steps) {
+    double sum = 0.0;
+    for (int i = 0; i <= steps; ++i) {
+        const double weight = i == 0 || i == steps ? 0.5 : 1.0;
+        sum += weight * trilinear(field, entry + perStep * static_cast<double>(i));
+    }
+    return sum;
+}
+
+}  // namespace
+
+double trilinear(const Array3f& field, const glm::dvec3& at) {
     const glm::dvec3 most = glm::dvec3(field.size - 1);
     const glm::dvec3 shifted = glm::clamp(at - 0.5, glm::dvec3(0.0), most);
     const glm::ivec3 low = glm::min(glm::ivec3(shifted), field.size - 1);
@@ -25,14 +37,8 @@ double valueAt(const Array3f& field, const glm::dvec3& at) {
     return glm::mix(plane(low.z), plane(high.z), f.z);
 }
 
-/// The part of the ray within the box, in metres from the eye; empty if `from` is not below `to`.
-struct Span {
-    double from = 0.0;
-    double to = std::numeric_limits<double>::infinity();
-};
-
-Span clip(const RegularGrid& grid, const glm::dvec3& eye, const glm::dvec3& dir) {
-    Span span;
+RaySpan spanWithin(const RegularGrid& grid, const glm::dvec3& eye, const glm::dvec3& dir) {
+    RaySpan span{0.0, std::numeric_limits<double>::infinity()};
     const glm::dvec3 lower = grid.originM, upper = grid.upperM();
     for (int i = 0; i < 3; ++i) {
         if (dir[i] == 0.0) {
@@ -46,25 +52,12 @@ Span clip(const RegularGrid& grid, const glm::dvec3& eye, const glm::dvec3& dir)
     return span;
 }
 
-/// Trapezoidal rule, in units of one step.
-double integral(const Array3f& field, const glm::dvec3& entry, const glm::dvec3& perStep,
-                int steps) {
-    double sum = 0.0;
-    for (int i = 0; i <= steps; ++i) {
-        const double weight = i == 0 || i == steps ? 0.5 : 1.0;
-        sum += weight * valueAt(field, entry + perStep * static_cast<double>(i));
-    }
-    return sum;
-}
-
-}  // namespace
-
 OpticalDepth opticalDepthAlong(const SpeciesVolume& volume, const MediumPlan& plan,
                                const glm::dvec3& eyeWorld, const glm::dvec3& dirWorld) {
     OpticalDepth depth;
     const RegularGrid& grid = volume.grid;
-    const Span span = clip(grid, eyeWorld, dirWorld);
-    if (span.from >= span.to) return depth;
+    const RaySpan span = spanWithin(grid, eyeWorld, dirWorld);
+    if (span.empty()) return depth;
     const double length = span.to - span.from;
     const double cellsCrossed = glm::length(dirWorld / grid.spacingM) * length;
     const int steps = std::max(1, static_cast<int>(std::ceil(kStepsPerCell * cellsCrossed)));

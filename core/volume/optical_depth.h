@@ -12,6 +12,16 @@
 
 namespace neph {
 
+/// The part of a ray within a box, in metres from the eye; empty if `from` is not below `to`.
+struct RaySpan {
+    double from = 0.0, to = 0.0;
+    bool empty() const { return from >= to; }
+};
+RaySpan spanWithin(const RegularGrid& grid, const glm::dvec3& eyeWorld, const glm::dvec3& dirWorld);
+
+/// Trilinear interpolation; `at` is in cells from the lower corner, so that centres are at halves.
+double trilinear(const Array3f& field, const glm::dvec3& at);
+
 /// Optical depth of each species.
 struct OpticalDepth {
     std::array<double, kSpeciesCount> of{};  ///< 0 where absent or invisible

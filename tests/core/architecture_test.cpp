@@ -101,6 +101,7 @@ const Floors kPanels{{"app/ui/widgets"},
                      {"app/ui/fields", "app/ui/presets", "app/ui/compare", "app/ui/output",
                       "app/ui/data", "app/ui/time"},
                      {"app/ui/camera"},
+                     {"app/ui/ask"},
                      {"app/ui/shell"}};
 
 std::string roomOf(const std::string& path) {

@@ -70,7 +70,7 @@ void moveByKeys(const PanelContext& context, CameraTools& tools, const RegularGr
 /// Shares of the image's height that the mouse has moved.
 void moveByDrag(CameraPose& pose, const CameraTools& tools, const RegularGrid& grid, float dx,
                 float dy) {
-    const bool left = dragging(ImGuiMouseButton_Left) && !tools.sun.given,
+    const bool left = dragging(ImGuiMouseButton_Left) && !tools.sun.given && !tools.leftTaken,
                right = dragging(ImGuiMouseButton_Right);
     if (dragging(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift && !tools.flying)) {
         pan(pose, grid, {dx, -dy});

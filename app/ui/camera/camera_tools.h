@@ -14,6 +14,7 @@ struct CameraTools {
     bool outOfReach = false;  ///< the last number typed or step flown led beyond the bounds
     int renaming = -1;        ///< bookmark whose name is typed; -1: none
     std::string name;         ///< as typed
+    bool leftTaken = false;   ///< a left drag over the image draws a line
     SunDrag sun;              ///< what of the sun the mouse is over or holds
 };
 

@@ -3,8 +3,12 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <string>
+#include <vector>
 
 #include "core/image/image.h"
+#include "core/plot/figure.h"
+#include "core/plot/table.h"
 #include "core/session/session_state.h"
 
 namespace neph::ui {
@@ -20,6 +24,11 @@ struct Services {
     std::function<LoadedImage(const std::filesystem::path& png)> loadImage;
     std::function<LoadedImage(const Image8& image)> showImage;
     std::function<void(unsigned texture)> dropImage;
+    /// Writes plots side by side, or their numbers, by the name's extension, where the last export
+    /// went; returns the file. Throws Error.
+    std::function<std::string(const std::string& name, const std::vector<plot::Figure>& figures,
+                              const plot::Table& table)>
+        savePlots;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state. Another session may be the active one from then on.

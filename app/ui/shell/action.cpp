@@ -7,7 +7,7 @@ namespace neph::ui {
 
 std::string_view menuName(Menu menu) {
     constexpr std::array<std::string_view, kMenuCount> kNames{
-        "File", "Edit", "View", "Presets", "Camera", "Time", "Compare", "Output", "Help"};
+        "File", "Edit", "View", "Presets", "Camera", "Time", "Ask", "Compare", "Output", "Help"};
     return kNames.at(static_cast<std::size_t>(menu));
 }
 

@@ -9,8 +9,8 @@
 
 namespace neph::ui {
 
-enum class Menu : int { file, edit, view, presets, camera, time, compare, output, help };
-inline constexpr int kMenuCount = 9;
+enum class Menu : int { file, edit, view, presets, camera, time, ask, compare, output, help };
+inline constexpr int kMenuCount = 10;
 std::string_view menuName(Menu menu);
 
 struct Action {

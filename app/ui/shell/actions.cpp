@@ -38,7 +38,7 @@ const std::vector<Action>& actions() {
         std::vector<Action> rows;
         for (const std::span<const Action> menu :
              {fileActions(), editActions(), viewActions(), presetActions(), cameraActions(),
-              timeActions(), compareActions(), outputActions(), helpActions()}) {
+              timeActions(), askActions(), compareActions(), outputActions(), helpActions()}) {
             rows.insert(rows.end(), menu.begin(), menu.end());
         }
         addToggles(rows);

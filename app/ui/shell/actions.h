@@ -17,6 +17,7 @@ std::span<const Action> viewActions();
 std::span<const Action> presetActions();
 std::span<const Action> cameraActions();
 std::span<const Action> timeActions();
+std::span<const Action> askActions();
 std::span<const Action> compareActions();
 std::span<const Action> outputActions();
 std::span<const Action> helpActions();

@@ -112,6 +112,7 @@ void draw(Ui& ui) {
     const PanelContext context = contextOf(ui);
     playOn(context, ui.playback, imageTimeOf(ui));
     keepOwnCamera(ui.session(), ui.playback);
+    ui.cameraTools.leftTaken = ui.ask.drawing;
     moveCamera(context, ui.cameraTools);
     drawPlace(ui, PanelPlace::image);
     if (ui.columns.shown) drawAround(ui);

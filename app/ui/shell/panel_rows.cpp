@@ -1,6 +1,8 @@
 // panel_rows.cpp: the rows of the table of panels.
 #include <array>
 
+#include "app/ui/ask/ask_panels.h"
+#include "app/ui/ask/pointing.h"
 #include "app/ui/camera/camera_overlays.h"
 #include "app/ui/camera/camera_panel.h"
 #include "app/ui/compare/compare.h"
@@ -32,6 +34,9 @@ const std::array kPanels{
     Panel{.id = "camera_overlays",
           .place = PanelPlace::image,
           .draw = [](Ui& ui) { drawCameraOverlays(contextOf(ui), ui.cameraTools); }},
+    Panel{.id = "pointing",
+          .place = PanelPlace::image,
+          .draw = [](Ui& ui) { drawPointing(contextOf(ui), ui.ask); }},
     Panel{.id = "menu_bar", .place = PanelPlace::top, .draw = drawMenuBar},
     Panel{.id = "data",
           .place = PanelPlace::left,
@@ -72,6 +77,15 @@ const std::array kPanels{
               }},
     Panel{.id = "compare",
           .draw = [](Ui& ui) { drawCompare(contextOf(ui), ui.compare, ui.errors); }},
+    Panel{.id = "ask",
+          .draw =
+              [](Ui& ui) {
+                  const PanelContext context = contextOf(ui);
+                  AskState& ask = ui.ask;
+                  if (ask.showColumn) drawColumnPanel(context, ask, ask.showColumn);
+                  if (ask.showSection) drawSectionPanel(context, ask, ask.showSection);
+                  if (ask.showSeries) drawSeriesPanel(context, ask, ask.showSeries);
+              }},
     Panel{.id = "profile",
           .draw = [](Ui& ui) { drawProfile(ui.layout().image, ui.profile); },
           .shown = &Ui::showProfile,

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/ui/ask/ask_state.h"
 #include "app/ui/camera/camera_tools.h"
 #include "app/ui/compare/compare_errors.h"
 #include "app/ui/compare/compare_state.h"
@@ -43,6 +44,7 @@ struct Ui {
 
     PresetBrowser presets;
     CameraTools cameraTools;
+    AskState ask;
     CompareState compare;
     CompareErrors errors;
     ErrorMeter errorMeter;
