@@ -21,28 +21,23 @@ class Answer {
         if (asked_ && *asked_ == question) return;
         asked_ = question;
         fault_.clear();
+        Work run;
+        try {
+            run = work();
+        } catch (const Error& error) {
+            fail(error);
+            return;
+        }
         jobs_.start(
             "",
-            [this, run = work()](const Progress& progress) -> Jobs::Finish {
+            [this, run](const Progress& progress) -> Jobs::Finish {
                 auto value = std::make_shared<Value>(run(progress));
                 return [this, value] { value_ = std::move(*value); };
             },
-            [this](const Error& error) {
-                fault_ = error.message();
-                value_.reset();
-            });
+            [this](const Error& error) { fail(error); });
     }
     /// Call once a frame.
     void poll() { jobs_.poll(); }
-    /// Stops what runs; what is there stays.
-    void cancel() { jobs_.cancel(); }
-    /// Forgets the question, so that it can be asked again.
-    void forget() {
-        cancel();
-        asked_.reset();
-        value_.reset();
-        fault_.clear();
-    }
 
     const std::optional<Question>& asked() const { return asked_; }
     const std::optional<Value>& value() const { return value_; }
@@ -51,6 +46,12 @@ class Answer {
     double fraction() const { return jobs_.fraction(); }
 
   private:
+    void fail(const Error& error) {
+        jobs_.cancel();
+        fault_ = error.message();
+        value_.reset();
+    }
+
     std::optional<Question> asked_;
     std::optional<Value> value_;
     std::string fault_;

@@ -69,7 +69,9 @@ void saveButton(const PanelContext& context, const std::string& name,
     for (const char* kind : {"svg", "png", "csv"}) {
         if (std::string_view(kind) != "svg") ImGui::SameLine();
         const std::string label = fmt::format("{}##save", kind);
-        if (!ImGui::SmallButton(label.c_str())) continue;
+        const bool pressed = ImGui::SmallButton(kind);
+        place(fmt::format("ask.save.{}", kind));
+        if (!pressed) continue;
         try {
             const std::string file =
                 context.services.savePlots(fmt::format("{}.{}", name, kind), figures, table);

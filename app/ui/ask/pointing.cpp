@@ -21,6 +21,7 @@ constexpr double kKm = 1e-3;
 constexpr float kClickPx = 4.0f;  // a press that moves farther is a drag
 constexpr float kBesideEms = 1.2f;
 constexpr float kOpacity = 0.85f;
+constexpr double kLeastShare = 1e-3;  // of the optical depth, for a species to be named
 
 Camera cameraOf(const PanelContext& context) {
     const Session& session = context.session();
@@ -109,7 +110,7 @@ std::string describe(const PanelContext& context, const AskState& ask, const Poi
                            : std::string("not opaque on this line of sight\n");
     text += fmt::format("optical depth {:.3g}\n", at.ray.depth);
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-        if (at.ray.depths[s] <= 0.0) continue;
+        if (at.ray.depths[s] < kLeastShare * at.ray.depth) continue;
         text += fmt::format("{}: depth {:.2g}, {:.0f} % of what is seen", kSpecies[s].label,
                             at.ray.depths[s], 100.0 * at.ray.seen[s]);
         if (at.ray.extinctionPerM[s] > 0.0) {

@@ -94,7 +94,7 @@ void drawSections(const std::vector<Section>& all, int columns) {
     const float width = kColumnEms * ImGui::GetFontSize();
     const float left = ImGui::GetCursorPosX();
     // Close together: the whole of it at a glance.
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.0f});
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i > 0 && placed[i] != placed[i - 1]) {
