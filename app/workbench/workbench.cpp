@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/common/interrupt.h"
 #include "app/gl/context.h"
 #include "app/image_io/png.h"
 #include "app/ui/camera/camera_view.h"
@@ -179,8 +180,8 @@ void Workbench::open(const std::vector<std::filesystem::path>& files) {
 bool Workbench::yields() const {
     const PixelBox now = ui::imageBox(ui_.layout());
     const bool placed = now == place_;
-    return host_.commandsWait() || ui_.compare.wanted >= 0 || ui_.compare.close ||
-           ui_.compare.trace || !placed;
+    return host_.commandsWait() || interruptSignal() != 0 || ui_.compare.wanted >= 0 ||
+           ui_.compare.close || ui_.compare.trace || !placed;
 }
 
 /// From when there is something to see: what was there at first is no change.
@@ -361,7 +362,8 @@ double Workbench::waitS() {
 
 void Workbench::run() {
     drawPanels();  // makes the image's place known
-    while (!window_.shouldClose()) {
+    // A signal to end is a wish to quit: the session is kept.
+    while (!window_.shouldClose() && interruptSignal() == 0) {
         if (host_.wait(waitS())) eventful_ = Clock::now();
         if (script_) playScript();
         takeInput();
@@ -388,6 +390,7 @@ void Workbench::run() {
 }  // namespace
 
 int runWorkbench(const WorkbenchRequest& request) {
+    noteInterrupts();
     Workbench(request).run();
     return 0;
 }

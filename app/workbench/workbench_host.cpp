@@ -10,78 +10,20 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <utility>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/theme.h"
+#include "app/workbench/window_keys.h"
 
 namespace neph {
 namespace {
 
-constexpr std::array<std::pair<int, ui::Key>, 15> kOthers{{{GLFW_KEY_LEFT, ui::Key::left},
-                                                           {GLFW_KEY_RIGHT, ui::Key::right},
-                                                           {GLFW_KEY_UP, ui::Key::up},
-                                                           {GLFW_KEY_DOWN, ui::Key::down},
-                                                           {GLFW_KEY_HOME, ui::Key::home},
-                                                           {GLFW_KEY_END, ui::Key::end},
-                                                           {GLFW_KEY_PAGE_UP, ui::Key::pageUp},
-                                                           {GLFW_KEY_PAGE_DOWN, ui::Key::pageDown},
-                                                           {GLFW_KEY_ESCAPE, ui::Key::escape},
-                                                           {GLFW_KEY_TAB, ui::Key::tab},
-                                                           {GLFW_KEY_SPACE, ui::Key::space},
-                                                           {GLFW_KEY_ENTER, ui::Key::enter},
-                                                           {GLFW_KEY_DELETE, ui::Key::remove},
-                                                           {GLFW_KEY_KP_ADD, ui::Key::plus},
-                                                           {GLFW_KEY_KP_SUBTRACT, ui::Key::minus}}};
-constexpr std::array<std::pair<char, ui::Key>, 7> kSigns{{{'?', ui::Key::question},
-                                                          {'/', ui::Key::question},
-                                                          {'=', ui::Key::plus},
-                                                          {',', ui::Key::comma},
-                                                          {'.', ui::Key::period},
-                                                          {'+', ui::Key::plus},
-                                                          {'-', ui::Key::minus}}};
-
 std::atomic<bool> woken = false;  // since the last wait
 
-/// The key `steps` after `first`, in the order of ui::Key.
-ui::Key after(ui::Key first, int steps) {
-    return static_cast<ui::Key>(static_cast<int>(first) + steps);
-}
-
+constexpr int kSettlingFrames = 3;        // in which a line of text that opens takes the keyboard
 constexpr glm::ivec2 kLeastPx{960, 600};  // both columns and an image between them
-
-ui::Key toKey(int key, int scancode) {
-    for (const auto& [code, named] : kOthers) {
-        if (code == key) return named;
-    }
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return after(ui::Key::f1, key - GLFW_KEY_F1);
-    // Letters and signs go by what is printed on the key, so that Ctrl+Z is where the layout has
-    // it.
-    const char* name = glfwGetKeyName(key, scancode);
-    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return ui::Key::none;
-    const char sign = name[0];
-    if (sign >= 'a' && sign <= 'z') return after(ui::Key::a, sign - 'a');
-    if (sign >= '0' && sign <= '9') return after(ui::Key::n0, sign - '0');
-    for (const auto& [printed, named] : kSigns) {
-        if (printed == sign) return named;
-    }
-    return ui::Key::none;
-}
-
-/// The window system's key; -1 where it has none of its own.
-int toCode(ui::Key key) {
-    const int at = static_cast<int>(key);
-    const auto among = [at](ui::Key first, ui::Key last) {
-        return at >= static_cast<int>(first) && at <= static_cast<int>(last);
-    };
-    const auto from = [at](int code, ui::Key first) { return code + at - static_cast<int>(first); };
-    if (among(ui::Key::a, ui::Key::z)) return from(GLFW_KEY_A, ui::Key::a);
-    if (among(ui::Key::n0, ui::Key::n9)) return from(GLFW_KEY_0, ui::Key::n0);
-    if (among(ui::Key::f1, ui::Key::f12)) return from(GLFW_KEY_F1, ui::Key::f1);
-    for (const auto& [code, named] : kOthers) {
-        if (named == key) return code;
-    }
-    return -1;
-}
 
 /// The part of a screen that windows may take; the whole screen where the window system says
 /// nothing of panels.
@@ -128,9 +70,6 @@ WorkbenchHost& hostOf(GLFWwindow* window) {
 WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     GLFWwindow* handle = window.handle();
     glfwSetWindowUserPointer(handle, this);
-    glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-        if (action != GLFW_RELEASE) hostOf(w).onKey(key, scancode, mods);
-    });
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
         hostOf(w).onMouseButton(button, action == GLFW_PRESS);
     });
@@ -149,6 +88,11 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     ImGui::GetIO().IniFilename = nullptr;  // panels stand where they stand
     ui::restyle(window.contentScale(), {});
     ImGui_ImplGlfw_InitForOpenGL(handle, true);  // chains the callbacks set above
+    // Keys reach ImGui by way of the queue.
+    glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        hostOf(w).onKey(key, scancode, action, mods);
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned letter) { hostOf(w).onLetter(letter); });
     ImGui_ImplOpenGL3_Init("#version 450");
     fitToScreen(false);  // the window system finds a place for a new window, if it is not too large
     glfwShowWindow(handle);
@@ -184,24 +128,43 @@ void WorkbenchHost::beginFrame() {
     unseen_ = false;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    holdTappedKeys();
     if (played_) {
         applyPlayed();
     } else {
+        replayKeys();
         replayPresses();
     }
     ImGui::NewFrame();
 }
 
-/// ImGui looks at keys once per frame; one pressed and released between two frames counts as down
-/// for the next.
-void WorkbenchHost::holdTappedKeys() {
-    ImGuiIO& io = ImGui::GetIO();
-    for (const int key : held_) {
-        io.KeysDown[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+/// Keys wait for clicks that came before them, and after a command until what it opened takes them.
+bool WorkbenchHost::keysWait() const {
+    return settling_ > 0 || !chords_.empty() || ui::inputUnsettled();
+}
+
+/// Gives ImGui what it can tell apart in one frame. Which keys are commands is decided now, since
+/// keys before them may have opened a line of text.
+void WorkbenchHost::replayKeys() {
+    if (settling_ > 0 && chords_.empty()) --settling_;
+    if (keysWait()) return;
+    const std::uint64_t until =
+        presses_.empty() ? std::numeric_limits<std::uint64_t>::max() : presses_.front().order;
+    for (const KeyEvent& event : keys_.take(until)) {
+        if (event.kind == KeyEvent::Kind::letter) {
+            ImGui_ImplGlfw_CharCallback(window_.handle(), event.letter);
+            continue;
+        }
+        const bool down = event.kind == KeyEvent::Kind::down;
+        ImGui_ImplGlfw_KeyCallback(window_.handle(), event.key, event.scancode,
+                                   down ? GLFW_PRESS : GLFW_RELEASE, event.mods);
+        if (!down) continue;
+        const ui::Key named = keyOf(event.key, event.scancode);
+        // Shift belongs to a sign: '?' is above '/', and '+' above '=' on many keyboards.
+        const bool sign = named >= ui::Key::question && named <= ui::Key::minus;
+        takeChord({named, (event.mods & GLFW_MOD_CONTROL) != 0,
+                   !sign && (event.mods & GLFW_MOD_SHIFT) != 0});
+        if (!chords_.empty()) settling_ = kSettlingFrames;
     }
-    for (const int key : tapped_) io.KeysDown[key] = true;
-    held_ = std::exchange(tapped_, {});
 }
 
 void WorkbenchHost::restyle(const Settings& settings) {
@@ -240,7 +203,9 @@ void WorkbenchHost::resize(glm::ivec2 size) {
 /// ImGui looks at the mouse once per frame, too. After a slow frame it is shown where a button went
 /// down, and in the next frame where it came up, so that no click goes astray.
 void WorkbenchHost::replayPresses() {
-    if (presses_.empty()) return;
+    if (presses_.empty() || (!keys_.empty() && keys_.firstOrder() < presses_.front().order)) {
+        return;
+    }
     ImGuiIO& io = ImGui::GetIO();
     Press& press = presses_.front();
     if (!press.shown) {
@@ -269,18 +234,19 @@ bool WorkbenchHost::takeFocus() {
 }
 
 bool WorkbenchHost::wait(double seconds) {
-    if (unseen_ || !presses_.empty()) seconds = 0.0;
+    const auto waiting = [this] { return unseen_ || !presses_.empty() || !keys_.empty(); };
+    if (waiting()) seconds = 0.0;
     if (seconds > 0.0) {
         glfwWaitEventsTimeout(seconds);
     } else {
         glfwPollEvents();
     }
-    return woken.exchange(false) || unseen_ || !presses_.empty();
+    return woken.exchange(false) || waiting();
 }
 
 bool WorkbenchHost::inputWaits() {
     glfwPollEvents();
-    return unseen_;
+    return unseen_ || !keys_.empty();
 }
 
 bool WorkbenchHost::commandsWait() const {
@@ -322,14 +288,21 @@ void WorkbenchHost::toggleFullScreen() {
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-void WorkbenchHost::onKey(int key, int scancode, int mods) {
+void WorkbenchHost::onKey(int key, int scancode, int action, int mods) {
     unseen_ = true;
-    if (key >= 0 && key <= GLFW_KEY_LAST) tapped_.push_back(key);
-    if (played_) return;
-    const ui::Key named = toKey(key, scancode);
-    // Shift belongs to a sign: '?' is above '/', and '+' above '=' on many keyboards.
-    const bool sign = named >= ui::Key::question && named <= ui::Key::minus;
-    takeChord({named, (mods & GLFW_MOD_CONTROL) != 0, !sign && (mods & GLFW_MOD_SHIFT) != 0});
+    if (played_ || key < 0 || key > GLFW_KEY_LAST) return;
+    const bool down = action != GLFW_RELEASE;
+    const char* name = glfwGetKeyName(key, scancode);
+    const bool prints = key == GLFW_KEY_SPACE || (name != nullptr && name[0] != '\0');
+    const bool commands = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0;
+    const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    keys_.add({down ? KeyEvent::Kind::down : KeyEvent::Kind::up, key, scancode, mods, 0,
+               !modifier && (!prints || commands), ++order_});
+}
+
+void WorkbenchHost::onLetter(unsigned letter) {
+    unseen_ = true;
+    if (!played_) keys_.add({KeyEvent::Kind::letter, 0, 0, 0, letter, false, ++order_});
 }
 
 void WorkbenchHost::takeChord(ui::Chord chord) {
@@ -352,7 +325,7 @@ void WorkbenchHost::applyPlayed() {
     io.KeyCtrl = chord && chord->ctrl;
     io.KeyShift = chord && chord->shift;
     if (chord) {
-        if (const int code = toCode(chord->key); code >= 0) io.KeysDown[code] = true;
+        if (const int code = codeOf(chord->key); code >= 0) io.KeysDown[code] = true;
     }
     for (const char letter : std::exchange(played_->text, {})) {
         io.AddInputCharacter(static_cast<unsigned char>(letter));
@@ -365,7 +338,7 @@ void WorkbenchHost::onMouseButton(int button, bool down) {
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_.handle(), &x, &y);
     if (down) {
-        presses_.push_back({button, {x, y}});
+        presses_.push_back({.button = button, .at = {x, y}, .order = ++order_});
         return;
     }
     for (Press& press : presses_) {

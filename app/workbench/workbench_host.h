@@ -8,6 +8,7 @@
 #include "app/gl/context.h"
 #include "app/ui/panel/layout.h"
 #include "app/ui/widgets/chord.h"
+#include "app/workbench/key_queue.h"
 #include "app/workbench/script_player.h"
 #include "app/workbench/window_fit.h"
 #include "core/grid/boxes.h"
@@ -71,7 +72,8 @@ class WorkbenchHost {
     void close();
     void toggleFullScreen();
 
-    void onKey(int key, int scancode, int mods);
+    void onKey(int key, int scancode, int action, int mods);
+    void onLetter(unsigned letter);
     void onMouseButton(int button, bool down);
     void fitToScreen(bool moves);
     void onOther() { unseen_ = true; }
@@ -83,18 +85,22 @@ class WorkbenchHost {
         int button = 0;
         glm::vec2 at{0.0f};  ///< where it went down, then where it came up
         bool released = false;
-        bool shown = false;  ///< ImGui has seen it go down
+        bool shown = false;       ///< ImGui has seen it go down
+        std::uint64_t order = 0;  ///< among all input
     };
 
-    void holdTappedKeys();
+    void replayKeys();
+    bool keysWait() const;
     void applyPlayed();
     void takeChord(ui::Chord chord);
     void replayPresses();
 
     gl::Window& window_;
     std::vector<ui::Chord> chords_;
-    std::deque<Press> presses_;       // of mouse buttons, that ImGui has not seen through
-    std::vector<int> tapped_, held_;  // keys pressed since the last frame, and those held for it
+    std::deque<Press> presses_;  // of mouse buttons, that ImGui has not seen through
+    KeyQueue keys_;              // that ImGui has not seen
+    std::uint64_t order_ = 0;    // of the newest input
+    int settling_ = 0;           // frames that keys wait for after a command
     std::vector<std::filesystem::path> dropped_;
     ScreenBox windowed_;  // to go back to from full screen
     WindowFrame frame_;   // of it

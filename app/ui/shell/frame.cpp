@@ -13,6 +13,7 @@
 #include "app/ui/time/path_lead.h"
 #include "app/ui/time/time_bar.h"
 #include "app/ui/widgets/fixed_window.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -97,14 +98,6 @@ void closeOnEscape(int popupsBefore) {
     }
 }
 
-/// Whether ImGui needs another frame before it takes keys as what is on the screen suggests: a line
-/// that is about to have the keyboard, or has just given it up.
-bool unsettled() {
-    const ImGuiContext& gui = *GImGui;
-    return gui.NavMoveSubmitted || gui.NavNextActivateId != 0 ||
-           (gui.WantTextInputNextFrame == 1) != gui.IO.WantTextInput;
-}
-
 }  // namespace
 
 void draw(Ui& ui) {
@@ -118,7 +111,7 @@ void draw(Ui& ui) {
     if (ui.columns.shown) drawAround(ui);
     drawPlace(ui, PanelPlace::over);
     closeOnEscape(popups);
-    ui.next.animates |= unsettled();
+    ui.next.animates |= inputUnsettled();
 }
 
 }  // namespace neph::ui

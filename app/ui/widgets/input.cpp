@@ -1,6 +1,8 @@
 // input.cpp: tooltips as wide as all others.
 #include "app/ui/widgets/input.h"
 
+#include <imgui_internal.h>  // what has the keyboard next
+
 namespace neph::ui {
 namespace {
 
@@ -15,6 +17,12 @@ void tooltip(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+bool inputUnsettled() {
+    const ImGuiContext& gui = *GImGui;
+    return gui.NavMoveSubmitted || gui.NavNextActivateId != 0 ||
+           (gui.WantTextInputNextFrame == 1) != gui.IO.WantTextInput;
 }
 
 }  // namespace neph::ui
