@@ -89,6 +89,7 @@ bool VolumeSummary::empty() const {
 VolumeSummary summarise(const SpeciesVolume& volume) {
     VolumeSummary summary;
     summary.grid = volume.grid;
+    summary.cellM = volume.cellM();
     summary.timeLabel = volume.timeLabel;
     CellBox bounds = kNoCells;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
