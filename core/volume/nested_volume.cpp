@@ -59,9 +59,45 @@ std::uint64_t speciesOfAll(const std::vector<Within>& domains) {
     return species;
 }
 
-/// The plans of all domains for result cells of `cell` lattice cells, `lattice` of which are one of
-/// the outermost domain.
-NestedPlan planOf(const std::vector<Within>& domains, const CellBox& box, int lattice, int cell) {
+/// How the cells of the result lie on the lattice.
+struct ResultCells {
+    CellBox box;      ///< columns of the outermost domain that are shown
+    int lattice = 1;  ///< lattice cells along one of the outermost domain
+    int cell = 1;     ///< ... along one of the result
+    /// Whether domains may be coarsened to blocks that lie across result cells, as memory requires.
+    bool across = false;
+};
+
+/// The plan of a domain whose cells are `own` lattice cells wide: where they are finer than the
+/// result's, in the largest blocks that divide these.
+ReadPlan planWithin(const Within& domain, const ResultCells& result, int own) {
+    const DatasetInfo& info = domain.dataset->info();
+    const int most = result.cell / own;
+    if (most < 2) return coarsened(domain.full, 1, info);
+    ReadPlan plan = domain.full;  // nothing is interpolated: no cells beyond the box
+    for (int axis = 0; axis < 2; ++axis) {
+        const int corner = domain.cornerCells[axis];
+        int& lower = plan.even.lower[axis];
+        int& upper = plan.even.upper[axis];
+        lower = std::max(lower, result.box.lower[axis] * domain.ratio - corner);
+        upper = std::min(upper, result.box.upper[axis] * domain.ratio - corner);
+    }
+    plan.box = plan.even;
+    const glm::ivec2 from = (domain.cornerCells + glm::ivec2(plan.even.lower)) * own -
+                            glm::ivec2(result.box.lower) * result.lattice;
+    const auto divides = [&](int blocks) {
+        const int width = blocks * own;
+        return result.cell % width == 0 && from.x % width == 0 && from.y % width == 0;
+    };
+    int blocks = most;
+    while (!result.across && blocks > 1 && !divides(blocks)) --blocks;
+    return coarsened(std::move(plan), blocks, info);
+}
+
+/// The plans of all domains for cells of the result.
+NestedPlan planOf(const std::vector<Within>& domains, const ResultCells& result) {
+    const CellBox& box = result.box;
+    const int lattice = result.lattice, cell = result.cell;
     const DatasetInfo& outer = domains.front().dataset->info();
     NestedPlan plan;
     plan.shown = domains.front().full;
@@ -83,7 +119,7 @@ NestedPlan planOf(const std::vector<Within>& domains, const CellBox& box, int la
         DomainPlan part{.name = domain.nest == nullptr ? "" : domain.nest->name,
                         .dataset = domain.dataset,
                         .time = domain.time,
-                        .plan = coarsened(domain.full, std::max(1, cell / own), info)};
+                        .plan = planWithin(domain, result, own)};
         part.plan.grid.originM.z = grid.originM.z;
         part.plan.grid.spacingM.z = grid.spacingM.z;
         part.plan.grid.size.z = grid.size.z;
@@ -182,16 +218,19 @@ NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& reg
             planRead(*domain.dataset, domain.time, regionWithin(domain, box, region), {}, progress);
     }
     const int least = lattice / finest;
-    const NestedPlan full = planOf(domains, box, lattice, least);
+    const NestedPlan full = planOf(domains, {box, lattice, least});
     const int most = lattice * std::max(box.size().x, box.size().y);
     for (int cell = least;; ++cell) {
-        NestedPlan plan = cell == least ? full : planOf(domains, box, lattice, cell);
-        const bool fits =
-            plan.shown.machineBytes <= budget.machine && plan.shown.gpuBytes <= budget.gpu;
-        if (!fits && cell < most) continue;
-        plan.shown.nested = textOf(domains, plan, full);
-        plan.notes = alone.notes;
-        return plan;
+        for (const bool across : {false, true}) {
+            NestedPlan plan = planOf(domains, {box, lattice, cell, across});
+            const bool fits =
+                plan.shown.machineBytes <= budget.machine && plan.shown.gpuBytes <= budget.gpu;
+            if (!fits && !(across && cell >= most)) continue;
+            plan.shown.coarsening = (cell + least - 1) / least;
+            plan.shown.nested = textOf(domains, plan, full);
+            plan.notes = alone.notes;
+            return plan;
+        }
     }
 }
 

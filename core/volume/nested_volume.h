@@ -35,8 +35,11 @@ struct NestedPlan {
     std::vector<std::string> notes;   ///< nests that this time lacks
 };
 
-/// As planRead, with the nests that lie in `region` at `time`. Expected memory is that of the
-/// result and of the largest domain, which are held at once. The plan refers to `dataset`.
+/// As planRead, with the nests that lie in `region` at `time`. Domains with finer cells than the
+/// result are read in blocks that divide its cells, so that these are the means of what lies in
+/// them; only where the machine's memory does not suffice are blocks spread over neighbours.
+/// Expected memory is that of the result and of the largest domain, which are held at once. The
+/// plan refers to `dataset`.
 NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
                       const MemoryBudget& budget = {}, const Progress& progress = {});
 

@@ -32,7 +32,7 @@ inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 struct ReadPlan {
     CellBox box;         ///< native columns that are read, all levels
     CellBox even;        ///< the even columns that they give; the same where native ones are even
-    int coarsening = 1;  ///< even columns along each edge of a block
+    int coarsening = 1;  ///< even columns along each edge of a block; of nests, the finest's
     RegularGrid grid;    ///< resulting grid; its levels cover the requested region
     std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< expected memory
     std::string nested;  ///< of a nested run, what is composed and how finely; empty otherwise

@@ -256,7 +256,8 @@ std::string domainOf(const Tiles& tiles, bool placed) {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     const auto id = file.number("GRID_ID");
     if (id) add(fmt::format("domain {:.0f}", *id));
-    const auto start = file.text("SIMULATION_START_DATE");
+    auto start = file.text("SIMULATION_START_DATE");
+    if (!start) start = file.text("START_DATE");
     if (placed && start && id && *id > 1.0) return text + " of the run from " + *start;
     const auto latitude = file.number("CEN_LAT");
     const auto longitude = file.number("CEN_LON");

@@ -1,4 +1,4 @@
-// nested_run.h: small nested runs of WRF on a Lambert map, for tests.
+// nested_run.h: small nested runs of WRF on a map, for tests.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -16,6 +16,7 @@ struct NestedDomain {
     double cellM = 3000.0;
     glm::dvec2 cornerM{0.0};  ///< on the map
     double standLongitude = -98.0;
+    bool mercator = false;  ///< else Lambert's map
     float cloudKgPerKg = 1e-3f;
 
     /// A nest of this domain.
@@ -43,7 +44,7 @@ struct NestedDomain {
         spec.ny = ny;
         spec.dx = spec.dy = static_cast<float>(cellM);
         spec.times = times;
-        spec.mapProjection = placed ? 1 : 0;
+        spec.mapProjection = !placed ? 0 : mercator ? 3 : 1;
         spec.attributes = {{"GRID_ID", number},          {"PARENT_ID", parent},
                            {"I_PARENT_START", i},        {"J_PARENT_START", j},
                            {"PARENT_GRID_RATIO", ratio}, {"TRUELAT1", 30.0},
@@ -51,10 +52,10 @@ struct NestedDomain {
         spec.texts = {{"SIMULATION_START_DATE", "2021-08-14_12:00:00"}};
         spec.fields["QCLOUD"] = everywhere(cloudKgPerKg);
         if (placed) {
-            const auto map = std::make_shared<neph::MapPlace>(neph::MapGrid{
-                "+proj=lcc +lat_1=30 +lat_2=60 +lat_0=30 +lon_0=" + std::to_string(standLongitude) +
-                    " +R=6370000 +units=m",
-                cornerM});
+            const std::string projection =
+                (mercator ? "+proj=merc +lat_ts=30" : "+proj=lcc +lat_1=30 +lat_2=60 +lat_0=30") +
+                std::string(" +lon_0=") + std::to_string(standLongitude) + " +R=6370000 +units=m";
+            const auto map = std::make_shared<neph::MapPlace>(neph::MapGrid{projection, cornerM});
             const auto at = [map, cell = cellM](int x, int y) {
                 return map->geoAt(cell * (glm::dvec2(x, y) + 0.5)).value();
             };

@@ -3,7 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
 
+#include "core/session/session.h"
 #include "core/volume/held_volume.h"
 #include "core/volume/nested_volume.h"
 #include "tests/readers/nested_run.h"
@@ -228,6 +233,25 @@ TEST_CASE("A nest that moves from file to file is one series whose grid moves") 
     CHECK(cloudAt(held, 14, 15) == doctest::Approx(cloudAt(held, 0, 0)).epsilon(1e-5));
 }
 
+TEST_CASE("Domains whose maps have other central longitudes are placed by where they lie") {
+    // On Mercator's map longitudes are counted from the middle of each domain.
+    const TemporaryFolder folder;
+    NestedDomain outer;
+    outer.mercator = true;
+    outer.cornerM = {-15000.0, 2.9e6};
+    outer.write(folder / "wrfout_d01", kTwoTimes);
+    outer.nest(2, 4, 3, 15, 12).write(folder / "wrfout_d02_0", {kTwoTimes[0]});
+    outer.nest(2, 6, 2, 15, 12).write(folder / "wrfout_d02_1", {kTwoTimes[1]});
+    const auto dataset = openFiles({folder.path()});
+    REQUIRE(dataset->nests().size() == 1);
+    const Nest& nest = dataset->nests()[0];
+    const DatasetInfo& info = nest.dataset->info();
+    CHECK(info.map.projection != dataset->info().map.projection);
+    CHECK(nest.at[0]->cornerCells == glm::ivec2(9, 6));
+    CHECK(nest.at[1]->cornerCells == glm::ivec2(15, 3));
+    CHECK(info.times[1].gridOffsetM.x == doctest::Approx(6.0 * info.spacingM.x).epsilon(1e-12));
+}
+
 TEST_CASE("A nest in another place at the same time, or off its own cells, is another nest") {
     const TemporaryFolder folder;
     kInner.write(folder / "a", {kTwoTimes[0]});
@@ -243,4 +267,32 @@ TEST_CASE("A nest in another place at the same time, or off its own cells, is an
                        openFiles({folder / "a", folder / "b"});
                    }).what,
                    "its grid is not that of"));
+}
+
+TEST_CASE("A nest that gets output while its run is open is shown where there was none") {
+    const TemporaryFolder folder;
+    kOuter.write(folder / "wrfout_d01", kTwoTimes);
+    kInner.write(folder / "wrfout_d02_a", {kTwoTimes[0]});
+    Session session(
+        [](std::span<const std::filesystem::path> paths, const Progress& progress) {
+            return Dataset::open(paths, readerHost(), {}, progress);
+        },
+        {}, std::chrono::milliseconds(1));
+    const auto shows = [&](double spacingM) {
+        for (int i = 0; i < 10000; ++i) {
+            session.poll();
+            if (session.shown() != nullptr && session.shows(1) &&
+                std::abs(session.shown()->grid.spacingM.x - spacingM) < 1.0) {
+                return true;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    };
+    session.open(std::array<std::string, 1>{folder.path().string()}, 1);
+    REQUIRE(shows(3000.0));
+    kInner.write(folder / "wrfout_d02_b", {kTwoTimes[1]});
+    session.lookForGrowth();
+    CHECK(shows(1000.0));
+    CHECK(noted(session.held()->volume->notes, "d02") == false);
 }

@@ -262,3 +262,31 @@ TEST_CASE("Memory decides the spacing, which is never finer than the finest nest
     }
     CHECK(planShown(*both, 0, {}, {.machine = 1}).grid.size.x == 1);
 }
+
+TEST_CASE("Coarser cells of the result are the means of the finer ones, wherever the nest begins") {
+    // The corner of the nest is odd on the lattice, and so lies within a cell of the result.
+    const auto outer = domain({.number = 1}, {12, 10, 20}, 3000.0, 0.0f, 500.0f);
+    const auto inner = domain({.number = 2, .parent = 1, .cornerCells = {3, 1}, .ratio = 3},
+                              {24, 24, 20}, 1000.0, 0.0f, 500.0f);
+    for (const auto& each : {outer, inner}) {
+        each->addRatio(Species::cloud, [](int x, int y, int) { return rough(x, y); });
+    }
+    const auto both = nestWithin({outer, 0.0, "d01"}, {{inner, 0.0, "d02"}});
+    const NestedPlan full = planNested(*both, 0);
+    const SpeciesVolume fine = readNested(*both, 0, full, {});
+    const NestedPlan half = planNested(*both, 0, {}, {.gpu = full.shown.gpuBytes / 4});
+    REQUIRE(half.shown.grid.spacingM.x == 2000.0);
+    CHECK(half.shown.coarsening == 2);
+    const SpeciesVolume coarse = readNested(*both, 0, half, {});
+    for (int y = 5; y < 11; ++y) {
+        for (int x = 8; x < 14; ++x) {
+            const auto& values = fine.content(Species::cloud);
+            float sum = 0.0f;
+            for (const glm::ivec2 at : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+                sum += values.at(2 * x + at.x, 2 * y + at.y, 4);
+            }
+            CHECK(coarse.content(Species::cloud).at(x, y, 4) ==
+                  doctest::Approx(0.25f * sum).epsilon(1e-3));
+        }
+    }
+}
