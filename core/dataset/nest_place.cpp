@@ -92,7 +92,9 @@ FoundPlace placeWithin(const DatasetInfo& parent, glm::dvec2 parentOffsetM, cons
                numbers.parent != parent.nest.number) {
         return std::string("where one lies in the other is not stated");
     } else {
-        found = NestPlace{numbers.ratio, numbers.cornerCells * numbers.ratio};
+        // Corners are counted from the parent's, wherever that lies.
+        const glm::ivec2 moved(glm::round(nestOffsetM / nest.spacingM));
+        found = NestPlace{numbers.ratio, numbers.cornerCells * numbers.ratio + moved};
         const glm::dvec2 off = nest.spacingM * static_cast<double>(numbers.ratio) - parent.spacingM;
         if (glm::any(glm::greaterThan(glm::abs(off), 0.01 * parent.spacingM))) {
             return fmt::format("its cells of {} are not a {}th of the other's of {}",

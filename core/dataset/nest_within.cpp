@@ -94,7 +94,8 @@ class NestPlacer {
         for (const Nest& parent : nests_) {
             const DatasetInfo& between = parent.dataset->info();
             if (between.nest.number != inner.nest.parent || !parent.at[t]) continue;
-            const FoundPlace inside = placeWithin(between, {}, inner, {});
+            const FoundPlace inside =
+                placeWithin(between, {}, inner, inner.times[time].gridOffsetM);
             const auto* place = std::get_if<NestPlace>(&inside);
             if (place == nullptr) continue;
             return NestPlace{parent.ratio * place->ratio,

@@ -113,6 +113,11 @@ std::optional<glm::ivec2> sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
         return cellsBetween(a, glm::dvec2(0.0), b, glm::dvec2(0.0));
     }
     if (a.spacingM != b.spacingM) return {};
+    // Without a place, by where it lies in its parent.
+    if (a.nest.number > 1 && a.nest.ratio > 0 && a.nest.ratio == b.nest.ratio &&
+        a.map.projection.empty() && b.map.projection.empty()) {
+        return (b.nest.cornerCells - a.nest.cornerCells) * a.nest.ratio;
+    }
     return glm::ivec2(0);
 }
 
@@ -120,6 +125,7 @@ std::optional<glm::ivec2> sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
 void moveFrom(const DatasetInfo& first, glm::ivec2 cells, DatasetInfo& nest) {
     const glm::dvec2 perMetre = first.spacingM / nest.spacingM;
     nest.map = first.map;
+    nest.nest = first.nest;
     nest.spacingM = first.spacingM;
     for (TimeInfo& time : nest.times) {
         time.gridOffsetM = time.gridOffsetM * perMetre + glm::dvec2(cells) * first.spacingM;

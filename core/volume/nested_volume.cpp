@@ -30,7 +30,7 @@ bool touches(const Nest& nest, const NestAt& at, const CellBox& box) {
            glm::all(glm::greaterThan(upper, glm::ivec2(box.lower) * nest.ratio));
 }
 
-/// `box` in metres of a domain, with a cell more on every side for what is interpolated.
+/// `box` in metres of a nest, with a cell more on every side for what is interpolated.
 BoxM regionWithin(const Within& domain, const CellBox& box, const std::optional<BoxM>& region) {
     const DatasetInfo& info = domain.dataset->info();
     BoxM wanted;
@@ -45,6 +45,16 @@ BoxM regionWithin(const Within& domain, const CellBox& box, const std::optional<
     wanted.lowerM.z = region ? region->lowerM.z : -kNoLimit;
     wanted.upperM.z = region ? region->upperM.z : kNoLimit;
     return wanted;
+}
+
+/// The outermost domain's plan at full resolution, with a cell more on every side.
+ReadPlan withMarginCell(ReadPlan plan, const DatasetInfo& info) {
+    for (int axis = 0; axis < 2; ++axis) {
+        plan.even.lower[axis] = std::max(plan.even.lower[axis] - 1, 0);
+        plan.even.upper[axis] = std::min(plan.even.upper[axis] + 1, info.size[axis]);
+    }
+    plan.box = plan.even;
+    return coarsened(std::move(plan), 1, info);
 }
 
 /// How many fields the domains have together.
@@ -214,8 +224,10 @@ NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& reg
     for (Within& domain : domains) {
         lattice = std::lcm(lattice, domain.ratio);
         finest = std::max(finest, domain.ratio);
-        domain.full =
-            planRead(*domain.dataset, domain.time, regionWithin(domain, box, region), {}, progress);
+        domain.full = domain.nest == nullptr
+                          ? withMarginCell(alone.shown, dataset.info())
+                          : planRead(*domain.dataset, domain.time,
+                                     regionWithin(domain, box, region), {}, progress);
     }
     const int least = lattice / finest;
     const NestedPlan full = planOf(domains, {box, lattice, least});

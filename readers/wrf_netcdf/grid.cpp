@@ -250,7 +250,7 @@ std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last, 
     return {};
 }
 
-std::string domainOf(const Tiles& tiles, bool placed) {
+std::string domainOf(const Tiles& tiles, bool mayMove) {
     const NcFile& file = tiles.first();
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
@@ -258,7 +258,7 @@ std::string domainOf(const Tiles& tiles, bool placed) {
     if (id) add(fmt::format("domain {:.0f}", *id));
     auto start = file.text("SIMULATION_START_DATE");
     if (!start) start = file.text("START_DATE");
-    if (placed && start && id && *id > 1.0) return text + " of the run from " + *start;
+    if (mayMove && start && id && *id > 1.0) return text + " of the run from " + *start;
     const auto latitude = file.number("CEN_LAT");
     const auto longitude = file.number("CEN_LON");
     if (latitude && longitude) {

@@ -99,8 +99,9 @@ void WrfFile::describeGrid() {
     description_.spacingM = spacingOf(tiles_, description_.notes);
     describePlaceAndDate();
     const bool placed = !description_.projection.empty();
-    description_.domain = domainOf(tiles_, placed);
     numberDomain(tiles_.first(), description_);
+    const bool numbered = isIdealised(tiles_.first()) && description_.parentRatio > 0;
+    description_.domain = domainOf(tiles_, placed || numbered);
     const std::string motion =
         motionNote(tiles_, times_.records.front(), times_.records.back(), placed);
     if (!motion.empty()) description_.notes.push_back(motion);

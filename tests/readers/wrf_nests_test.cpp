@@ -169,6 +169,20 @@ TEST_CASE("An idealised run's domains are placed by the numbers of their parents
     CHECK(dataset->nests()[1].at[0]->cornerCells == glm::ivec2(42, 30));
 }
 
+TEST_CASE("A nest of an idealised run moves by the corners in its parent") {
+    const TemporaryFolder folder;
+    kOuter.write(folder / "wrfout_d01", kTwoTimes, false);
+    kInner.write(folder / "wrfout_d02_0", {kTwoTimes[0]}, false);
+    kOuter.nest(2, 5, 2, 15, 12).write(folder / "wrfout_d02_1", {kTwoTimes[1]}, false);
+    const auto dataset = openFiles({folder.path()});
+    REQUIRE(dataset->nests().size() == 1);
+    const Nest& nest = dataset->nests()[0];
+    CHECK(nest.at[0]->cornerCells == glm::ivec2(9, 6));
+    REQUIRE(nest.at[1].has_value());
+    CHECK(nest.at[1]->cornerCells == glm::ivec2(12, 3));
+    CHECK(nest.dataset->info().times[1].gridOffsetM == glm::dvec2(3000.0, -3000.0));
+}
+
 TEST_CASE("Domains that do not fit together are refused by name and left out of a folder") {
     const TemporaryFolder folder;
     kOuter.write(folder / "wrfout_d01", kTwoTimes);
