@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "core/dataset/grid_text.h"
@@ -31,7 +32,7 @@ bool touches(const Nest& nest, const NestAt& at, const CellBox& box) {
 }
 
 /// `box` in metres of a nest, with a cell more on every side for what is interpolated.
-BoxM regionWithin(const Within& domain, const CellBox& box, const std::optional<BoxM>& region) {
+BoxM regionWithin(const Within& domain, const CellBox& box) {
     const DatasetInfo& info = domain.dataset->info();
     BoxM wanted;
     for (int axis = 0; axis < 2; ++axis) {
@@ -42,8 +43,8 @@ BoxM regionWithin(const Within& domain, const CellBox& box, const std::optional<
         wanted.upperM[axis] = std::min(upper, info.size[axis] - 0.5) * info.spacingM[axis];
     }
     constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-    wanted.lowerM.z = region ? region->lowerM.z : -kNoLimit;
-    wanted.upperM.z = region ? region->upperM.z : kNoLimit;
+    wanted.lowerM.z = -kNoLimit;  // levels are common to all domains: see planOf
+    wanted.upperM.z = kNoLimit;
     return wanted;
 }
 
@@ -74,6 +75,7 @@ struct ResultCells {
     CellBox box;      ///< columns of the outermost domain that are shown
     int lattice = 1;  ///< lattice cells along one of the outermost domain
     int cell = 1;     ///< ... along one of the result
+    std::optional<BoxM> region = {};
     /// Whether domains may be coarsened to blocks that lie across result cells, as memory requires.
     bool across = false;
 };
@@ -115,6 +117,7 @@ NestedPlan planOf(const std::vector<Within>& domains, const ResultCells& result)
     plan.at = {glm::ivec2(box.lower) * lattice, cell};
     RegularGrid& grid = plan.shown.grid;
     for (const Within& domain : domains) joinLevels(domain.full.grid, grid);
+    if (result.region) cutLevels(*result.region, grid);
     for (int axis = 0; axis < 2; ++axis) {
         const int cells = box.size()[axis] * lattice;
         grid.size[axis] = (cells + cell - 1) / cell;
@@ -224,17 +227,16 @@ NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& reg
     for (Within& domain : domains) {
         lattice = std::lcm(lattice, domain.ratio);
         finest = std::max(finest, domain.ratio);
-        domain.full = domain.nest == nullptr
-                          ? withMarginCell(alone.shown, dataset.info())
-                          : planRead(*domain.dataset, domain.time,
-                                     regionWithin(domain, box, region), {}, progress);
+        domain.full = domain.nest == nullptr ? withMarginCell(alone.shown, dataset.info())
+                                             : planRead(*domain.dataset, domain.time,
+                                                        regionWithin(domain, box), {}, progress);
     }
     const int least = lattice / finest;
-    const NestedPlan full = planOf(domains, {box, lattice, least});
+    const NestedPlan full = planOf(domains, {box, lattice, least, region});
     const int most = lattice * std::max(box.size().x, box.size().y);
     for (int cell = least;; ++cell) {
         for (const bool across : {false, true}) {
-            NestedPlan plan = planOf(domains, {box, lattice, cell, across});
+            NestedPlan plan = planOf(domains, {box, lattice, cell, region, across});
             const bool fits =
                 plan.shown.machineBytes <= budget.machine && plan.shown.gpuBytes <= budget.gpu;
             if (!fits && !(across && cell >= most)) continue;

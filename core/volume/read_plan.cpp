@@ -203,13 +203,24 @@ void countBytes(std::uint64_t species, ReadPlan& plan) {
 void joinLevels(const RegularGrid& other, RegularGrid& grid) {
     const double lowest = std::min(grid.originM.z, other.originM.z);
     const double highest = std::max(grid.upperM().z, other.upperM().z);
-    double spacing = std::min(grid.spacingM.z, other.spacingM.z);
-    spacing = std::max(spacing, (highest - lowest) / (kMostLevels - 2));
-    const double first = std::floor(lowest / spacing + 1e-6);
-    const double last = std::ceil(highest / spacing - 1e-6);
-    grid.spacingM.z = spacing;
+    const auto set = [&](double spacing) {
+        const double first = std::floor(lowest / spacing + kSamePlace);
+        grid.spacingM.z = spacing;
+        grid.originM.z = spacing * first;
+        grid.size.z = static_cast<int>(std::ceil(highest / spacing - kSamePlace) - first);
+    };
+    set(std::min(grid.spacingM.z, other.spacingM.z));
+    if (grid.size.z > kMostLevels) set((highest - lowest) / (kMostLevels - 2));
+}
+
+void cutLevels(const BoxM& region, RegularGrid& grid) {
+    const double spacing = grid.spacingM.z;
+    const double first = std::max(std::round(grid.originM.z / spacing),
+                                  std::floor(region.lowerM.z / spacing + kSamePlace));
+    const double last = std::min(std::round(grid.upperM().z / spacing),
+                                 std::ceil(region.upperM.z / spacing - kSamePlace));
     grid.originM.z = spacing * first;
-    grid.size.z = static_cast<int>(last - first);
+    grid.size.z = std::max(static_cast<int>(last - first), 1);
 }
 
 std::string planSizeText(std::uint64_t bytes) {

@@ -54,6 +54,8 @@ void countBytes(std::uint64_t species, ReadPlan& plan);
 
 /// Levels over both plans: at the finer spacing, from the lower lowest to the higher highest.
 void joinLevels(const RegularGrid& other, RegularGrid& grid);
+/// Leaves the levels that a region touches, at least one.
+void cutLevels(const BoxM& region, RegularGrid& grid);
 
 /// "0.8 GiB", "120 MiB".
 std::string planSizeText(std::uint64_t bytes);

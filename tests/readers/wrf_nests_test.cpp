@@ -115,6 +115,16 @@ TEST_CASE("A region shows the nests in it, and memory decides how finely") {
             CHECK(cloudAt(some, x, y) == doctest::Approx(cloudAt(whole, x + 6, y + 6)));
         }
     }
+    // So has a layer of it, on levels that are a subset.
+    const RegularGrid& grid = whole.volume->grid;
+    part.region->lowerM.z = grid.originM.z + 1.2 * grid.spacingM.z;
+    part.region->upperM.z = grid.originM.z + 2.8 * grid.spacingM.z;
+    const HeldVolume layer = read(*dataset, 0, part);
+    REQUIRE(layer.volume->grid.size.z == 2);
+    CHECK(layer.volume->grid.originM.z == doctest::Approx(grid.originM.z + grid.spacingM.z));
+    CHECK(layer.volume->content(Species::cloud).at(8, 8, 0) ==
+          doctest::Approx(cloudAt(whole, 14, 14)));
+    CHECK(layer.summary.domainHeightsM.y == doctest::Approx(grid.upperM().z));
 }
 
 TEST_CASE("A nest without output at a time is absent there, and times in between are noted") {
