@@ -83,11 +83,10 @@ class NestPlacer {
     }
 
   private:
-    std::optional<NestPlace> placeAt(std::size_t t, const DatasetInfo& inner,
-                                     std::size_t time) const {
+    std::optional<NestPlace> placeAt(std::size_t t, const DatasetInfo& inner, std::size_t time) {
         const DatasetInfo& outer = whole_.dataset->info();
-        const FoundPlace found =
-            placeWithin(outer, outer.times[t].gridOffsetM, inner, inner.times[time].gridOffsetM);
+        const FoundPlace& found =
+            lastPlace(outer.times[t].gridOffsetM, inner, inner.times[time].gridOffsetM);
         if (const auto* place = std::get_if<NestPlace>(&found)) return *place;
         if (!outer.map.projection.empty() || !inner.map.projection.empty()) return {};
         // Without a map a nest is known by its place in its own parent, which is a nest as well.
@@ -104,8 +103,24 @@ class NestPlacer {
         return {};
     }
 
+    /// Asks the maps only where one of both has moved.
+    const FoundPlace& lastPlace(glm::dvec2 outerM, const DatasetInfo& inner, glm::dvec2 innerM) {
+        if (last_.inner != &inner || last_.outerM != outerM || last_.innerM != innerM) {
+            last_ = {&inner, outerM, innerM,
+                     placeWithin(whole_.dataset->info(), outerM, inner, innerM)};
+        }
+        return last_.found;
+    }
+
+    struct Last {
+        const DatasetInfo* inner = nullptr;
+        glm::dvec2 outerM{0.0}, innerM{0.0};
+        FoundPlace found;
+    };
+
     const NestedPart& whole_;
     std::vector<Nest> nests_;
+    Last last_;
 };
 
 /// What the nests are, and at how many times.
@@ -145,6 +160,7 @@ std::shared_ptr<Dataset> nestWithin(const NestedPart& whole, std::vector<NestedP
     NestPlacer placer(whole);
     for (const NestedPart& part : parts) placer.place(part);
     std::vector<Nest> nests = placer.take();
+    if (nests.empty()) return whole.dataset;
     DatasetInfo described = whole.dataset->info();
     const auto add = [&](const std::string& note) {
         if (std::ranges::find(described.notes, note) == described.notes.end()) {

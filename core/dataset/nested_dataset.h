@@ -32,8 +32,8 @@ struct NestedPart {
     std::string name;
 };
 
-/// Composes `nests` within `whole`: each lies within it at one time at least. Their files are only
-/// described.
+/// Composes `nests` within `whole`, each at the times at which it lies within it; `whole` itself if
+/// none ever does. Nothing is read.
 std::shared_ptr<Dataset> nestWithin(const NestedPart& whole, std::vector<NestedPart> nests);
 
 /// Longest time between the output of a nest and that of the whole which counts as one time.

@@ -96,6 +96,26 @@ TEST_CASE("A domain alone keeps its mass on any lattice, finer and coarser") {
     CHECK(same.content(Species::cloud) == outer.content(Species::cloud));
 }
 
+TEST_CASE("Between the centres of a parent's cells its values are on a straight line") {
+    const SpeciesVolume ramp =
+        made({14, 11}, 3000.0, [](int x, int y) { return static_cast<float>(x + 20 * y); });
+    SpeciesVolume result = empty({42, 33}, 1000.0), middling = empty({21, 17}, 2000.0);
+    composeDomain(ramp, {{0, 0}, 3}, {}, {{0, 0}, 1}, result);
+    composeDomain(ramp, {{0, 0}, 3}, {}, {{0, 0}, 2}, middling);
+    const auto expected = [](double x, double y) { return x / 3.0 - 0.5 + 20.0 * (y / 3.0 - 0.5); };
+    for (int y = 2; y < 31; ++y) {
+        for (int x = 2; x < 40; ++x) {
+            CHECK(at(result, x, y) == doctest::Approx(expected(x + 0.5, y + 0.5)).epsilon(1e-5));
+        }
+    }
+    for (int y = 1; y < 15; ++y) {
+        for (int x = 1; x < 20; ++x) {
+            CHECK(at(middling, x, y) ==
+                  doctest::Approx(expected(2.0 * x + 1.0, 2.0 * y + 1.0)).epsilon(1e-5));
+        }
+    }
+}
+
 TEST_CASE("Constants stay constants, also across the edge of a nest") {
     SpeciesVolume result = empty({42, 33}, 1000.0);
     composeDomain(made({14, 11}, 3000.0, kOnes), {{0, 0}, 3}, {}, {{0, 0}, 1}, result);
