@@ -223,6 +223,14 @@ bool Nest::moves() const {
     return false;
 }
 
+double Dataset::finestCellM() const {
+    double cellM = meanCellM(info_.spacingM);
+    for (const Nest& nest : nests()) {
+        cellM = std::min(cellM, meanCellM(nest.dataset->info().spacingM));
+    }
+    return cellM;
+}
+
 std::vector<fs::path> Dataset::filesAt(int time) const {
     const auto index = static_cast<std::size_t>(time);
     std::vector<fs::path> files{info_.times.at(index).file};

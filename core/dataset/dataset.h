@@ -74,6 +74,8 @@ class Dataset {
     /// The nests that are shown within these data, coarser ones first; all else is about the
     /// outermost domain.
     virtual std::span<const Nest> nests() const { return {}; }
+    /// The unit of lengths that a look gives in cells: the finest domain's, at all times.
+    double finestCellM() const;
     /// The files that a time is read from, those of nests included.
     std::vector<std::filesystem::path> filesAt(int time) const;
 

@@ -257,12 +257,14 @@ SpeciesVolume readNested(Dataset& dataset, int time, const NestedPlan& plan,
                          const RadiusPlan& radii, const Progress& progress) {
     if (plan.domains.size() == 1) {
         SpeciesVolume volume = resample(dataset, time, {plan.shown, radii}, progress);
+        volume.nativeCellM = dataset.finestCellM();
         volume.notes.insert(volume.notes.end(), plan.notes.begin(), plan.notes.end());
         return volume;
     }
     const RadiusPlan common = radiiOfAll(radii, plan);
     SpeciesVolume result;
     result.grid = plan.shown.grid;
+    result.nativeCellM = dataset.finestCellM();
     std::uint64_t all = 0, done = 0;
     for (const DomainPlan& domain : plan.domains) all += domain.plan.machineBytes + 1;
     for (const DomainPlan& domain : plan.domains) {
@@ -275,7 +277,6 @@ SpeciesVolume readNested(Dataset& dataset, int time, const NestedPlan& plan,
         composeDomain(own, domain.at, domain.edges, plan.at, result,
                       [&](double) { return part(1.0); });
         done += domain.plan.machineBytes + 1;
-        result.nativeCellM = own.nativeCellM;  // of the finest, which is the last
         if (domain.name.empty()) {
             result.timeLabel = own.timeLabel;
             result.timeSeconds = own.timeSeconds;

@@ -142,6 +142,7 @@ TEST_CASE("A nest without output at a time is absent there, and times in between
     CHECK(hasNote(dataset->info(), "d02 has 2 more times, at which d01 has none"));
     const HeldVolume without = read(*dataset, 0);
     CHECK(without.volume->grid.size.x == 12);
+    CHECK(without.volume->cellM() == read(*dataset, 1).volume->cellM());
     CHECK(noted(without.volume->notes, "d02 is absent, without output at this time"));
 }
 

@@ -198,7 +198,7 @@ int runBench(const bench::BenchRequest& request) {
     const gl::HeadlessContext context;
     auto [opened, result] = measureOpening(request, scene, start);
     const std::string note = bringToCells(scene.document.look, std::exchange(scene.inMetres, 0),
-                                          meanCellM(opened.dataset->info().spacingM));
+                                          opened.dataset->finestCellM());
     if (!note.empty()) fmt::print(stderr, "note: {}\n", note);
     bench::Run run{request, scene.document, scene.document.camera, {}, {}};
     if (!request.openOnly) {
