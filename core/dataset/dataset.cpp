@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/dataset/header_cache.h"
+#include "core/dataset/nested_dataset.h"
 #include "core/dataset/series.h"
 #include "core/plugin/reader_file.h"
 
@@ -212,6 +213,35 @@ DatasetInfo Dataset::infoAt(int time) const {
     return there;
 }
 
+bool Nest::moves() const {
+    const NestAt* first = nullptr;
+    for (const auto& place : at) {
+        if (!place) continue;
+        if (first != nullptr && place->cornerCells != first->cornerCells) return true;
+        first = &*place;
+    }
+    return false;
+}
+
+double Dataset::finestCellM() const {
+    double cellM = meanCellM(info_.spacingM);
+    for (const Nest& nest : nests()) {
+        cellM = std::min(cellM, meanCellM(nest.dataset->info().spacingM));
+    }
+    return cellM;
+}
+
+std::vector<fs::path> Dataset::filesAt(int time) const {
+    const auto index = static_cast<std::size_t>(time);
+    std::vector<fs::path> files{info_.times.at(index).file};
+    for (const Nest& nest : nests()) {
+        if (!nest.at[index]) continue;
+        const auto& times = nest.dataset->info().times;
+        files.push_back(times[static_cast<std::size_t>(nest.at[index]->time)].file);
+    }
+    return files;
+}
+
 std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const PluginHost& host,
                                        const Progress& progress) {
     return open(files, host, HeaderCache::standardFolder(), progress);
@@ -221,7 +251,9 @@ std::shared_ptr<Dataset> Dataset::open(std::span<const fs::path> files, const Pl
                                        const fs::path& cacheFolder, const Progress& progress) {
     // What a map says of a file is not known of the file.
     const fs::path& cache = host.map().empty() ? cacheFolder : fs::path();
-    return std::make_shared<SeriesDataset>(describeSeries(files, host, cache, progress));
+    return openDomains(describeSeries(files, host, cache, progress), [](const Series& series) {
+        return std::make_shared<SeriesDataset>(series);
+    });
 }
 
 }  // namespace neph

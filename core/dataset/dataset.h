@@ -19,13 +19,37 @@
 
 namespace neph {
 
+class Dataset;
+
+/// A nest at one time.
+struct NestAt {
+    int time = 0;               ///< of the nest's own series
+    glm::ivec2 cornerCells{0};  ///< of the nest, between the south-west corners of it and the whole
+};
+
+/// A domain within another. core/dataset/nested_dataset.h
+struct Nest {
+    std::string name;                       ///< "d02", or that of its first file
+    std::shared_ptr<Dataset> dataset;       ///< on its own, at its own times
+    int ratio = 1;                          ///< cells along one of the outermost domain
+    std::vector<std::optional<NestAt>> at;  ///< for each time of the outermost domain
+
+    /// Its south-west corner in the world space of the outermost domain, metres.
+    glm::dvec2 cornerM(const DatasetInfo& outermost, const NestAt& place) const {
+        return glm::dvec2(place.cornerCells) * outermost.spacingM / static_cast<double>(ratio);
+    }
+    /// Whether it lies elsewhere in the outermost domain at some of its times.
+    bool moves() const;
+};
+
 /// A series of model output. Readers are one implementation; tests use another that holds its data
 /// in memory.
 class Dataset {
   public:
     /// Opens files, or folders of files, that form one series, see core/dataset/series.h; the
-    /// headers of long series are cached in the user's cache folder. Throws Error if no reader
-    /// accepts them or a reader fails, or Cancelled.
+    /// headers of long series are cached in the user's cache folder. Domains of a nested run are
+    /// composed. Throws Error if no reader accepts them, a reader fails or they do not fit
+    /// together, or Cancelled.
     static std::shared_ptr<Dataset> open(std::span<const std::filesystem::path> files,
                                          const PluginHost& host, const Progress& progress = {});
     /// The same with the header cache under `cacheFolder`; no cache if that is empty.
@@ -46,6 +70,14 @@ class Dataset {
     /// everything. Throws Error (unknown variable, failed read) or Cancelled.
     virtual Array3f read(std::string_view variable, int time, std::optional<CellBox> box = {},
                          const Progress& progress = {}) = 0;
+
+    /// The nests that are shown within these data, coarser ones first; all else is about the
+    /// outermost domain.
+    virtual std::span<const Nest> nests() const { return {}; }
+    /// The unit of lengths that a look gives in cells: the finest domain's, at all times.
+    double finestCellM() const;
+    /// The files that a time is read from, those of nests included.
+    std::vector<std::filesystem::path> filesAt(int time) const;
 
     /// The same series for another thread, opened cheaply; null if only one handle is possible.
     virtual std::unique_ptr<Dataset> anotherHandle() const { return nullptr; }

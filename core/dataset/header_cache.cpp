@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kVersion = 9;  // increase it with every change of the format
+constexpr std::uint32_t kVersion = 10;  // increase it with every change of the format
 constexpr std::string_view kExtension = ".headers";
 constexpr std::size_t kMostFolders = 64;           // number of cache files that are kept
 constexpr std::uintmax_t kMostBytes = 32U << 20U;  // size of one cache file

@@ -15,6 +15,7 @@
 #include "core/base/parallel.h"
 #include "core/dataset/file_list.h"
 #include "core/dataset/header_cache.h"
+#include "core/dataset/nest_place.h"
 #include "core/plugin/file_kind.h"
 
 namespace neph {
@@ -102,31 +103,56 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
     return candidates;
 }
 
-std::string gridText(const DatasetInfo& file) {
-    return fmt::format("{} x {} x {} cells of {:.6g} x {:.6g} m{}{}", file.size.x, file.size.y,
-                       file.size.z, file.spacingM.x, file.spacingM.y,
-                       file.domain.empty() ? "" : ", ", file.domain);
-}
-
 /// Files of one series need the same native grid of the same domain; their variables may differ.
-bool sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
-    return a.size == b.size && a.spacingM == b.spacingM && a.edgesM == b.edgesM &&
-           a.domain == b.domain;
+/// The cells by which the grid of a nest has moved from `a` to `b`, 0 for all others; nothing if
+/// they are no series.
+std::optional<glm::ivec2> sameGrid(const DatasetInfo& a, const DatasetInfo& b) {
+    if (a.size != b.size || a.edgesM != b.edgesM || a.domain != b.domain) return {};
+    const bool nests = a.nest.number > 1 && !a.map.projection.empty();
+    if (nests && (a.map != b.map || a.spacingM != b.spacingM)) {
+        return cellsBetween(a, glm::dvec2(0.0), b, glm::dvec2(0.0));
+    }
+    if (a.spacingM != b.spacingM) return {};
+    // Without a place, by where it lies in its parent.
+    if (a.nest.number > 1 && a.nest.ratio > 0 && a.nest.ratio == b.nest.ratio &&
+        a.map.projection.empty() && b.map.projection.empty()) {
+        return (b.nest.cornerCells - a.nest.cornerCells) * a.nest.ratio;
+    }
+    return glm::ivec2(0);
 }
 
-/// How a grid differs from that of the series, for messages.
-std::string differenceText(const DatasetInfo& file, const DatasetInfo& series) {
-    if (file.size != series.size || file.spacingM != series.spacingM) return gridText(file);
-    return file.domain != series.domain ? file.domain : "cells of other widths";
+/// Describes a nest as on the grid of its first file, which lies `cells` from there.
+void moveFrom(const DatasetInfo& first, glm::ivec2 cells, DatasetInfo& nest) {
+    const glm::dvec2 perMetre = first.spacingM / nest.spacingM;
+    nest.map = first.map;
+    nest.nest = first.nest;
+    nest.spacingM = first.spacingM;
+    for (TimeInfo& time : nest.times) {
+        time.gridOffsetM = time.gridOffsetM * perMetre + glm::dvec2(cells) * first.spacingM;
+    }
 }
 
-/// The steps that turn candidates into a series.
+/// Whether a nest lies elsewhere at a time that its series has already: it is then another nest.
+bool contradicts(const DatasetInfo& nest, const Series& series) {
+    for (const SeriesFile& file : series.files) {
+        for (const TimeInfo& time : nest.times) {
+            const auto& known = file.description.times;
+            const auto same = std::ranges::find(known, time.seconds, &TimeInfo::seconds);
+            if (same == known.end()) continue;
+            const glm::dvec2 apart = glm::abs(same->gridOffsetM - time.gridOffsetM);
+            if (glm::any(glm::greaterThan(apart, 0.5 * nest.spacingM))) return true;
+        }
+    }
+    return false;
+}
+
+/// The steps that turn candidates into series.
 class SeriesMaker {
   public:
     SeriesMaker(std::vector<Candidate> candidates, const PluginHost& host, fs::path cacheFolder)
         : candidates_(std::move(candidates)), host_(host), cacheFolder_(std::move(cacheFolder)) {}
 
-    Series make(const Progress& progress) {
+    std::vector<Series> make(const Progress& progress) {
         findFirst([&](double) { return goOn(progress, 0.0); });
         describeRest(progress);
         for (Candidate& candidate : candidates_) {
@@ -135,15 +161,13 @@ class SeriesMaker {
             sort(candidate);
         }
         for (auto& [folder, left] : leftOut_) note(folder, left);
-        return std::move(series_);
+        return std::move(domains_);
     }
 
   private:
     struct LeftOut {
         std::vector<std::string> unreadable;
         std::string reason;  ///< of the first
-        std::vector<std::string> otherGrid;
-        std::string grid;  ///< of the first
         struct Kind {
             std::vector<std::string> names;
             RecognisedFile known;  ///< of the first
@@ -156,9 +180,8 @@ class SeriesMaker {
         for (; first_ < candidates_.size(); ++first_) {
             Candidate& candidate = candidates_[first_];
             try {
-                series_.reader = host_.pick(candidate.path, progress);
-                candidate.description =
-                    ReaderFile(series_.reader, candidate.path, progress).description();
+                reader_ = host_.pick(candidate.path, progress);
+                candidate.description = ReaderFile(reader_, candidate.path, progress).description();
                 claimParts(*candidate.description);
                 return;
             } catch (const Error& error) {
@@ -202,8 +225,7 @@ class SeriesMaker {
         for (std::size_t i = first_ + 1; i < candidates_.size(); ++i) {
             Candidate& candidate = candidates_[i];
             const fs::path folder = candidate.path.parent_path();
-            const auto cache =
-                caches.try_emplace(folder, cacheFolder_, folder, *series_.reader).first;
+            const auto cache = caches.try_emplace(folder, cacheFolder_, folder, *reader_).first;
             candidate.stamp = headerStampOf(candidate.path);
             if (candidate.stamp) {
                 candidate.description = cache->second.find(candidate.path, *candidate.stamp);
@@ -245,8 +267,7 @@ class SeriesMaker {
     void describe(Candidate& candidate, const Progress& progress) {
         if (isClaimed(candidate.path)) return;
         try {
-            candidate.description =
-                ReaderFile(series_.reader, candidate.path, progress).description();
+            candidate.description = ReaderFile(reader_, candidate.path, progress).description();
             claimParts(*candidate.description);
         } catch (const Error& error) {
             if (!candidate.mayFail()) throw foreign(candidate, error);
@@ -257,17 +278,16 @@ class SeriesMaker {
     /// The error for a file that the user named: it may belong to another reader.
     Error foreign(const Candidate& candidate, const Error& error) const {
         const auto reader = host_.pick(candidate.path);
-        if (reader == series_.reader) return error;
+        if (reader == reader_) return error;
         return Error({.where = candidate.path.string(),
                       .what = fmt::format("is not of the same series as {}",
                                           candidates_[first_].path.string()),
                       .found = reader->title,
-                      .expected = series_.reader->title,
+                      .expected = reader_->title,
                       .hint = "open files of one model run together"});
     }
 
-    /// Adds a candidate to the series, or leaves it out with a note; throws Error if the user named
-    /// it.
+    /// Adds a candidate to the series of its domain, or leaves it out with a note.
     void sort(Candidate& candidate) {
         const std::string name = candidate.path.filename().string();
         LeftOut* left = candidate.mayFail() ? &leftOut_[candidate.folder] : nullptr;
@@ -283,27 +303,37 @@ class SeriesMaker {
             left->unreadable.push_back(name);
             return;
         }
-        if (!series_.files.empty() &&
-            !sameGrid(*candidate.description, series_.files.front().description)) {
-            if (left == nullptr) throw otherGrid(candidate);
-            if (left->otherGrid.empty()) {
-                left->grid =
-                    differenceText(*candidate.description, series_.files.front().description);
-            }
-            left->otherGrid.push_back(name);
-            return;
-        }
-        series_.files.push_back({candidate.path, std::move(*candidate.description)});
+        addToDomain(candidate);
     }
 
-    Error otherGrid(const Candidate& candidate) const {
-        const SeriesFile& first = series_.files.front();
-        return Error({.where = candidate.path.string(),
-                      .what = fmt::format("its grid is not that of {}", first.path.string()),
-                      .found = gridText(*candidate.description),
-                      .expected = gridText(first.description),
-                      .hint = "open each domain of a nested run, and each position of a nest that "
-                              "moves, by itself"});
+    /// Adds a described file to the series of its domain, or begins one.
+    void addToDomain(Candidate& candidate) {
+        DatasetInfo& file = *candidate.description;
+        for (Series& series : domains_) {
+            const DatasetInfo& first = series.files.front().description;
+            const auto moved = sameGrid(first, file);
+            if (!moved) continue;
+            if (*moved != glm::ivec2(0)) {
+                DatasetInfo there = file;
+                moveFrom(first, *moved, there);
+                if (contradicts(there, series)) continue;
+                file = std::move(there);
+                noteMotion(series);
+            }
+            series.files.push_back({candidate.path, std::move(file)});
+            if (!candidate.mayFail()) series.folder.clear();
+            return;
+        }
+        domains_.push_back({reader_, {{candidate.path, std::move(file)}}, {}, candidate.folder});
+    }
+
+    static void noteMotion(Series& series) {
+        const std::string note =
+            "The nest moves from file to file: each time has its own place, and the camera follows "
+            "the grid unless it is fixed to the ground.";
+        if (std::ranges::find(series.notes, note) == series.notes.end()) {
+            series.notes.push_back(note);
+        }
     }
 
     void note(const fs::path& folder, const LeftOut& left) {
@@ -313,20 +343,15 @@ class SeriesMaker {
         const std::string of =
             folder.filename().empty() ? folder.string() : folder.filename().string();
         if (!left.unreadable.empty()) {
-            series_.notes.push_back(fmt::format(
+            domains_.front().notes.push_back(fmt::format(
                 "{} in {} left out, as not of this series: {} ({}).", count(left.unreadable.size()),
                 of, listed(left.unreadable), left.reason));
         }
         for (const auto& [id, kind] : left.kinds) {
-            series_.notes.push_back(
+            domains_.front().notes.push_back(
                 fmt::format("{} in {} left out: {} ({}). {}{}.", count(kind.names.size()), of,
                             listed(kind.names), kind.known.what, kind.known.step,
                             kind.names.size() > 1 ? "; so for the others" : ""));
-        }
-        if (!left.otherGrid.empty()) {
-            series_.notes.push_back(fmt::format(
-                "{} in {} left out, as of another grid ({}): {}. Name them to open them.",
-                count(left.otherGrid.size()), of, left.grid, listed(left.otherGrid)));
         }
     }
 
@@ -334,7 +359,8 @@ class SeriesMaker {
     const PluginHost& host_;
     const fs::path cacheFolder_;
     std::size_t first_ = 0;
-    Series series_;
+    std::shared_ptr<const ReaderPlugin> reader_;
+    std::vector<Series> domains_;
     std::map<fs::path, LeftOut> leftOut_;
     std::mutex mutex_;            // guards claimed_
     std::set<fs::path> claimed_;  ///< files that are read together with a described one
@@ -343,8 +369,8 @@ class SeriesMaker {
 
 }  // namespace
 
-Series describeSeries(std::span<const fs::path> named, const PluginHost& host,
-                      const fs::path& cacheFolder, const Progress& progress) {
+std::vector<Series> describeSeries(std::span<const fs::path> named, const PluginHost& host,
+                                   const fs::path& cacheFolder, const Progress& progress) {
     const Progress begin = [&](double) { return goOn(progress, 0.0); };
     return SeriesMaker(candidatesOf(named, host, begin), host, cacheFolder).make(progress);
 }

@@ -1,8 +1,10 @@
-// series.h: from files and folders to the description of each file of one series.
+// series.h: from files and folders to the description of each file of the series in them: one for
+// each domain.
 //
 // The first file chooses the reader by its content; the others are opened with that reader, several
 // at once, or taken from the header cache. Named files must all be readable. A folder stands for
-// the series in it: files that do not belong to it are left out and noted.
+// what that reader reads in it: other files are left out and noted. Files of one nest in other
+// places are one series, whose grid moves.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -25,13 +27,16 @@ struct SeriesFile {
 /// The files of a series, and the reader that they have in common.
 struct Series {
     std::shared_ptr<const ReaderPlugin> reader;
-    std::vector<SeriesFile> files;   ///< at least one; all on one grid
-    std::vector<std::string> notes;  ///< what was left out
+    std::vector<SeriesFile> files;      ///< at least one; all on one grid
+    std::vector<std::string> notes;     ///< what was left out
+    std::filesystem::path folder = {};  ///< that the user named; empty if a file was named itself
 };
 
-/// Describes the series that `named` files and folders contain; reads headers only. The header
-/// cache is kept under `cacheFolder`; there is none if that is empty. Throws Error or Cancelled.
-Series describeSeries(std::span<const std::filesystem::path> named, const PluginHost& host,
-                      const std::filesystem::path& cacheFolder, const Progress& progress);
+/// Describes the series that `named` files and folders contain, one for each grid of a domain, that
+/// of the first file first; reads headers only. What was left out is noted there. The header cache
+/// is kept under `cacheFolder`; there is none if that is empty. Throws Error or Cancelled.
+std::vector<Series> describeSeries(std::span<const std::filesystem::path> named,
+                                   const PluginHost& host, const std::filesystem::path& cacheFolder,
+                                   const Progress& progress);
 
 }  // namespace neph

@@ -197,6 +197,21 @@ void addNewer(const NephDescription& raw, DatasetInfo& description) {
     }
 }
 
+/// What a nested run states of its domains. A corner that no grid can have makes the ratio unknown.
+NestNumbers checkedNest(const NephDescription& raw) {
+    constexpr std::uint32_t kMostDomains = 1000, kMostRatio = 100;
+    constexpr int kMostCorner = 1 << 20;
+    if (raw.domain_number > kMostDomains || raw.parent_number > kMostDomains) return {};
+    NestNumbers nest{.number = static_cast<int>(raw.domain_number),
+                     .parent = static_cast<int>(raw.parent_number),
+                     .cornerCells = {raw.parent_corner[0], raw.parent_corner[1]}};
+    const bool possible = nest.cornerCells.x >= 0 && nest.cornerCells.x <= kMostCorner &&
+                          nest.cornerCells.y >= 0 && nest.cornerCells.y <= kMostCorner &&
+                          raw.parent_ratio <= kMostRatio;
+    if (possible) nest.ratio = static_cast<int>(raw.parent_ratio);
+    return nest;
+}
+
 /// The place on the earth, if it can be used; else a note says why not.
 void addPlace(const NephDescription& raw, DatasetInfo& description) {
     MapGrid map{.projection = checkedText(raw.projection, "the projection"),
@@ -268,6 +283,7 @@ DatasetInfo checkedDescription(const NephDescription* pointer) {
     description.spacingM = {raw.spacing_m[0], raw.spacing_m[1]};
     addNewer(raw, description);
     description.rowsTogether = raw.rows_together;
+    description.nest = checkedNest(raw);
     description.times = checkedTimes(raw);
     description.variables = checkedVariables(raw);
     for (const char* note : checkedList(raw.notes, raw.note_count, "notes")) {

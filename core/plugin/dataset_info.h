@@ -72,6 +72,15 @@ struct TimeInfo {
     bool operator==(const TimeInfo&) const = default;
 };
 
+/// Which domain of a nested run data are, and where in its parent, as their files number them.
+struct NestNumbers {
+    int number = 0;             ///< from 1; 0: not of a nested run
+    int parent = 0;             ///< number of the domain that it lies in; 0: none
+    glm::ivec2 cornerCells{0};  ///< of the parent, between its south-west corner and this one's
+    int ratio = 0;              ///< cells along one of the parent; 0: unknown
+    bool operator==(const NestNumbers&) const = default;
+};
+
 /// Everything about a data set or a file that is known without reading a field.
 struct DatasetInfo {
     std::string reader;  ///< plugin id; filled in by the series
@@ -91,6 +100,7 @@ struct DatasetInfo {
     /// Rows along y that are stored as one, such as those of a compressed chunk: a handle keeps
     /// what it has read of them. 0 or 1: each row by itself.
     std::uint32_t rowsTogether = 0;
+    NestNumbers nest;
     std::vector<TimeInfo> times;  ///< sorted by time; of one file: in its order, at least one
     std::vector<VariableInfo> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each

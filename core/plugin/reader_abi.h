@@ -21,8 +21,8 @@ extern "C" {
 /* Increases with every addition. The host serves readers of all versions so far: structs only grow
  * at their ends, and what a smaller struct_size does not cover is as if zero.
  * 1: the first. 2: place and date (from projection on), roles of vapour and wind, grids that move,
- * reasons, and rows that are stored together. */
-#define NEPH_READER_ABI_VERSION 2u
+ * reasons, and rows that are stored together. 3: domains of nested runs. */
+#define NEPH_READER_ABI_VERSION 3u
 
 #if defined(_WIN32)
 #define NEPH_READER_EXPORT __declspec(dllexport)
@@ -163,7 +163,8 @@ typedef struct NephDescription {
      * is that of the even cells which the host makes of them: the smallest step as a rule. */
     const double* edges_m[2];
     /* Which of several domains of one or more runs this is, such as "domain 2 at 35.2 N 97.4 W":
-     * the host never puts files with different texts into one series. Null or empty: unknown. */
+     * the host never puts files with different texts into one series. Files with one text that lie
+     * whole cells apart on the earth are one domain that moves. Null or empty: unknown. */
     const char* domain;
     /* Paths of other files that this data set is read from as well, such as the tiles of other MPI
      * ranks: the host does not open them again. */
@@ -189,6 +190,17 @@ typedef struct NephDescription {
      * for the reads that follow. The host then reads the whole grid through one handle, from south
      * to north. 0 or 1: each row by itself. */
     uint32_t rows_together;
+    /* Since version 3. */
+
+    /* Which domain of a nested run this is: its number, from 1, and that of the domain that it lies
+     * in, 0 for the outermost. 0: not a nested run. Domains are composed by their places on the
+     * earth; where there are none, by the corner and the ratio, below. */
+    uint32_t domain_number;
+    uint32_t parent_number;
+    /* Cells of the parent in x and y between its south-west corner and that of this domain, and
+     * cells of this domain along a cell of the parent; a ratio of 0: unknown. */
+    int32_t parent_corner[2];
+    uint32_t parent_ratio;
 } NephDescription;
 
 /* Returns 0 to cancel. `fraction` lies in [0, 1]. */

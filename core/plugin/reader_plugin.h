@@ -64,6 +64,10 @@ struct Description {
     std::string utcOfZero;      ///< when `seconds` are 0, "YYYY-MM-DDThh:mm:ssZ"; empty: unknown
     std::string noPlace;        ///< why there is none, where that is as it should be
     unsigned rowsTogether = 0;  ///< rows along y that are stored as one; 0 or 1: each by itself
+    /// Numbers of a nested run's domains, and where it lies in its parent. reader_abi.h
+    unsigned domainNumber = 0, parentNumber = 0;
+    std::array<int, 2> parentCorner{};  ///< cells of the parent
+    unsigned parentRatio = 0;           ///< cells along one of the parent; 0: unknown
     std::vector<Time> times;
     std::vector<Variable> variables;
     std::vector<std::string> notes;  ///< what was skipped or assumed, one sentence each
@@ -178,6 +182,7 @@ class Layout {
         description_.utc_of_zero = from.utcOfZero.c_str();
         description_.no_place = from.noPlace.c_str();
         description_.rows_together = from.rowsTogether;
+        fillNest(from);
         description_.time_count = static_cast<std::uint32_t>(timePointers_.size());
         description_.times = timePointers_.data();
         description_.variable_count = static_cast<std::uint32_t>(variablePointers_.size());
@@ -186,6 +191,15 @@ class Layout {
         description_.notes = notes_.data();
         description_.attribute_count = static_cast<std::uint32_t>(attributePointers_.size());
         description_.attributes = attributePointers_.data();
+    }
+
+    void fillNest(const Description& from) {
+        description_.domain_number = from.domainNumber;
+        description_.parent_number = from.parentNumber;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            description_.parent_corner[axis] = from.parentCorner[axis];
+        }
+        description_.parent_ratio = from.parentRatio;
     }
 
     std::vector<NephTime> times_;

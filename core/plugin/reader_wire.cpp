@@ -137,6 +137,8 @@ void packBesidesTimes(Packer& to, const DatasetInfo& info) {
     to.number(info.size).number(info.spacingM).text(info.domain);
     to.text(info.map.projection).number(info.map.originM).number(info.map.mapPerGrid);
     to.text(info.noPlace).number(info.rowsTogether);
+    to.number(info.nest.number).number(info.nest.parent);
+    to.number(info.nest.cornerCells).number(info.nest.ratio);
     for (const std::vector<double>& edges : info.edgesM) {
         to.number(static_cast<std::uint64_t>(edges.size()));
         for (const double edge : edges) to.number(edge);
@@ -170,6 +172,10 @@ DatasetInfo unpackBesidesTimes(Unpacker& from) {
     info.map.mapPerGrid = from.number<glm::dvec2>();
     info.noPlace = from.text();
     info.rowsTogether = from.number<std::uint32_t>();
+    info.nest.number = from.number<int>();
+    info.nest.parent = from.number<int>();
+    info.nest.cornerCells = from.number<glm::ivec2>();
+    info.nest.ratio = from.number<int>();
     for (std::size_t axis = 0; axis < info.edgesM.size(); ++axis) {
         unpackEdges(from, info.size[static_cast<int>(axis)], info.edgesM[axis]);
     }

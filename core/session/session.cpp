@@ -275,7 +275,8 @@ void Session::show(const VolumeKey& key, const Held& held) {
     aheadDone_ = false;
     sayNew(key.request.radii.notes);
     const ReadPlan& plan = held->summary.plan;
-    const bool remapped = plan.coarsening > 1 || hasUnevenCells(dataset_->info());
+    const bool remapped =
+        plan.coarsening > 1 || hasUnevenCells(dataset_->info()) || !plan.nested.empty();
     if (remapped) sayNew({describe(plan, dataset_->info())});
     sayOfTime(*held, key.request);
 }

@@ -158,7 +158,7 @@ class Session {
     void readAgain();
     void adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps);
     void adoptTimes(const DatasetInfo& before, const DatasetInfo& now);
-    void dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps);
+    void dropChanged(const Dataset& old, const std::vector<FileStamp>& stamps);
     void bringMetres();
     void sayNew(const std::vector<std::string>& notes, Message::Kind kind = Message::Kind::note);
     void sayOfTime(const HeldVolume& held, const VolumeRequest& request);

@@ -36,6 +36,16 @@ const TimeInfo* lostFile(const DatasetInfo& before, const DatasetInfo& now) {
     return nullptr;
 }
 
+/// The files of the time that a key stands for; none if it is gone.
+std::vector<std::filesystem::path> filesOf(const Dataset& dataset, const VolumeKey& key) {
+    const auto& times = dataset.info().times;
+    const auto found = std::ranges::find_if(times, [&](const TimeInfo& time) {
+        return time.indexInFile == key.indexInFile && time.file.string() == key.file;
+    });
+    if (found == times.end()) return {};
+    return dataset.filesAt(static_cast<int>(found - times.begin()));
+}
+
 }  // namespace
 
 bool Session::holds(int time) const {
@@ -123,7 +133,7 @@ void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> 
     failedKey_.reset();
     unreadable_.clear();
     aheadDone_ = false;
-    dropChanged(before, stamps);
+    dropChanged(*old, stamps);
     stamps_ = std::move(stamps);
     if (now.size != before.size || now.spacingM != before.spacingM || now.edgesM != before.edgesM ||
         now.domain != before.domain) {
@@ -136,15 +146,28 @@ void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> 
 
 /// Drops volumes of files that changed. If a file only grew, what it had before stays, except for
 /// its last time, which may have been incomplete.
-void Session::dropChanged(const DatasetInfo& before, const std::vector<FileStamp>& stamps) {
+void Session::dropChanged(const Dataset& old, const std::vector<FileStamp>& stamps) {
+    const DatasetInfo& before = old.info();
     const auto find = [](const std::vector<FileStamp>& all, const std::string& file) {
         return std::ranges::find_if(all, [&](const FileStamp& s) { return s.path == file; });
+    };
+    // A nest may have got output at a time that was without, or have been written again.
+    const auto nestsChanged = [&](const VolumeKey& key) {
+        const std::vector<std::filesystem::path> files = filesOf(old, key);
+        if (files != filesOf(*dataset_, key)) return true;
+        return std::any_of(files.begin() + (files.empty() ? 0 : 1), files.end(),
+                           [&](const std::filesystem::path& file) {
+                               const auto was = find(stamps_, file.string());
+                               const auto is = find(stamps, file.string());
+                               return was == stamps_.end() || is == stamps.end() || *was != *is;
+                           });
     };
     const auto changed = [&](const VolumeKey& key) {
         const auto was = find(stamps_, key.file), is = find(stamps, key.file);
         // If the data are not in the file itself but in others that it describes, nothing is known:
         // read them again.
         if (was == stamps_.end() || is == stamps.end()) return true;
+        if (nestsChanged(key)) return true;
         if (*was == *is) return false;
         if (is->bytes <= was->bytes) return true;
         int last = 0;

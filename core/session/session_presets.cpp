@@ -34,7 +34,7 @@ void Session::takeMetres(FieldSet fields) {
 
 void Session::bringMetres() {
     if (!dataset_ || opening_) return;
-    const double cellM = meanCellM(dataset_->info().spacingM);
+    const double cellM = dataset_->finestCellM();
     bringToCells(presetLook, std::exchange(presetMetres_, 0), cellM);
     const std::string told = bringToCells(document.look, std::exchange(metres_, 0), cellM);
     if (!told.empty()) say(Message::Kind::note, told);

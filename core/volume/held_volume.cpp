@@ -9,7 +9,7 @@
 #include "core/dataset/whereabouts.h"
 #include "core/volume/framing.h"
 #include "core/volume/lowest_air.h"
-#include "core/volume/resample.h"
+#include "core/volume/nested_volume.h"
 
 namespace neph {
 namespace {
@@ -53,7 +53,7 @@ glm::dvec2 domainHeights(Dataset& dataset, int time, const VolumeRequest& reques
                          const ReadPlan& plan, const Progress& progress) {
     const bool cut = request.region && (std::isfinite(request.region->lowerM.z) ||
                                         std::isfinite(request.region->upperM.z));
-    const RegularGrid grid = cut ? planRead(dataset, time, {}, {}, progress).grid : plan.grid;
+    const RegularGrid grid = cut ? planShown(dataset, time, {}, {}, progress).grid : plan.grid;
     return {grid.originM.z, grid.upperM().z};
 }
 
@@ -89,6 +89,7 @@ bool VolumeSummary::empty() const {
 VolumeSummary summarise(const SpeciesVolume& volume) {
     VolumeSummary summary;
     summary.grid = volume.grid;
+    summary.cellM = volume.cellM();
     summary.timeLabel = volume.timeLabel;
     CellBox bounds = kNoCells;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
@@ -117,16 +118,13 @@ HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
         });
     };
     const Progress planning = part(0.0, kPlanShare);
-    const ReadPlan plan = planRead(dataset, time, request.region, request.budget, planning);
-    const glm::dvec2 heights = domainHeights(dataset, time, request, plan, planning);
+    const NestedPlan plan = planNested(dataset, time, request.region, request.budget, planning);
+    const glm::dvec2 heights = domainHeights(dataset, time, request, plan.shown, planning);
     HeldVolume held;
-    ResampleOptions options;
-    options.plan = plan;
-    options.radii = request.radii;
     held.volume = std::make_shared<const SpeciesVolume>(
-        resample(dataset, time, options, part(kPlanShare, kVolumeShare)));
+        readNested(dataset, time, plan, request.radii, part(kPlanShare, kVolumeShare)));
     held.summary = summarise(*held.volume);
-    held.summary.plan = plan;
+    held.summary.plan = plan.shown;
     held.summary.domainHeightsM = heights;
     held.summary.where = whereaboutsOf(dataset.info(), time, held.summary.grid);
     if (request.humidity) addHumidity(held, dataset, time, part(kVolumeShare, 1.0));

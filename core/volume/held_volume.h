@@ -49,6 +49,7 @@ struct FieldHistogram {
 /// Facts about a volume that are computed once, when it is read.
 struct VolumeSummary {
     RegularGrid grid;
+    double cellM = 0.0;  ///< SpeciesVolume::cellM
     ReadPlan plan;
     glm::dvec2 domainHeightsM{0.0};              ///< lowest and highest level of the whole domain
     std::array<bool, kSpeciesCount> present{};   ///< the model has the species

@@ -171,31 +171,63 @@ void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLeve
                  .hint = "from the south-west corner, z above sea level, lower before upper"});
 }
 
-/// Completes a plan whose box and levels are set.
-void coarsen(ReadPlan& plan, int coarsening, const DatasetInfo& info) {
-    plan.coarsening = coarsening;
+/// How many fields the hydrometeors of a data set take.
+std::uint64_t speciesOf(const DatasetInfo& info) {
     std::uint64_t species = 0;
     for (int s = 0; s < kSpeciesCount; ++s) {
         if (info.find(VariableRole::mixingRatio, static_cast<Species>(s)) != nullptr) ++species;
     }
+    return species;
+}
+
+}  // namespace
+
+ReadPlan coarsened(ReadPlan plan, int coarsening, const DatasetInfo& info) {
+    plan.coarsening = coarsening;
     const glm::dvec2 spacing = evenColumns(info).spacingM;
     for (int axis = 0; axis < 2; ++axis) {
         plan.grid.size[axis] = (plan.even.size()[axis] + coarsening - 1) / coarsening;
         plan.grid.spacingM[axis] = spacing[axis] * coarsening;
         plan.grid.originM[axis] = spacing[axis] * plan.even.lower[axis];
     }
+    countBytes(speciesOf(info), plan);
+    return plan;
+}
+
+void countBytes(std::uint64_t species, ReadPlan& plan) {
     const std::uint64_t medium = species > kClassesPerTexture ? 2 * kMediumBytes : kMediumBytes;
     plan.machineBytes = plan.grid.cellCount() * species * kVoxelBytes;
     plan.gpuBytes = plan.machineBytes + plan.grid.cellCount() * medium;
 }
 
-std::string sizeText(std::uint64_t bytes) {
+void joinLevels(const RegularGrid& other, RegularGrid& grid) {
+    const double lowest = std::min(grid.originM.z, other.originM.z);
+    const double highest = std::max(grid.upperM().z, other.upperM().z);
+    const auto set = [&](double spacing) {
+        const double first = std::floor(lowest / spacing + kSamePlace);
+        grid.spacingM.z = spacing;
+        grid.originM.z = spacing * first;
+        grid.size.z = static_cast<int>(std::ceil(highest / spacing - kSamePlace) - first);
+    };
+    set(std::min(grid.spacingM.z, other.spacingM.z));
+    if (grid.size.z > kMostLevels) set((highest - lowest) / (kMostLevels - 2));
+}
+
+void cutLevels(const BoxM& region, RegularGrid& grid) {
+    const double spacing = grid.spacingM.z;
+    const double first = std::max(std::round(grid.originM.z / spacing),
+                                  std::floor(region.lowerM.z / spacing + kSamePlace));
+    const double last = std::min(std::round(grid.upperM().z / spacing),
+                                 std::ceil(region.upperM.z / spacing - kSamePlace));
+    grid.originM.z = spacing * first;
+    grid.size.z = std::max(static_cast<int>(last - first), 1);
+}
+
+std::string planSizeText(std::uint64_t bytes) {
     const double mebibytes = static_cast<double>(bytes) / (1U << 20U);
     return mebibytes < 1000.0 ? fmt::format("{:.0f} MiB", mebibytes)
                               : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
-
-}  // namespace
 
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
                   const MemoryBudget& budget, const Progress& progress) {
@@ -209,7 +241,7 @@ ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
     requireCells(dataset, plan, native, region);
     const int coarsest = std::max(plan.even.size().x, plan.even.size().y);
     for (int coarsening = 1; coarsening <= coarsest; ++coarsening) {
-        coarsen(plan, coarsening, info);
+        plan = coarsened(plan, coarsening, info);
         if (plan.machineBytes <= budget.machine && plan.gpuBytes <= budget.gpu) break;
     }
     return plan;
@@ -229,6 +261,10 @@ std::string describe(const ReadPlan& plan, const DatasetInfo& info) {
             fmt::format("Part of the domain: x {:.4g} to {:.4g} km, y {:.4g} to {:.4g} km.",
                         corner(from, 0), corner(to, 0), corner(from, 1), corner(to, 1)));
     }
+    if (!plan.nested.empty()) {
+        sentences.push_back(plan.nested);
+        return fmt::format("{}", fmt::join(sentences, " "));
+    }
     const std::string spacing = plan.grid.spacingM.x == plan.grid.spacingM.y
                                     ? lengthText(plan.grid.spacingM.x)
                                     : fmt::format("{} x {}", lengthText(plan.grid.spacingM.x),
@@ -238,13 +274,12 @@ std::string describe(const ReadPlan& plan, const DatasetInfo& info) {
             fmt::format("Cells of {} become even ones of {}.", cellWidthText(info), spacing));
     }
     if (plan.coarsening > 1) {
-        ReadPlan full = plan;
-        coarsen(full, 1, info);
+        const ReadPlan full = coarsened(plan, 1, info);
         sentences.push_back(fmt::format(
             "Every {} x {} {}columns are averaged to one of {}: at full resolution {} would take "
             "{}, not {}.",
             plan.coarsening, plan.coarsening, hasUnevenCells(info) ? "even " : "", spacing,
-            whole ? "the domain" : "it", sizeText(full.gpuBytes), sizeText(plan.gpuBytes)));
+            whole ? "the domain" : "it", planSizeText(full.gpuBytes), planSizeText(plan.gpuBytes)));
     }
     return fmt::format("{}", fmt::join(sentences, " "));
 }

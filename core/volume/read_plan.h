@@ -32,9 +32,10 @@ inline constexpr std::uint64_t kSoftwareGpuBytes = 128U << 20U;
 struct ReadPlan {
     CellBox box;         ///< native columns that are read, all levels
     CellBox even;        ///< the even columns that they give; the same where native ones are even
-    int coarsening = 1;  ///< even columns along each edge of a block
+    int coarsening = 1;  ///< even columns along each edge of a block; of nests, the finest's
     RegularGrid grid;    ///< resulting grid; its levels cover the requested region
     std::uint64_t machineBytes = 0, gpuBytes = 0;  ///< expected memory
+    std::string nested;  ///< of a nested run, what is composed and how finely; empty otherwise
     bool operator==(const ReadPlan&) const = default;
 };
 
@@ -44,6 +45,20 @@ struct ReadPlan {
 /// highest interface and some rows of heights. Throws Error if the region contains no cell.
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
                   const MemoryBudget& budget = {}, const Progress& progress = {});
+
+/// The same plan with blocks of `coarsening` x `coarsening` even columns.
+ReadPlan coarsened(ReadPlan plan, int coarsening, const DatasetInfo& info);
+
+/// Sets the expected memory of a grid with `species` fields.
+void countBytes(std::uint64_t species, ReadPlan& plan);
+
+/// Levels over both plans: at the finer spacing, from the lower lowest to the higher highest.
+void joinLevels(const RegularGrid& other, RegularGrid& grid);
+/// Leaves the levels that a region touches, at least one.
+void cutLevels(const BoxM& region, RegularGrid& grid);
+
+/// "0.8 GiB", "120 MiB".
+std::string planSizeText(std::uint64_t bytes);
 
 /// One or two sentences for the screen and for `info`, for example "Every 2 x 2 columns are
 /// averaged to one of 2 km: at full resolution the domain would take 3.1 GiB, not 0.8 GiB." Empty

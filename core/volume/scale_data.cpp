@@ -8,7 +8,7 @@ namespace neph {
 
 ScaleData scaleDataOf(const DatasetInfo& info, const VolumeSummary& shown) {
     ScaleData data;
-    data.cellM = meanCellM(info.spacingM);
+    data.cellM = shown.cellM > 0.0 ? shown.cellM : meanCellM(info.spacingM);
     for (std::size_t s = 0; s < data.fields.size(); ++s) {
         if (!shown.anything[s]) continue;
         const auto species = static_cast<Species>(s);

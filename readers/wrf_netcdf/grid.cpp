@@ -250,11 +250,15 @@ std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last, 
     return {};
 }
 
-std::string domainOf(const Tiles& tiles) {
+std::string domainOf(const Tiles& tiles, bool mayMove) {
     const NcFile& file = tiles.first();
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-    if (const auto id = file.number("GRID_ID")) add(fmt::format("domain {:.0f}", *id));
+    const auto id = file.number("GRID_ID");
+    if (id) add(fmt::format("domain {:.0f}", *id));
+    auto start = file.text("SIMULATION_START_DATE");
+    if (!start) start = file.text("START_DATE");
+    if (mayMove && start && id && *id > 1.0) return text + " of the run from " + *start;
     const auto latitude = file.number("CEN_LAT");
     const auto longitude = file.number("CEN_LON");
     if (latitude && longitude) {
@@ -271,6 +275,24 @@ std::string domainOf(const Tiles& tiles) {
         add(fmt::format("corner {:.2f} N {:.2f} E", *cornerLatitude, *cornerLongitude));
     }
     return text;
+}
+
+void numberDomain(const NcFile& file, neph::plugin::Description& description) {
+    constexpr double kMost = 1 << 20;
+    const auto whole = [&](const char* name) {
+        const auto value = file.number(name);
+        const bool possible = value && *value >= 0.0 && *value <= kMost;
+        return possible ? static_cast<int>(std::lround(*value)) : 0;
+    };
+    description.domainNumber = static_cast<unsigned>(whole("GRID_ID"));
+    const int parent = whole("PARENT_ID");
+    // Namelists may call the outermost domain its own parent.
+    if (parent == static_cast<int>(description.domainNumber)) return;
+    description.parentNumber = static_cast<unsigned>(parent);
+    const int i = whole("I_PARENT_START"), j = whole("J_PARENT_START");
+    if (description.parentNumber == 0 || i < 1 || j < 1) return;
+    description.parentCorner = {i - 1, j - 1};  // counted from 1
+    description.parentRatio = static_cast<unsigned>(whole("PARENT_GRID_RATIO"));
 }
 
 }  // namespace wrf

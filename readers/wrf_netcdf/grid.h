@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/plugin/reader_plugin.h"
 #include "readers/wrf_netcdf/tiles.h"
 
 namespace wrf {
@@ -24,6 +25,12 @@ std::array<double, 2> spacingOf(const Tiles& tiles, std::vector<std::string>& no
 std::string motionNote(const Tiles& tiles, std::size_t first, std::size_t last, bool placed);
 
 /// A text that differs between domains: number, centre, and corner; empty if the file states none.
-std::string domainOf(const Tiles& tiles);
+/// Of a nest that `mayMove`, as its place or its corner in its parent is described, the number and
+/// the start of the run.
+std::string domainOf(const Tiles& tiles, bool mayMove);
+
+/// Which domain of a nested run a file has, in the terms of NephDescription; numbers are 0 where
+/// the file states none.
+void numberDomain(const NcFile& file, neph::plugin::Description& description);
 
 }  // namespace wrf

@@ -98,9 +98,11 @@ void WrfFile::describeGrid() {
         description_.size[axis] = static_cast<int>(tiles_.axes().length[axis]);
     }
     description_.spacingM = spacingOf(tiles_, description_.notes);
-    description_.domain = domainOf(tiles_);
     describePlaceAndDate();
     const bool placed = !description_.projection.empty();
+    numberDomain(tiles_.first(), description_);
+    const bool numbered = isIdealised(tiles_.first()) && description_.parentRatio > 0;
+    description_.domain = domainOf(tiles_, placed || numbered);
     const std::string motion =
         motionNote(tiles_, times_.records.front(), times_.records.back(), placed);
     if (!motion.empty()) description_.notes.push_back(motion);

@@ -9,6 +9,7 @@
 #include "tests/cli/program.h"
 #include "tests/environment.h"
 #include "tests/readers/les_maker.h"
+#include "tests/readers/nested_run.h"
 #include "tests/readers/wrf_maker.h"
 #include "tests/temporary_folder.h"
 
@@ -185,7 +186,7 @@ TEST_CASE("info on what cannot be read fails with file, found, expected and hint
 TEST_CASE("readers lists the plugin with file, version and ABI, and why another was rejected") {
     const Outcome outcome = runProgram("readers");
     CHECK(outcome.status == 0);
-    for (const char* part : {"wrf_netcdf 1.2", "wrf_netcdf.so", "ABI         2", "Looked for in"}) {
+    for (const char* part : {"wrf_netcdf 1.2", "wrf_netcdf.so", "ABI         3", "Looked for in"}) {
         CHECK(contains(outcome.out, part));
     }
     const Environment path("NEPHOSCOPE_READER_PATH", NEPH_TEST_SOURCE_DIR "/LICENSE");
@@ -254,4 +255,32 @@ TEST_CASE("--map names what an unknown file holds, and is refused where nothing 
     CHECK(contains(runProgram("info " + map + " " + path).out, "those of m.json"));
     CHECK(runProgram("readers " + map).status == 2);
     CHECK(contains(runProgram("info --map nowhere.json " + path).err, "no such map"));
+}
+
+TEST_CASE("info lists the domains of a nested run, and render shows them as one") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> times{"2021-08-14_18:00:00", "2021-08-14_18:10:00"};
+    const NestedDomain outer;
+    outer.write(folder / "wrfout_d01", times);
+    outer.nest(2, 4, 3, 15, 12).write(folder / "wrfout_d02", {times[1]});
+    const std::string run = "'" + folder.path().string() + "'";
+    const Outcome outcome = runProgram("info " + run);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "Domains  d01: 12 x 10 x 5 cells of 3 km"));
+    CHECK(contains(outcome.out,
+                   "d02: 15 x 12 x 5 cells of 1 km, from x 9 km, y 6 km, at 1 of 2 times"));
+    CHECK(contains(outcome.out, "Shown    d02 (1 km) within d01 (3 km), shown at 1 km."));
+    const auto json = nlohmann::json::parse(runProgram("info --json " + run).out);
+    REQUIRE(json.at("domains").size() == 2);
+    CHECK(json.at("domains")[0].at("name") == "d01");
+    const auto& nest = json.at("domains")[1];
+    CHECK(nest.at("name") == "d02");
+    CHECK(nest.at("ratio") == 3);
+    REQUIRE(nest.at("south_west_km").size() == 2);
+    CHECK(nest.at("south_west_km")[0].is_null());
+    CHECK(nest.at("south_west_km")[1][0].get<double>() == doctest::Approx(9.0));
+    const Outcome image = runProgram("render " + run + " --time 1 --size 32x18 -o '" +
+                                     (folder / "a.png").string() + "'");
+    CHECK(image.status == 0);
+    CHECK(contains(image.err, "d02 (1 km) within d01 (3 km), shown at 1 km."));
 }

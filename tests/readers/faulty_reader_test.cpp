@@ -115,6 +115,27 @@ TEST_CASE("A reader that follows the ABI is accepted") {
     CHECK(readFault().empty());
 }
 
+TEST_CASE("What cannot be a domain of a nested run counts as none, or as one without a place") {
+    const auto nestOf = [](std::uint32_t number, std::int32_t corner, std::uint32_t ratio) {
+        resetToValid();
+        NephDescription& d = behaviour.description;
+        d.domain_number = number;
+        d.parent_number = 1;
+        d.parent_corner[0] = d.parent_corner[1] = corner;
+        d.parent_ratio = ratio;
+        const NestNumbers nest = open().description().nest;
+        d.domain_number = d.parent_number = d.parent_ratio = 0;
+        d.parent_corner[0] = d.parent_corner[1] = 0;
+        return nest;
+    };
+    CHECK(nestOf(2, 30, 3) ==
+          NestNumbers{.number = 2, .parent = 1, .cornerCells = {30, 30}, .ratio = 3});
+    CHECK(nestOf(4'000'000'000U, 30, 3) == NestNumbers{});
+    CHECK(nestOf(2, -1, 3).ratio == 0);
+    CHECK(nestOf(2, 2'000'000'000, 3).ratio == 0);
+    CHECK(nestOf(2, 30, 4'000'000'000U).ratio == 0);
+}
+
 TEST_CASE("Times and variables of readers that do not state what was added since are accepted") {
     resetToValid();
     theTime.grid_offset_m[0] = 5.0;

@@ -24,6 +24,7 @@ TEST_CASE("A reader of version 1 of the ABI loads, describes and reads as it did
     // What it could not state is not known, and not a fault.
     CHECK(info.map.projection.empty());
     CHECK_FALSE(info.times.at(0).utc);
+    CHECK(info.nest == NestNumbers{});
     CHECK(info.notes.empty());
     CHECK(dataset->read("cloud", 0).values == std::vector<float>(8, 1e-3f));
 }

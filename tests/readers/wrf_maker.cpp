@@ -74,6 +74,7 @@ void defineAttributes(int file, const WrfSpec& spec) {
     if (wanted("MP_PHYSICS")) putNumber(file, "MP_PHYSICS", spec.mpPhysics);
     if (wanted("MAP_PROJ")) putNumber(file, "MAP_PROJ", spec.mapProjection);
     for (const auto& [name, value] : spec.attributes) putNumber(file, name, value);
+    for (const auto& [name, value] : spec.texts) putText(file, NC_GLOBAL, name.c_str(), value);
     if (spec.patch) definePatch(file, spec);
 }
 

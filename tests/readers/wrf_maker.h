@@ -41,6 +41,7 @@ struct WrfSpec {
     std::map<std::string, std::string> units;     ///< replace WRF's; "none": without the attribute
     std::map<std::string, std::string> renamed;   ///< dimensions and variables: another name
     std::map<std::string, double> attributes;     ///< further global numbers
+    std::map<std::string, std::string> texts;     ///< further global texts
     std::map<std::string, FieldFunction> flat;    ///< fields on (Time, south_north, west_east)
     std::set<std::string> onInterfaces{"PH", "PHB", "W"};
     std::vector<double> xtime;  ///< a CF time in the variable XTIME

@@ -25,8 +25,8 @@
 #include "core/volume/framing.h"
 #include "core/volume/lowest_air.h"
 #include "core/volume/memory_setting.h"
+#include "core/volume/nested_volume.h"
 #include "core/volume/read_plan.h"
-#include "core/volume/resample.h"
 
 namespace neph {
 namespace {
@@ -62,7 +62,7 @@ double mebibytes(std::uint64_t bytes) {
 struct Opened {
     std::shared_ptr<Dataset> dataset;
     int time = 0;
-    ReadPlan plan;
+    NestedPlan plan;
     RadiusPlan radii;
     SpeciesVolume volume;
     double openMs = 0.0, planMs = 0.0, resampleMs = 0.0;
@@ -80,11 +80,11 @@ Opened openData(const bench::BenchRequest& request, const Look& look, std::uint6
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     opened.time = std::min(kBenchTime, last);
     const auto planning = Clock::now();
-    opened.plan = planRead(*opened.dataset, opened.time, {}, memoryBudget("", gpuBytes));
+    opened.plan = planNested(*opened.dataset, opened.time, {}, memoryBudget("", gpuBytes));
     opened.planMs = millisecondsSince(planning);
     opened.radii = planRadii(look, opened.dataset->info());
     const auto begun = Clock::now();
-    opened.volume = resample(*opened.dataset, opened.time, {opened.plan, opened.radii});
+    opened.volume = readNested(*opened.dataset, opened.time, opened.plan, opened.radii);
     opened.resampleMs = millisecondsSince(begun);
     opened.peakBytes = processBytes("VmHWM") - std::min(before, processBytes("VmHWM"));
     return opened;
@@ -95,11 +95,17 @@ std::optional<SpeciesVolume> readOtherTime(const Opened& opened) {
     const int last = static_cast<int>(opened.dataset->info().times.size()) - 1;
     if (last == 0) return {};
     const int other = opened.time < last ? opened.time + 1 : opened.time - 1;
-    return resample(*opened.dataset, other, {opened.plan, opened.radii});
+    if (opened.dataset->nests().empty()) {
+        return readNested(*opened.dataset, other, opened.plan, opened.radii);
+    }
+    const NestedPlan plan =
+        planNested(*opened.dataset, other, {},
+                   {.machine = opened.plan.shown.machineBytes, .gpu = opened.plan.shown.gpuBytes});
+    return readNested(*opened.dataset, other, plan, opened.radii);
 }
 
 Json summaryOf(const Opened& opened, double firstImageMs, std::uint64_t gpuBytes) {
-    const ReadPlan& plan = opened.plan;
+    const ReadPlan& plan = opened.plan.shown;
     const glm::ivec3 size = opened.volume.grid.size;
     return {{"open_ms", opened.openMs},
             {"plan_ms", opened.planMs},
@@ -151,7 +157,7 @@ std::pair<Opened, Json> measureOpening(const bench::BenchRequest& request, Scene
                renderer.deviceName(), opened.openMs, opened.resampleMs,
                summary["first_image_ms"].get<double>());
     fmt::print(stderr, "fields {:.1f} MiB, on the GPU {:.1f} MiB, peak resident {:.1f} MiB\n",
-               mebibytes(opened.plan.machineBytes), mebibytes(renderer.gpuBytes()),
+               mebibytes(opened.plan.shown.machineBytes), mebibytes(renderer.gpuBytes()),
                mebibytes(processBytes("VmHWM")));
     Json result{{"renderer", renderer.deviceName()},
                 {"version", versionText()},
@@ -192,7 +198,7 @@ int runBench(const bench::BenchRequest& request) {
     const gl::HeadlessContext context;
     auto [opened, result] = measureOpening(request, scene, start);
     const std::string note = bringToCells(scene.document.look, std::exchange(scene.inMetres, 0),
-                                          meanCellM(opened.dataset->info().spacingM));
+                                          opened.dataset->finestCellM());
     if (!note.empty()) fmt::print(stderr, "note: {}\n", note);
     bench::Run run{request, scene.document, scene.document.camera, {}, {}};
     if (!request.openOnly) {

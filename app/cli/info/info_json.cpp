@@ -8,6 +8,7 @@
 #include "app/cli/info/info_findings.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
+#include "core/dataset/nest_place.h"
 #include "core/look/haze.h"
 #include "core/sky/humidity.h"
 
@@ -178,6 +179,28 @@ Json timesJson(const DatasetInfo& info, const std::vector<TimeSummary>& summarie
     return times;
 }
 
+/// The outermost domain first; `south_west_km` of a nest in its coordinates at each of its times.
+Json domainsJson(const Dataset& dataset) {
+    const auto gridOf = [](const std::string& name, const DatasetInfo& info) {
+        return Json{{"name", name},
+                    {"size", {info.size.x, info.size.y, info.size.z}},
+                    {"spacing_m", {info.spacingM.x, info.spacingM.y}}};
+    };
+    const DatasetInfo& outer = dataset.info();
+    Json domains = Json::array({gridOf(domainName(outer), outer)});
+    for (const Nest& nest : dataset.nests()) {
+        Json corners = Json::array();
+        for (const auto& at : nest.at) {
+            const glm::dvec2 cornerM = at ? nest.cornerM(outer, *at) : glm::dvec2(0.0);
+            corners.push_back(at ? Json{cornerM.x * kKmPerM, cornerM.y * kKmPerM} : Json(nullptr));
+        }
+        domains.push_back(gridOf(nest.name, nest.dataset->info()));
+        domains.back()["ratio"] = nest.ratio;
+        domains.back()["south_west_km"] = std::move(corners);
+    }
+    return domains;
+}
+
 Json variablesJson(const DatasetInfo& info) {
     Json variables = Json::array();
     for (const VariableInfo& variable : info.variables) {
@@ -248,6 +271,7 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
               {"attributes", info.attributes},
               {"notes", allNotes(info, found)}};
     if (summaries.front().hasColumns) json["condensate"] = condensateJson(info, summaries);
+    if (!dataset.nests().empty()) json["domains"] = domainsJson(dataset);
     if (!info.noPlace.empty()) json["no_place"] = info.noPlace;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

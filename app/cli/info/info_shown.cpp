@@ -4,6 +4,7 @@
 #include "app/cli/common/scene.h"
 #include "app/gl/context.h"
 #include "core/base/error.h"
+#include "core/volume/nested_volume.h"
 
 namespace neph {
 namespace {
@@ -20,10 +21,10 @@ void boundByRenderer(MemoryBudget& budget) {
 }  // namespace
 
 std::string shownHere(Dataset& dataset, int time, MemoryBudget budget) {
-    ReadPlan plan = planRead(dataset, time, {}, budget);
+    ReadPlan plan = planShown(dataset, time, {}, budget);
     if (plan.gpuBytes > kSoftwareGpuBytes) {
         boundByRenderer(budget);
-        plan = planRead(dataset, time, {}, budget);
+        plan = planShown(dataset, time, {}, budget);
     }
     const std::string text = describe(plan, dataset.info());
     return text.empty() ? "at full resolution" : text;

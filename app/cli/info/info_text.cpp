@@ -11,6 +11,7 @@
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/grid_text.h"
+#include "core/dataset/nest_place.h"
 #include "core/look/haze.h"
 #include "core/sky/humidity.h"
 
@@ -26,6 +27,27 @@ std::string gridLines(const DatasetInfo& info, const LayerSummary& layers) {
         info.size.x, info.size.y, info.size.z, cellWidthText(info), extentKm.x, extentKm.y,
         layers.lowestM, layers.highestM * kKmPerM, info.size.z, layers.thinnestM, layers.thickestM,
         layers.medianM);
+}
+
+/// The domains of a nested run; nothing for one.
+std::string domainLines(const Dataset& dataset) {
+    if (dataset.nests().empty()) return {};
+    const auto line = [](std::string_view label, std::string_view name, const DatasetInfo& info) {
+        return fmt::format("{:<9}{}: {} x {} x {} cells of {}", label, name, info.size.x,
+                           info.size.y, info.size.z, cellWidthText(info));
+    };
+    const DatasetInfo& outer = dataset.info();
+    const std::string name = domainName(outer);
+    std::string text = line("Domains", name.empty() ? "outermost" : name, outer) + "\n";
+    for (const Nest& nest : dataset.nests()) {
+        const auto first = std::ranges::find_if(nest.at, [](const auto& at) { return !!at; });
+        const auto count = std::ranges::count_if(nest.at, [](const auto& at) { return !!at; });
+        const glm::dvec2 cornerKm = nest.cornerM(outer, **first) * kKmPerM;
+        text += fmt::format("{}, from x {:.4g} km, y {:.4g} km{}, at {} of {} times\n",
+                            line("", nest.name, nest.dataset->info()), cornerKm.x, cornerKm.y,
+                            nest.moves() ? " (it moves)" : "", count, nest.at.size());
+    }
+    return text;
 }
 
 std::string timeLine(const DatasetInfo& info) {
@@ -191,7 +213,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
-    text += timeLine(info) + placeLines(info);
+    text += domainLines(dataset) + timeLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += humidityLine(summaries) + aerosolLine(summaries);

@@ -88,7 +88,7 @@ Side::Side(SideScene what, const MemoryBudget& budget, const Progress& progress)
       notes_(dataset_->info().notes) {
     Scene& scene = what_.scene;
     notes_.push_back(bringToCells(scene.document.look, std::exchange(scene.inMetres, 0),
-                                  meanCellM(info().spacingM)));
+                                  dataset_->finestCellM()));
 }
 
 std::vector<int> Side::times() const {

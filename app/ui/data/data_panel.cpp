@@ -75,7 +75,8 @@ void drawPlan(const VolumeSummary& shown, const DatasetInfo& info, const MemoryB
     ImGui::PushStyleColor(ImGuiCol_Text, plan.coarsening > 1
                                              ? warningColour()
                                              : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    const std::string full = plan.coarsening > 1 ? "" : "At full resolution";
+    const bool stated = plan.coarsening > 1 || !plan.nested.empty();
+    const std::string full = stated ? "" : "At full resolution";
     fact("Shown", how.empty() ? full : how + (full.empty() ? "" : " ") + full);
     ImGui::PopStyleColor();
     fact("Takes", fmt::format("{} of {}, and for images {} of {}", memoryText(plan.machineBytes),

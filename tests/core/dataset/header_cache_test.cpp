@@ -24,6 +24,7 @@ DatasetInfo described(double seconds) {
     description.map = {"+proj=merc", {-1.0 / 3.0, 2e6}, {1.5, 2.0}};
     description.noPlace = "none";
     description.rowsTogether = 267;
+    description.nest = {.number = 3, .parent = 2, .cornerCells = {30, 41}, .ratio = 5};
     description.times = {{"t\xC3\xA9", seconds, {}, 0}};
     description.times[0].gridOffsetM = {22500.0, -1.0 / 3.0};
     if (seconds > 0.0) description.times[0].utc = UtcTime(UtcTime::duration(seconds / 3.0));
@@ -49,6 +50,7 @@ void checkSame(const DatasetInfo& a, const DatasetInfo& b) {
     CHECK(a.map == b.map);
     CHECK(a.noPlace == b.noPlace);
     CHECK(a.rowsTogether == b.rowsTogether);
+    CHECK(a.nest == b.nest);
     REQUIRE(a.times.size() == 1);
     CHECK(a.times[0].label == b.times[0].label);
     CHECK(a.times[0].seconds == b.times[0].seconds);
