@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/cli/ask/probe_text.h"
 #include "app/cli/info/info_findings.h"
 #include "app/image_io/figure_file.h"
@@ -53,6 +55,33 @@ void write(const AskedFiles& files, const Sheet& sheet, plot::Table table) {
             writeSheet(file, sheet);
         }
         fmt::print("wrote {}\n", file.string());
+    }
+}
+
+/// "x 46.9, y 51.9 km" or "12.5 km along it, 9.25 km up".
+std::string cellText(const CrossSection& section, std::size_t cell) {
+    const double across = section.acrossM[cell % section.acrossM.size()] * kKmPerM;
+    const double up = section.upM[cell / section.acrossM.size()] * kKmPerM;
+    return section.vertical ? fmt::format("{:.1f} km along it, {:.2f} km up", across, up)
+                            : fmt::format("x {:.1f}, y {:.1f} km", across, up);
+}
+
+/// The greatest and the least of what a section shows, and where.
+void printExtremes(const CrossSection& section, std::size_t fields) {
+    for (std::size_t f = 0; f < fields; ++f) {
+        const SectionField& field = section.fields[f];
+        std::optional<std::size_t> least, greatest;
+        for (std::size_t i = 0; i < field.values.size(); ++i) {
+            const float value = field.values[i];
+            if (std::isnan(value)) continue;
+            if (!least || value < field.values[*least]) least = i;
+            if (!greatest || value > field.values[*greatest]) greatest = i;
+        }
+        if (!least) continue;
+        const QuantityInfo& row = neph::info(field.quantity);
+        fmt::print("{}, {}: greatest {:.4g} at {}; least {:.4g} at {}\n", row.label, row.unit,
+                   field.values[*greatest], cellText(section, *greatest), field.values[*least],
+                   cellText(section, *least));
     }
 }
 
@@ -130,6 +159,7 @@ int runSection(const SectionRequest& request) {
     sheet.metadata = metadataOf(*dataset, time, title + ", " + subtitle);
     sheet.figures.push_back(
         {sectionFigure(section, style, title, subtitle), {{0.0, 0.0}, sheet.sizePt}});
+    printExtremes(section, section.fields.size() - (style.temperatureLines ? 1 : 0));
     write(request.files, sheet, sectionTable(section));
     return 0;
 }
