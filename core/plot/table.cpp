@@ -33,7 +33,7 @@ std::string csvOf(const Table& table) {
             if (c > 0) csv += ',';
             if (row < column.texts.size()) csv += quoted(column.texts[row]);
             if (row < column.numbers.size() && std::isfinite(column.numbers[row])) {
-                csv += fmt::format("{:.7g}", column.numbers[row]);
+                csv += fmt::format("{:.7g}", column.numbers[row] + 0.0);  // no -0
             }
         }
         csv += '\n';

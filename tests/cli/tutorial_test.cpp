@@ -21,7 +21,7 @@ struct Question {
 const std::vector<Question>& questions() {
     static const std::vector<Question> all{
         {"series " + kWrf + " -o OUT.csv",
-         {"5400.9", "11731.3", "13867.4", "15149.83,1123.28,0.2715909", "56.18872,47500,47500",
+         {"5400.87", "11731.27", "13867.42", "15149.83,1123.28,0.2715909", "56.1875,47500,47500",
           "14.22119,38500,68500,5184.148", "15.25879,"}},
         {"section " + kWrf + " --time 2 --height 5000 --show w -o OUT.csv", {"greatest 28.25"}},
         {"section " + kWrf + " --time 3 --height 5000 --show w -o OUT.csv",
