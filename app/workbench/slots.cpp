@@ -18,7 +18,8 @@ int indexOf(const DatasetInfo& info, const std::string& label) {
 }
 
 SlotState stateOf(const Session& session) {
-    return {session.named(), session.region(), session.presetName, session.document, 0};
+    return {session.named(),       session.region(), session.presetName, session.document, 0,
+            session.namesMembers()};
 }
 
 }  // namespace
@@ -171,7 +172,12 @@ void Slots::restore(const SessionState& state) {
         session.document = kept.document;
         session.homeCamera = kept.document.camera;
         session.history.restart(kept.document);
-        session.open(kept.data, kept.document.time, kept.region, true);
+        session.openAs({.named = kept.data,
+                        .members = kept.members,
+                        .time = kept.document.time,
+                        .member = kept.document.member,
+                        .region = kept.region,
+                        .keepsView = true});
         session.takeMetres(kept.inMetres);  // of the data that are being opened
         session.setPreset(kept.presetName);
     }

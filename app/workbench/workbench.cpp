@@ -125,12 +125,18 @@ Workbench::Workbench(const WorkbenchRequest& request)
 
 void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
     ui_.sessionDialogs.autosave = &autosave_;
-    ui_.sessionDialogs.offersCrashed = request.files.empty() && !script_;
+    ui_.sessionDialogs.offersCrashed = request.files.empty() && request.members.empty() && !script_;
     if (request.files.size() == 1 && kindOfFile(request.files.front()) == FileKind::session) {
         ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, request.files.front());
     } else {
         const auto time = request.times ? std::optional(request.times->first) : std::nullopt;
-        session().open(request.files, time, request.region, cameraAsked);
+        const bool members = !request.members.empty();
+        session().openAs({.named = members ? request.members : request.files,
+                          .members = members,
+                          .time = time,
+                          .memberName = request.member,
+                          .region = request.region,
+                          .keepsView = cameraAsked});
     }
 }
 

@@ -80,8 +80,8 @@ void drawBar(Image8& image, const MapField& field, int left, int top, int height
         writePixels(image, {left + kBarWidth + 2 * kTick, y - kLetter / 2}, kUnit, text,
                     kInkColour);
     });
-    writePixels(image, {left + kBarWidth - pixelWidthOf(field.label, kUnit) / 2, kEdgePx}, kUnit,
-                field.label, kInkColour);
+    const int x = std::min(left, image.size.x - kEdgePx - pixelWidthOf(field.label, kUnit));
+    writePixels(image, {x, top - kLetter - 3 * kUnit}, kUnit, field.label, kInkColour);
 }
 
 void drawAxes(Image8& image, const Axis& x, const Axis& y) {
@@ -100,7 +100,7 @@ void drawAxes(Image8& image, const Axis& x, const Axis& y) {
     writePixels(
         image, {(x.lowPx + x.highPx - pixelWidthOf(east, kUnit)) / 2, bottom + kTick + 2 * kLetter},
         kUnit, east, kInkColour);
-    writePixels(image, {kEdgePx, y.highPx - kLetter - 2 * kUnit}, kUnit, "y / km", kInkColour);
+    writePixels(image, {kEdgePx, y.highPx - kLetter - 3 * kUnit}, kUnit, "y / km", kInkColour);
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ MapImage drawMap(const MapField& field) {
     const glm::ivec2 cellPx = pixelsPerCell(field);
     const glm::ivec2 mapPx = field.size * cellPx;
     const int left = kEdgePx + pixelWidthOf("10000", kUnit) + kTick + 4;
-    const int top = 2 * kEdgePx + 2 * kLetter + 3 * kUnit;
+    const int top = kEdgePx + 5 * kLetter;
     const int right = kBarGap + kBarWidth + 2 * kTick + pixelWidthOf("0.0001", kUnit) + kEdgePx;
     const int below = kTick + 4 * kLetter;
     MapImage drawn;
@@ -130,7 +130,9 @@ MapImage drawMap(const MapField& field) {
     drawAxes(drawn.image, {field.originKm.x, upperKm.x, left, left + mapPx.x},
              {field.originKm.y, upperKm.y, top + mapPx.y, top});
     drawBar(drawn.image, field, left + mapPx.x + kBarGap, top, mapPx.y);
-    writePixels(drawn.image, {left, kEdgePx}, kUnit, field.title, kInkColour);
+    writePixels(drawn.image, {kEdgePx, kEdgePx}, kUnit, field.title, kInkColour);
+    writePixels(drawn.image, {kEdgePx, kEdgePx + kLetter + kUnit * 2}, kUnit, field.subtitle,
+                kInkColour);
     return drawn;
 }
 

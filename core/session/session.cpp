@@ -54,6 +54,13 @@ bool sameExtent(const RegularGrid& a, const RegularGrid& b) {
     return a.originM == b.originM && a.extentM() == b.extentM();
 }
 
+/// The member to show first. Throws Error where there is none of that name.
+int memberAsked(const Dataset& dataset, const OpenRequest& what) {
+    const Ensemble* ensemble = ensembleOf(dataset);
+    if (ensemble == nullptr || what.memberName.empty()) return memberIn(dataset, what.member);
+    return ensemble->memberNamed(what.memberName);
+}
+
 }  // namespace
 
 int defaultTime(const DatasetInfo& info) {
@@ -72,13 +79,13 @@ Session::Session(OpenSeries open, std::function<void()> wake,
 
 void Session::open(std::span<const std::string> named, std::optional<int> time,
                    std::optional<BoxM> region, bool keepsView) {
-    open({.named = {named.begin(), named.end()},
-          .time = time,
-          .region = region,
-          .keepsView = keepsView});
+    openAs({.named = {named.begin(), named.end()},
+            .time = time,
+            .region = region,
+            .keepsView = keepsView});
 }
 
-void Session::open(const OpenRequest& what) {
+void Session::openAs(const OpenRequest& what) {
     std::vector<std::filesystem::path> paths;
     MemberList list;
     try {
@@ -98,7 +105,7 @@ void Session::open(const OpenRequest& what) {
         const int wanted = what.time.value_or(defaultTime(dataset->info()));
         const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
         const VolumeRequest request{what.region, budget, planRadii(look, dataset->info()),
-                                    asksHumidity(look), memberIn(*dataset, what.member)};
+                                    asksHumidity(look), memberAsked(*dataset, what)};
         const Held held = std::make_shared<const HeldVolume>(
             readVolume(*dataset, index, request, [&progress](double share) {
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
@@ -156,12 +163,12 @@ void Session::copyFrom(const Session& other) {
     std::shared_ptr<Dataset> another =
         other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();
     if (!another || !other.shown_) {
-        open({.named = other.named_,
-              .members = other.members_,
-              .time = other.document.time,
-              .member = other.document.member,
-              .region = other.region_,
-              .keepsView = true});
+        openAs({.named = other.named_,
+                .members = other.members_,
+                .time = other.document.time,
+                .member = other.document.member,
+                .region = other.region_,
+                .keepsView = true});
         return;
     }
     dataset_ = std::move(another);

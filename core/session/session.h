@@ -53,6 +53,7 @@ struct OpenRequest {
     bool members = false;            ///< each name is a run of an ensemble, as listMembers takes it
     std::optional<int> time{};       ///< negative counts from the end; none: the default time
     int member = 0;                  ///< or kMeanMember
+    std::string memberName{};        ///< in its place, as Ensemble::memberNamed; or empty
     std::optional<BoxM> region{};    ///< none: the whole domain
     bool keepsView = false;          ///< the camera stays whatever the domain
 };
@@ -83,7 +84,7 @@ class Session {
     void open(std::span<const std::string> named, std::optional<int> time = {},
               std::optional<BoxM> region = {}, bool keepsView = false);
     /// The same with an ensemble as well.
-    void open(const OpenRequest& request);
+    void openAs(const OpenRequest& what);
     /// Whether data of another domain were opened since the last call, for which the camera is to
     /// be chosen anew.
     bool takeUnframed() { return std::exchange(unframed_, false); }

@@ -85,6 +85,7 @@ std::string ensembleNetcdf(const EnsembleDepths& depths, double threshold,
     contents.attributes = {{"Conventions", "CF-1.8"},
                            {"title", titleOf(EnsembleMap::probability, threshold)},
                            {"source", source},
+                           {"optical_depths", depths.scale},
                            {"model_time", depths.timeLabel},
                            {"members", fmt::format("{}", fmt::join(depths.members, ", "))}};
     if (!depths.without.empty()) {
@@ -122,10 +123,10 @@ std::string ensembleNetcdf(const EnsembleDepths& depths, double threshold,
 std::string ensembleCsv(const EnsembleDepths& depths, double threshold, const std::string& source) {
     const std::vector<GeoPoint> places = depths.places();
     std::string text = fmt::format(
-        "# {} at {}, {} members: {}\n# optical depth is vertical, of all hydrometeors; {}\n"
+        "# {} at {}, {} members: {}\n# optical depth is vertical, of all hydrometeors, {}; {}\n"
         "x_m,y_m,{}probability,mean_optical_depth,optical_depth_spread\n",
         titleOf(EnsembleMap::probability, threshold), depths.timeLabel, depths.members.size(),
-        fmt::join(depths.members, ", "), source,
+        fmt::join(depths.members, ", "), depths.scale, source,
         places.empty() ? "" : "latitude_deg,longitude_deg,");
     std::array<std::vector<float>, kMaps.size()> maps;
     for (std::size_t i = 0; i < kMaps.size(); ++i) maps[i] = mapOf(depths, kMaps[i], threshold);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "core/geo/map_place.h"
 #include "core/volume/column_depth.h"
 #include "core/volume/run_volume.h"
+#include "core/volume/scale_data.h"
 
 namespace neph {
 namespace {
@@ -42,6 +44,23 @@ double spreadAt(const EnsembleDepths& depths, std::size_t column) {
         sum += off * off;
     }
     return std::sqrt(sum / static_cast<double>(depths.of.size() - 1));
+}
+
+/// Which species a volume has any of, added to those known.
+void lookFor(const SpeciesVolume& volume, VolumeSummary& found) {
+    for (std::size_t s = 0; s < kSpeciesCount; ++s) {
+        for (const Array3f* field : {&volume.contentKgPerM3[s], &volume.extinctionPerM[s]}) {
+            found.anything[s] =
+                found.anything[s] ||
+                std::ranges::any_of(field->values, [](float v) { return v > 0.0f; });
+        }
+    }
+}
+
+/// Whether the depths of such a look are those of the data; detail noise is not in them.
+std::string scaleOf(Look look, const DatasetInfo& info, const VolumeSummary& found) {
+    look.noise = false;
+    return scaleText(notToScale(look, scaleDataOf(info, found)));
 }
 
 }  // namespace
@@ -95,6 +114,7 @@ EnsembleDepths readEnsembleDepths(Ensemble& ensemble, int time, VolumeRequest re
     depths.utc = when.utc;
     depths.map = ensemble.info().map;
     depths.map.originM += when.gridOffsetM * depths.map.mapPerGrid;
+    VolumeSummary found;
     const auto count = static_cast<double>(ensemble.count());
     for (int member = 0; member < ensemble.count(); ++member) {
         if (!ensemble.timeIn(member, time)) {
@@ -115,10 +135,12 @@ EnsembleDepths readEnsembleDepths(Ensemble& ensemble, int time, VolumeRequest re
                          .what = "lies elsewhere at this time than the other members",
                          .hint = "members whose grids move apart have no map in common"});
         }
+        lookFor(*volume, found);
         depths.members.push_back(ensemble.nameOf(member));
         depths.of.push_back(
             columnDepths(*volume, planMedium(look, volume->holdings(), volume->cellM())));
     }
+    depths.scale = scaleOf(look, ensemble.info(), found);
     return depths;
 }
 

@@ -25,6 +25,7 @@ struct EnsembleDepths {
     MapGrid map{};                       ///< of the position {0, 0} of the grid where it lies now
     std::vector<std::string> members;    ///< that have the time
     std::vector<std::string> without;    ///< that lack it
+    std::string scale;                   ///< "to scale", or why not: scaleText()
     std::vector<std::vector<float>> of;  ///< optical depth of each column, for each of `members`
 
     std::size_t columns() const {
