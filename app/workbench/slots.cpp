@@ -124,6 +124,11 @@ bool Slots::carryOut() {
 }
 
 void Slots::link() {
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const Ensemble* ensemble = slots_[i] ? slots_[i]->session.ensemble() : nullptr;
+        compare_.members[i] =
+            ensemble ? ensemble->nameOf(slots_[i]->session.document.member) : std::string();
+    }
     Slot* follower = other();
     if (follower == nullptr) return;
     const Session& leader = active().session;

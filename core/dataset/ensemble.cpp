@@ -268,7 +268,13 @@ void Ensemble::matchTimes() {
         }
     }
     const double origin = info_.times.front().seconds;
-    for (TimeInfo& time : info_.times) time.seconds -= origin;
+    for (TimeInfo& time : info_.times) {
+        time.seconds -= origin;
+        if (byLabel) continue;
+        // Label and date of one member would be wrong of the others.
+        time.label = "start + " + minutesText(time.seconds);
+        time.utc.reset();
+    }
 }
 
 void Ensemble::noteTimes() {

@@ -14,7 +14,7 @@ namespace {
 // In pixels, tuned by eye. A letter is 7 units high.
 constexpr int kUnit = 2, kEdgePx = 8, kTick = 6, kBarWidth = 18, kBarGap = 24;
 constexpr int kLetter = kLetterHeight * kUnit;
-constexpr int kLeastMapPx = 480, kLeastHeightPx = 160;
+constexpr int kLeastHeightPx = 160;
 constexpr int kTicksAlong = 6;
 constexpr glm::ivec3 kPaperColour{24, 24, 24}, kInkColour{230, 230, 230}, kUnknown{96, 96, 96};
 
@@ -49,7 +49,7 @@ struct Axis {
 glm::ivec2 pixelsPerCell(const MapField& field) {
     const double finest = std::min(field.cellKm.x, field.cellKm.y);
     const glm::ivec2 shape = glm::max(glm::ivec2(glm::round(field.cellKm / finest)), glm::ivec2(1));
-    return shape * std::max(1, kLeastMapPx / (field.size.x * shape.x));
+    return shape * std::max(1, field.widthPx / (field.size.x * shape.x));
 }
 
 glm::ivec3 colourOf(double value, double most) {
@@ -81,7 +81,7 @@ void drawBar(Image8& image, const MapField& field, int left, int top, int height
                     kInkColour);
     });
     const int x = std::min(left, image.size.x - kEdgePx - pixelWidthOf(field.label, kUnit));
-    writePixels(image, {x, top - kLetter - 3 * kUnit}, kUnit, field.label, kInkColour);
+    writePixels(image, {x, top - kLetter - 5 * kUnit}, kUnit, field.label, kInkColour);
 }
 
 void drawAxes(Image8& image, const Axis& x, const Axis& y) {
@@ -100,7 +100,7 @@ void drawAxes(Image8& image, const Axis& x, const Axis& y) {
     writePixels(
         image, {(x.lowPx + x.highPx - pixelWidthOf(east, kUnit)) / 2, bottom + kTick + 2 * kLetter},
         kUnit, east, kInkColour);
-    writePixels(image, {kEdgePx, y.highPx - kLetter - 3 * kUnit}, kUnit, "y / km", kInkColour);
+    writePixels(image, {kEdgePx, y.highPx - kLetter - 5 * kUnit}, kUnit, "y / km", kInkColour);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct MapField {
     std::span<const float> values;  ///< x fastest, y from south to north; NaN: not known
     glm::dvec2 originKm{0.0};       ///< lower corner of the first column
     glm::dvec2 cellKm{1.0};
+    int widthPx = 480;  ///< of the map, as far as whole pixels per cell allow; at least one each
     double most = 1.0;  ///< value at the end of the colour bar; larger ones get its colour
     std::string title{}, subtitle{};  ///< above the map
     std::string label{};              ///< of the colour bar

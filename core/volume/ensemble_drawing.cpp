@@ -5,7 +5,8 @@
 
 namespace neph {
 
-MapImage drawEnsembleMap(const EnsembleDepths& depths, EnsembleMap map, double threshold) {
+MapImage drawEnsembleMap(const EnsembleDepths& depths, EnsembleMap map, double threshold,
+                         int widthPx) {
     constexpr double kKmPerMetre = 1e-3;
     const std::vector<float> values = mapOf(depths, map, threshold);
     const bool share = map == EnsembleMap::probability;
@@ -15,6 +16,7 @@ MapImage drawEnsembleMap(const EnsembleDepths& depths, EnsembleMap map, double t
          .values = values,
          .originKm = glm::dvec2(grid.originM) * kKmPerMetre,
          .cellKm = glm::dvec2(grid.spacingM) * kKmPerMetre,
+         .widthPx = widthPx,
          .most = share ? 1.0 : roundMost(values),
          .title = titleOf(map, threshold),
          .subtitle = fmt::format("{}, {} members", depths.timeLabel, depths.members.size()),

@@ -5,7 +5,9 @@
 
 namespace neph {
 
-/// With axes, title and colour bar: from 0 to 1 for a probability, else to a round number.
-MapImage drawEnsembleMap(const EnsembleDepths& depths, EnsembleMap map, double threshold);
+/// With axes, title and colour bar: from 0 to 1 for a probability, else to a round number. The map
+/// is about `widthPx` wide.
+MapImage drawEnsembleMap(const EnsembleDepths& depths, EnsembleMap map, double threshold,
+                         int widthPx = 480);
 
 }  // namespace neph

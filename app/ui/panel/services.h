@@ -20,6 +20,8 @@ struct Services {
     std::function<LoadedImage(const std::filesystem::path& png)> loadImage;
     std::function<LoadedImage(const Image8& image)> showImage;
     std::function<void(unsigned texture)> dropImage;
+    /// Replaces a PNG file. Throws Error.
+    std::function<void(const std::filesystem::path& png, const Image8& image)> savePng;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state. Another session may be the active one from then on.

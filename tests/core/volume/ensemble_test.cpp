@@ -133,6 +133,7 @@ TEST_CASE("without a label in common times are matched by the time since the sta
     const auto ensemble = ensembleFrom(runs);
     CHECK(ensemble->info().times.size() == 2);
     CHECK(ensemble->timeIn(1, 1) == 1);
+    CHECK(ensemble->info().times[1].label == "start + 10 min");
     CHECK(ensemble->info().notes.front().find("since the start of each run") != std::string::npos);
     // Some that share labels and one that does not: which of its times is meant is not known.
     runs.push_back(runOf(0.0f, 0));
