@@ -191,3 +191,23 @@ TEST_CASE("render draws a member, the mean, and one beside the other") {
     CHECK(contains(data, "member mem01 of 3"));
     CHECK(contains(data, "mean of 3 members"));
 }
+
+TEST_CASE("compare draws two members of an ensemble and tells how far they are apart") {
+    const TemporaryFolder folder;
+    writeMembers(folder);
+    const std::string all = "compare --members " + inQuotes(folder.path()) +
+                            " --time 0 --size 48x27 --set view.light_voxels=1000 ";
+    const Outcome outcome = runProgram(all + "--member 1 --with-member mean --json");
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json.at("reference").at("name") == "mean");
+    REQUIRE(json.at("images").size() == 1);
+    CHECK(json.at("images")[0].at("name") == "mem01");
+    CHECK(json.at("images")[0].at("rel_rmse") > 0.0);
+    const Outcome same = runProgram(all + "--member 1 --with-member mem01 --json");
+    REQUIRE(same.status == 0);
+    CHECK(nlohmann::json::parse(same.out).at("images")[0].at("rel_rmse") == 0.0);
+    CHECK(runProgram(all + "--engine march,slicing --with-member 2").status == 2);
+    CHECK(contains(runProgram("compare --with-member 2").err, "there is no ensemble"));
+}

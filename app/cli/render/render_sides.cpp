@@ -127,6 +127,11 @@ void Side::show(int time, const Progress& progress) {
                               shown_.noAerosol));
 }
 
+std::string Side::memberName() const {
+    const Ensemble* ensemble = ensembleOf(*dataset_);
+    return ensemble == nullptr ? std::string() : ensemble->nameOf(request_.member);
+}
+
 std::vector<std::string> Side::newNotes() {
     std::vector<std::string> fresh;
     for (std::string& note : std::exchange(notes_, {})) {
