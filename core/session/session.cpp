@@ -54,11 +54,30 @@ bool sameExtent(const RegularGrid& a, const RegularGrid& b) {
     return a.originM == b.originM && a.extentM() == b.extentM();
 }
 
-/// The member to show first. Throws Error where there is none of that name.
-int memberAsked(const Dataset& dataset, const OpenRequest& what) {
+struct Start {
+    int time = 0, member = 0;
+};
+
+/// What is shown first: where nobody asked for a time, or for a member by name, one that the other
+/// has. Throws Error where there is no member of that name.
+Start startOf(const Dataset& dataset, const OpenRequest& what) {
+    const int count = static_cast<int>(dataset.info().times.size());
+    const int wanted = what.time.value_or(defaultTime(dataset.info()));
+    Start start{std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1),
+                memberIn(dataset, what.member)};
     const Ensemble* ensemble = ensembleOf(dataset);
-    if (ensemble == nullptr || what.memberName.empty()) return memberIn(dataset, what.member);
-    return ensemble->memberNamed(what.memberName);
+    if (ensemble == nullptr) return start;
+    if (!what.memberName.empty()) start.member = ensemble->memberNamed(what.memberName);
+    const auto has = [&](int time) {
+        return start.member == kMeanMember || ensemble->timeIn(start.member, time).has_value();
+    };
+    if (has(start.time)) return start;
+    if (what.memberName.empty()) {
+        start.member = ensemble->membersAt(start.time).front();
+    } else if (!what.time) {
+        for (start.time = 0; !has(start.time);) ++start.time;
+    }
+    return start;
 }
 
 }  // namespace
@@ -97,49 +116,20 @@ void Session::openAs(const OpenRequest& what) {
     }
     auto work = [this, open = open_, what, list, paths, budget = budget_,
                  look = document.look](const Progress& progress) {
-        std::vector<FileStamp> stamps = stampsOf(paths);  // before reading, to notice growth
-        const auto dataset = openNamed(open, list, paths, [&progress](double share) {
+        Opened opened{what, list, paths, {}, {}, 0, {}, {}};
+        opened.stamps = stampsOf(paths);  // before reading, to notice growth
+        opened.dataset = openNamed(open, list, paths, [&progress](double share) {
             return goOn(progress, kOpenShare * share);
         });
-        const int count = static_cast<int>(dataset->info().times.size());
-        const int wanted = what.time.value_or(defaultTime(dataset->info()));
-        const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
-        const VolumeRequest request{what.region, budget, planRadii(look, dataset->info()),
-                                    asksHumidity(look), memberAsked(*dataset, what)};
-        const Held held = std::make_shared<const HeldVolume>(
-            readVolume(*dataset, index, request, [&progress](double share) {
+        const Start start = startOf(*opened.dataset, what);
+        opened.time = start.time;
+        opened.request = {what.region, budget, planRadii(look, opened.dataset->info()),
+                          asksHumidity(look), start.member};
+        opened.held = std::make_shared<const HeldVolume>(
+            readVolume(*opened.dataset, start.time, opened.request, [&progress](double share) {
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
             }));
-        return Jobs::Finish(
-            [this, what, list, paths, stamps = std::move(stamps), dataset, index, request, held] {
-                opening_ = false;
-                unframed_ = !what.keepsView &&
-                            !(shown_ && sameExtent(shown_->summary.grid, held->summary.grid));
-                dataset_ = dataset;
-                named_ = what.named;
-                members_ = what.members;
-                memberList_ = list;
-                paths_ = paths;
-                stamps_ = stamps;
-                region_ = request.region;
-                cache_.clear();
-                shown_.reset();
-                failedKey_.reset();
-                grown_.reset();
-                unreadable_.clear();
-                toldNotes_.clear();
-                missedLast_ = false;
-                settledSerial = lastSerial_;
-                sayNew(dataset->info().notes);
-                const VolumeKey key = keyFor(*dataset, index, request);
-                cache_.put(key, held);
-                show(key, held);
-                document.time = seenTime_ = index;
-                document.member = seenMember_ = request.member;
-                bringMetres();
-                history.restart(document);
-                watch_.watch(paths, stamps);
-            });
+        return Jobs::Finish([this, opened = std::move(opened)] { take(opened); });
     };
     opening_ = true;
     readingKey_.reset();
@@ -147,6 +137,38 @@ void Session::openAs(const OpenRequest& what) {
         opening_ = false;
         say(Message::Kind::error, error.message());
     });
+}
+
+/// Other data take the place of those that are open.
+void Session::take(const Opened& opened) {
+    const Held& held = opened.held;
+    opening_ = false;
+    unframed_ =
+        !opened.what.keepsView && !(shown_ && sameExtent(shown_->summary.grid, held->summary.grid));
+    dataset_ = opened.dataset;
+    named_ = opened.what.named;
+    members_ = opened.what.members;
+    memberList_ = opened.list;
+    paths_ = opened.paths;
+    stamps_ = opened.stamps;
+    region_ = opened.request.region;
+    cache_.clear();
+    shown_.reset();
+    failedKey_.reset();
+    grown_.reset();
+    unreadable_.clear();
+    toldNotes_.clear();
+    missedLast_ = false;
+    settledSerial = lastSerial_;
+    sayNew(dataset_->info().notes);
+    const VolumeKey key = keyFor(*dataset_, opened.time, opened.request);
+    cache_.put(key, held);
+    show(key, held);
+    document.time = seenTime_ = opened.time;
+    document.member = seenMember_ = opened.request.member;
+    bringMetres();
+    history.restart(document);
+    watch_.watch(paths_, stamps_);
 }
 
 /// Shares the volumes, which are immutable, but opens its own handle of the data.

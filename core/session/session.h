@@ -169,6 +169,18 @@ class Session {
   private:
     using Held = std::shared_ptr<const HeldVolume>;
 
+    /// Data that were opened in the background, and the volume to show first.
+    struct Opened {
+        OpenRequest what;
+        MemberList list;
+        std::vector<std::filesystem::path> paths;
+        std::vector<FileStamp> stamps;
+        std::shared_ptr<Dataset> dataset;
+        int time = 0;
+        VolumeRequest request;
+        Held held;
+    };
+    void take(const Opened& opened);
     VolumeKey keyOf(int time) const { return keyOf(time, document.member); }
     VolumeKey keyOf(int time, int member) const;
     void noteSteps();

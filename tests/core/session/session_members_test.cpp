@@ -99,6 +99,20 @@ TEST_CASE("A time that a member lacks is said, and what was shown stays") {
     CHECK(opened.until([&] { return session.shows(2) && session.document.time == 2; }));
 }
 
+TEST_CASE("What is shown first is a member that has the time, or a time that the member has") {
+    OpenedMembers opened;
+    Session& session = opened.session;
+    opened.series[0]->times = 1;
+    session.openAs({.named = opened.runs, .members = true, .time = 2});
+    CHECK(opened.until([&] { return !session.loading() && session.document.time == 2; }));
+    CHECK(session.document.member == 1);
+    session.openAs({.named = opened.runs, .members = true, .memberName = "1"});
+    CHECK(opened.until([&] { return !session.loading() && session.document.member == 0; }));
+    CHECK(session.document.time == 0);
+    session.openAs({.named = opened.runs, .members = true, .memberName = "9"});
+    CHECK(opened.until([&] { return opened.says("expected: mem01, mem02, mem03 or mean"); }));
+}
+
 TEST_CASE("Steps through members are undone, and no more is held than the bound") {
     OpenedMembers opened(3);
     Session& session = opened.session;
