@@ -77,6 +77,7 @@ std::optional<std::size_t> firstRepeated(const Range& texts) {
 /// What tells runs apart: the names of their files, else their folders, else their whole paths.
 std::vector<std::string> namesOf(const std::vector<std::string>& runs) {
     std::vector<std::string> ends;
+    ends.reserve(runs.size());
     for (const std::string& run : runs) ends.push_back(fs::path(run).filename().string());
     return differingParts(firstRepeated(ends) ? runs : ends);
 }
@@ -104,10 +105,10 @@ bool holdsFiles(const fs::path& folder) {
 std::string memberIn(const std::string& name) {
     const std::vector<Word> words = wordsOf(name);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = name.substr(words[i].from, words[i].to - words[i].from);
+        std::string word = name.substr(words[i].from, words[i].to - words[i].from);
         if (std::regex_match(word, memberWord())) return word;
         if (i + 1 == words.size()) break;  // "mem_01"
-        const std::string two = name.substr(words[i].from, words[i + 1].to - words[i].from);
+        std::string two = name.substr(words[i].from, words[i + 1].to - words[i].from);
         if (std::regex_match(two, memberWord())) return two;
     }
     return {};
@@ -115,6 +116,7 @@ std::string memberIn(const std::string& name) {
 
 std::string listed(const std::vector<MemberFiles>& members) {
     std::vector<std::string_view> names;
+    names.reserve(members.size());
     for (const MemberFiles& member : members) names.push_back(member.name);
     const std::size_t left = names.size();
     if (left <= kMembersListed + 1) return fmt::format("{}", fmt::join(names, ", "));

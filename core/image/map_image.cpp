@@ -61,7 +61,9 @@ glm::ivec3 colourOf(double value, double most) {
 void drawCells(Image8& image, const MapField& field, glm::ivec2 corner, glm::ivec2 cellPx) {
     for (int y = 0; y < field.size.y; ++y) {
         for (int x = 0; x < field.size.x; ++x) {
-            const auto i = static_cast<std::size_t>(y * field.size.x + x);
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(field.size.x) +
+                static_cast<std::size_t>(x);
             const glm::ivec2 at = corner + glm::ivec2(x, field.size.y - 1 - y) * cellPx;
             fillPixels(image, at, cellPx,
                        colourOf(static_cast<double>(field.values[i]), field.most));

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/geo/map_place.h"
 #include "core/volume/column_depth.h"
@@ -105,7 +104,7 @@ std::string titleOf(EnsembleMap map, double threshold) {
 }
 
 EnsembleDepths readEnsembleDepths(Ensemble& ensemble, int time, VolumeRequest request,
-                                  const Look& look, const KnownVolume& known,
+                                  const Look& look, const KnownVolumes& known,
                                   const Progress& progress) {
     request.humidity = false;
     const TimeInfo& when = ensemble.info().times.at(static_cast<std::size_t>(time));
@@ -124,17 +123,14 @@ EnsembleDepths readEnsembleDepths(Ensemble& ensemble, int time, VolumeRequest re
         const Progress part = [&](double share) {
             return goOn(progress, (member + share) / count);
         };
-        std::shared_ptr<const SpeciesVolume> volume = known ? known(member) : nullptr;
+        const auto index = static_cast<std::size_t>(member);
+        std::shared_ptr<const SpeciesVolume> volume = index < known.size() ? known[index] : nullptr;
         if (!volume) {
             volume = std::make_shared<const SpeciesVolume>(
                 readMember(ensemble, member, time, request, part).volume);
         }
         if (depths.members.empty()) depths.grid = volume->grid;
-        if (volume->grid != depths.grid) {
-            throw Error({.where = "member " + ensemble.nameOf(member),
-                         .what = "lies elsewhere at this time than the other members",
-                         .hint = "members whose grids move apart have no map in common"});
-        }
+        requireSameGrid(volume->grid, depths.grid, ensemble.nameOf(member));
         lookFor(*volume, found);
         depths.members.push_back(ensemble.nameOf(member));
         depths.of.push_back(

@@ -4,7 +4,6 @@
 // The depths are those that images are drawn with: the extinction of the look, on the grid that the
 // volume is shown on. Columns are x fastest, from south to north.
 #pragma once
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,13 +47,13 @@ std::vector<float> mapOf(const EnsembleDepths& depths, EnsembleMap map, double t
 /// "Probability of optical depth > 1", for titles.
 std::string titleOf(EnsembleMap map, double threshold);
 
-/// A volume of a member at the time, where it is in memory; else nullptr.
-using KnownVolume = std::function<std::shared_ptr<const SpeciesVolume>(int member)>;
+/// The volumes of members at the time, by index, that are in memory; nullptr for others, or none.
+using KnownVolumes = std::vector<std::shared_ptr<const SpeciesVolume>>;
 
 /// Reads the members one after the other. `request` is as for an image; its member is ignored.
 /// Throws Error if members lie apart, or Cancelled.
 EnsembleDepths readEnsembleDepths(Ensemble& ensemble, int time, VolumeRequest request,
-                                  const Look& look, const KnownVolume& known = {},
+                                  const Look& look, const KnownVolumes& known = {},
                                   const Progress& progress = {});
 
 }  // namespace neph

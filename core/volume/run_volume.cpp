@@ -169,23 +169,28 @@ LowestAir readLowestAirOf(Dataset& dataset, int time, int member, const Progress
     return mean;
 }
 
+void requireSameGrid(const RegularGrid& grid, const RegularGrid& expected,
+                     const std::string& member) {
+    if (grid == expected) return;
+    const auto text = [](const RegularGrid& one) {
+        return fmt::format("{} x {} x {} cells, moved by {:.6g} m, {:.6g} m", one.size.x,
+                           one.size.y, one.size.z, one.movedM.x, one.movedM.y);
+    };
+    throw Error({.where = "member " + member,
+                 .what = "lies elsewhere at this time than the other members",
+                 .found = text(grid),
+                 .expected = text(expected),
+                 .hint = "members whose grids move apart can be shown one by one, and have no mean "
+                         "or map"});
+}
+
 void MeanVolume::add(SpeciesVolume volume, const std::string& member) {
     if (count_ == 0) {
         mean_ = std::move(volume);
         count_ = 1;
         return;
     }
-    if (volume.grid != mean_.grid) {
-        const auto text = [](const RegularGrid& grid) {
-            return fmt::format("{} x {} x {} cells, moved by ({:.6g} m, {:.6g} m)", grid.size.x,
-                               grid.size.y, grid.size.z, grid.movedM.x, grid.movedM.y);
-        };
-        throw Error({.where = "member " + member,
-                     .what = "lies elsewhere at this time than the other members",
-                     .found = text(volume.grid),
-                     .expected = text(mean_.grid),
-                     .hint = "members whose grids move apart have no mean; show them one by one"});
-    }
+    requireSameGrid(volume.grid, mean_.grid, member);
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
         const auto species = static_cast<Species>(s);
         if (volume.has(species) && mean_.has(species) &&

@@ -36,6 +36,11 @@ NativeLevels sharedLevels(Ensemble& ensemble, int time, const Progress& progress
 /// The air of a run, a member, or the means of those members that state it.
 LowestAir readLowestAirOf(Dataset& dataset, int time, int member, const Progress& progress = {});
 
+/// Throws Error where a member's volume is on another grid than `expected`, that of the first, as
+/// where grids move apart.
+void requireSameGrid(const RegularGrid& grid, const RegularGrid& expected,
+                     const std::string& member);
+
 /// The mean of volumes on one grid, of which only the sum is held.
 class MeanVolume {
   public:

@@ -39,13 +39,13 @@ std::optional<EnsembleKey> keyOf(const Session& session) {
 }
 
 /// Volumes of members that the session has in memory, so that these are not read again.
-KnownVolume knownOf(Session& session) {
-    auto held = std::make_shared<std::vector<std::shared_ptr<const SpeciesVolume>>>();
+KnownVolumes knownOf(Session& session) {
+    KnownVolumes held;
     for (int member = 0; member < session.ensemble()->count(); ++member) {
         const auto found = session.heldOf(member);
-        held->push_back(found ? found->volume : nullptr);
+        held.push_back(found ? found->volume : nullptr);
     }
-    return [held](int member) { return held->at(static_cast<std::size_t>(member)); };
+    return held;
 }
 
 void startReading(Session& session, EnsemblePanel& panel, const EnsembleKey& key) {
@@ -134,7 +134,9 @@ void redraw(const PanelContext& context, EnsemblePanel& panel) {
 /// "probability 0.75 at x 42.5 km, y 61.5 km, 35.02 N 97.11 W".
 std::string valueText(const EnsemblePanel& panel, glm::ivec2 column) {
     const EnsembleDepths& depths = *panel.depths;
-    const auto at = static_cast<std::size_t>(column.y * depths.grid.size.x + column.x);
+    const auto at =
+        static_cast<std::size_t>(column.y) * static_cast<std::size_t>(depths.grid.size.x) +
+        static_cast<std::size_t>(column.x);
     const glm::dvec2 km = kKmOfM * depths.centreM(at);
     std::string text = fmt::format(
         "{} {} at x {} km, y {} km",

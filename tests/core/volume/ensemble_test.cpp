@@ -218,3 +218,25 @@ TEST_CASE("many members are read with a few files open at a time") {
     const EnsembleDepths depths = readEnsembleDepths(*ensemble, 0, {}, Look{});
     CHECK(depths.of.size() == 7);
 }
+
+TEST_CASE("members whose grids move apart are shown one by one, and have no mean or map") {
+    Runs runs{runOf(1e-3f, 4), runOf(2e-3f, 4)};
+    runs[1]->stated().times.front().gridOffsetM = {3000.0, 0.0};
+    const auto ensemble = ensembleFrom(runs);
+    CHECK(readVolume(*ensemble, 0, requestOf(1)).volume->grid.movedM.x == 3000.0);
+    CHECK_THROWS_WITH_AS(readVolume(*ensemble, 0, requestOf(kMeanMember)),
+                         doctest::Contains("member mem02: lies elsewhere"), Error);
+    CHECK_THROWS_WITH_AS(readEnsembleDepths(*ensemble, 0, {}, Look{}),
+                         doctest::Contains("moved by 3000 m, 0 m"), Error);
+}
+
+TEST_CASE("volumes of members that are in memory are not read again for a map") {
+    const Runs runs{runOf(1e-3f, 4), runOf(2e-3f, 4)};
+    const auto ensemble = ensembleFrom(runs);
+    const auto first = readVolume(*ensemble, 0, requestOf(0)).volume;
+    const int before = runs[0]->reads("z");
+    const EnsembleDepths depths = readEnsembleDepths(*ensemble, 0, {}, Look{}, {first, nullptr});
+    CHECK(runs[0]->reads("z") == before);
+    CHECK(runs[1]->reads("z") > 0);
+    CHECK(depths.of[1][0] > depths.of[0][0]);
+}
