@@ -72,9 +72,13 @@ Command addWorkbench(CLI::App& app) {
             checkScene(app, scene, !scene.preset.empty());
             checkOneTime(scene.times);
             if (scene.files.size() == 1 && kindOfFile(scene.files.front()) == FileKind::session) {
-                refuseTyped(app, {"--preset", "--set", "--camera", "--time", "--region"},
+                refuseTyped(app,
+                            {"--preset", "--set", "--camera", "--time", "--region", "--member"},
                             "a session is opened, which has its own",
                             "leave it out; nephoscope render --session takes it");
+            }
+            if (scene.members.empty()) {
+                refuseTyped(app, {"--member"}, "there is no ensemble", "--members RUN RUN...");
             }
             return runWorkbench(request->window);
         }};

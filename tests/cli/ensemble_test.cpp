@@ -148,6 +148,9 @@ TEST_CASE("runs of other grids, single runs and unknown members are refused") {
     CHECK(contains(name.err, "expected: mem01, mem02, mem03 or mean"));
     CHECK(contains(runProgram("render --member 1 " + first).err, "are a single run"));
     CHECK(contains(runProgram("render " + first + " " + all).err, "there are --members as well"));
+    const Outcome window = runProgram("--member 2 " + first);
+    CHECK(window.status == 2);
+    CHECK(contains(window.err, "there is no ensemble"));
     const Outcome time = runProgram("render " + all + " --member mem03 --time 1");
     CHECK(time.status == 1);
     CHECK(contains(time.err, "member mem03: has no time 2024-05-06_21:10:00"));

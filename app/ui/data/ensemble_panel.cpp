@@ -50,7 +50,11 @@ KnownVolumes knownOf(Session& session) {
 
 void startReading(Session& session, EnsemblePanel& panel, const EnsembleKey& key) {
     const std::shared_ptr<Dataset> data = session.anotherHandle();
-    if (!data) return;
+    if (!data) {
+        panel.fault = "These data can be read in one place at a time alone";
+        panel.left = key;
+        return;
+    }
     if (!panel.jobs) panel.jobs = std::make_unique<Jobs>();
     panel.wantedOf = key;
     panel.fault.clear();

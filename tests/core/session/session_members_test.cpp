@@ -127,6 +127,18 @@ TEST_CASE("Steps through members are undone, and no more is held than the bound"
     CHECK(session.namesMembers());
 }
 
+TEST_CASE("A member that grows is read again, and its new times are noticed") {
+    OpenedMembers opened;
+    Session& session = opened.session;
+    for (const auto& series : opened.series) series->times = 4;
+    std::ofstream(opened.runs[0], std::ios::app) << "more";
+    CHECK(opened.until([&] { return session.info()->times.size() == 4; }));
+    CHECK(opened.says("1 new time, up to time 3"));
+    CHECK(session.ensemble()->timeIn(2, 3).has_value());
+    session.document.time = 3;
+    CHECK(opened.until([&] { return session.shows(3) && session.document.time == 3; }));
+}
+
 TEST_CASE("A session file keeps an ensemble and its member, and older ones are single runs") {
     const TemporaryFolder folder;
     SessionState state;
