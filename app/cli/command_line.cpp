@@ -14,6 +14,7 @@
 #include "app/cli/common/arguments.h"
 #include "app/cli/common/misuse.h"
 #include "app/cli/compare/compare_arguments.h"
+#include "app/cli/ensemble_command.h"
 #include "app/cli/info/info_command.h"
 #include "app/cli/presets_arguments.h"
 #include "app/cli/readers_command.h"
@@ -44,6 +45,8 @@ constexpr std::string_view kExamples = R"(Examples:
   nephoscope info wrfout_d01 --json                 what is in a file
   nephoscope probe wrfout_d01 --at 35.2N,97.4W      what is in the column over a place
   nephoscope section wrfout_d01 --from 20,30 --to 80,30 --show w --out w.svg
+  nephoscope --members mem01 mem02 mem03            an ensemble: step through, mean, A/B of any two
+  nephoscope ensemble mem0* --exceeds 1 -o tau.nc   probability of optical depth > 1
 Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
 )";
 
@@ -63,7 +66,7 @@ Command addWorkbench(CLI::App& app) {
         &app, [&app, request] {
             SceneRequest& scene = request->window.scene;
             if (!request->session.empty()) {
-                refuseTyped(app, {"FILE"}, "there is a --session as well",
+                refuseTyped(app, {"FILE", "--members"}, "there is a --session as well",
                             "give one of the two; a session names its data");
                 loadSession(request->session);  // says now what is wrong with it
                 scene.files = {request->session};
@@ -72,9 +75,13 @@ Command addWorkbench(CLI::App& app) {
             checkScene(app, scene, !scene.preset.empty());
             checkOneTime(scene.times);
             if (scene.files.size() == 1 && kindOfFile(scene.files.front()) == FileKind::session) {
-                refuseTyped(app, {"--preset", "--set", "--camera", "--time", "--region"},
+                refuseTyped(app,
+                            {"--preset", "--set", "--camera", "--time", "--region", "--member"},
                             "a session is opened, which has its own",
                             "leave it out; nephoscope render --session takes it");
+            }
+            if (scene.members.empty()) {
+                refuseTyped(app, {"--member"}, "there is no ensemble", "--members RUN RUN...");
             }
             return runWorkbench(request->window);
         }};
@@ -105,13 +112,17 @@ Command addInfo(CLI::App& app) {
     const auto request = std::make_shared<InfoRequest>();
     command.add_option("FILE", request->files,
                        "Files of one series, or a folder; none: the bundled storm");
+    addMembersOption(command, request->members);
     addTimeOption(command, request->times,
                   "Times to read; else all, or of much data the first and the last");
     addMemoryOption(command, request->memory);
     command.add_flag("--json", request->json, "As JSON");
     addReaderOption(command, request->readers);
     addMapOption(command, request->map);
-    return {&command, [request] { return runInfo(*request); }};
+    return {&command, [&command, request] {
+                checkMembers(command, request->members);
+                return runInfo(*request);
+            }};
 }
 
 Command addReaders(CLI::App& app) {
@@ -158,9 +169,9 @@ int parseAndRun(int argc, char** argv) {
     app.require_subcommand(0, 1);
     const Command window = addWorkbench(app);
     const std::vector<Command> commands{
-        addRender(app),  addCompare(app), addThumbnails(app), addPresets(app),  addInfo(app),
-        addReaders(app), addKeys(app),    addBench(app),      addValidate(app), addProbe(app),
-        addProfile(app), addSection(app), addSeries(app)};
+        addRender(app),   addCompare(app), addThumbnails(app), addPresets(app), addInfo(app),
+        addEnsemble(app), addProbe(app),   addProfile(app),    addSection(app), addSeries(app),
+        addReaders(app),  addKeys(app),    addBench(app),      addValidate(app)};
     app.footer(std::string(kExamples));  // after the commands, which would take it over
     try {
         app.parse(argc, argv);

@@ -42,6 +42,7 @@ constexpr std::array kGrammar{
     Grammar{"expect-place", ScriptCommand::expectPlace, 1, 1},
     Grammar{"expect-file", ScriptCommand::expectFile, 1, 1},
     Grammar{"expect-time", ScriptCommand::expectTime, 1, 1},
+    Grammar{"expect-member", ScriptCommand::expectMember, 1, 1},
     Grammar{"screenshot", ScriptCommand::screenshot, 1, 1},
     Grammar{"monkey", ScriptCommand::monkey, 2, 2},
 };

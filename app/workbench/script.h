@@ -23,6 +23,7 @@
 //   expect-place PLACE       fails where there is none
 //   expect-file FILE         fails where there is none, or an empty one
 //   expect-time INDEX
+//   expect-member NAME       of an ensemble, or mean
 //   screenshot FILE.png      of the window
 //   monkey EVENTS SEED       random mouse, wheel, keys and text
 #pragma once
@@ -54,6 +55,7 @@ enum class ScriptCommand {
     expectPlace,
     expectFile,
     expectTime,
+    expectMember,
     screenshot,
     monkey
 };

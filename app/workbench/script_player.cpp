@@ -157,6 +157,13 @@ void ScriptPlayer::expectTime(const ScriptWorld& world) const {
     throw Error({here(), "another time is shown", std::to_string(time), word(0), ""});
 }
 
+void ScriptPlayer::expectMember(const ScriptWorld& world) const {
+    const Session& session = world.ui.session();
+    const Ensemble* ensemble = session.ensemble();
+    const std::string found = ensemble ? ensemble->nameOf(session.document.member) : "no ensemble";
+    if (found != word(0)) throw Error({here(), "another member is shown", found, word(0), ""});
+}
+
 void ScriptPlayer::expectValue(const ScriptWorld& world) const {
     const std::size_t equals = word(0).find('=');
     const Parameter& row = parameter(word(0).substr(0, equals));
@@ -223,6 +230,8 @@ void ScriptPlayer::playAtOnce(const ScriptWorld& world) {
             return expectFile();
         case ScriptCommand::expectTime:
             return expectTime(world);
+        case ScriptCommand::expectMember:
+            return expectMember(world);
         case ScriptCommand::screenshot:
             return world.screenshot(word(0));
         case ScriptCommand::set:

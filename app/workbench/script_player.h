@@ -62,6 +62,7 @@ class ScriptPlayer {
     void expectValue(const ScriptWorld& world) const;
     void expectFile() const;
     void expectTime(const ScriptWorld& world) const;
+    void expectMember(const ScriptWorld& world) const;
 
     std::vector<ScriptStep> steps_;
     std::string where_;

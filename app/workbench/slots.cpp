@@ -18,7 +18,8 @@ int indexOf(const DatasetInfo& info, const std::string& label) {
 }
 
 SlotState stateOf(const Session& session) {
-    return {session.named(), session.region(), session.presetName, session.document, 0};
+    return {session.named(),       session.region(), session.presetName, session.document, 0,
+            session.namesMembers()};
 }
 
 }  // namespace
@@ -123,6 +124,11 @@ bool Slots::carryOut() {
 }
 
 void Slots::link() {
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const Ensemble* ensemble = slots_[i] ? slots_[i]->session.ensemble() : nullptr;
+        compare_.members[i] =
+            ensemble ? ensemble->nameOf(slots_[i]->session.document.member) : std::string();
+    }
     Slot* follower = other();
     if (follower == nullptr) return;
     const Session& leader = active().session;
@@ -171,7 +177,12 @@ void Slots::restore(const SessionState& state) {
         session.document = kept.document;
         session.homeCamera = kept.document.camera;
         session.history.restart(kept.document);
-        session.open(kept.data, kept.document.time, kept.region, true);
+        session.openAs({.named = kept.data,
+                        .members = kept.members,
+                        .time = kept.document.time,
+                        .member = kept.document.member,
+                        .region = kept.region,
+                        .keepsView = true});
         session.takeMetres(kept.inMetres);  // of the data that are being opened
         session.setPreset(kept.presetName);
     }

@@ -127,12 +127,18 @@ Workbench::Workbench(const WorkbenchRequest& request)
 
 void Workbench::openFirst(const SceneRequest& request, bool cameraAsked) {
     ui_.sessionDialogs.autosave = &autosave_;
-    ui_.sessionDialogs.offersCrashed = request.files.empty() && !script_;
+    ui_.sessionDialogs.offersCrashed = request.files.empty() && request.members.empty() && !script_;
     if (request.files.size() == 1 && kindOfFile(request.files.front()) == FileKind::session) {
         ui::openSessionFile(ui::contextOf(ui_), ui_.sessionDialogs, request.files.front());
     } else {
         const auto time = request.times ? std::optional(request.times->first) : std::nullopt;
-        session().open(request.files, time, request.region, cameraAsked);
+        const bool members = !request.members.empty();
+        session().openAs({.named = members ? request.members : request.files,
+                          .members = members,
+                          .time = time,
+                          .memberName = request.member,
+                          .region = request.region,
+                          .keepsView = cameraAsked});
     }
 }
 
@@ -147,6 +153,7 @@ std::unique_ptr<Slot> Workbench::makeSlot() {
 void Workbench::offerServices() {
     ui_.services.loadImage = [this](const auto& png) { return textures_.load(png); };
     ui_.services.showImage = [this](const Image8& image) { return textures_.show(image); };
+    ui_.services.savePng = [](const auto& png, const Image8& image) { writePng(png, image, {}); };
     ui_.services.dropImage = [this](unsigned texture) { textures_.drop(texture); };
     ui_.services.savePlots = [this](const auto& name, const auto& figures, const auto& table) {
         const std::filesystem::path out(ui_.output.settings.file);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kNamedDomainFiles = 3;
 constexpr double kFastAirMPerS = 50.0;  // a jet: what moves faster is rare
 
-std::string namesOf(const std::vector<std::string>& names) {
+std::string domainNamesOf(const std::vector<std::string>& names) {
     std::vector<std::string> some(
         names.begin(),
         names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), kNamedDomainFiles)));
@@ -152,7 +152,7 @@ void noteLeftOut(const std::vector<Series>& domains, const std::vector<std::size
         whole.notes.push_back(fmt::format(
             "{} file{} in {} left out, as of another grid ({}): {} ({}). Name them to open them.",
             names.size(), names.size() == 1 ? "" : "s", of,
-            differenceText(first, whole.files.front().description), namesOf(names),
+            differenceText(first, whole.files.front().description), domainNamesOf(names),
             reasons[some.front()]));
     }
 }

@@ -93,7 +93,10 @@ std::vector<Candidate> candidatesOf(std::span<const fs::path> named, const Plugi
                          .what = "holds no files",
                          .found = inside.empty() ? "" : "folders: " + inside,
                          .expected = "model output in this folder",
-                         .hint = inside.empty() ? "" : "open the one that holds the run"});
+                         .hint = inside.empty()
+                                     ? ""
+                                     : "open the one that holds the run; --members opens "
+                                       "runs of one grid as an ensemble"});
         }
         for (fs::path& file : files) candidates.push_back({std::move(file), path});
     }

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <utility>
 
+#include "core/dataset/ensemble.h"
+
 namespace neph {
 namespace {
 
@@ -68,6 +70,11 @@ std::string describeBookmarks(const std::vector<Bookmark>& before,
     return after.empty() ? "Bookmarks removed" : "Bookmarks changed";
 }
 
+/// "3" for the third member.
+std::string memberText(const Document& document) {
+    return document.member == kMeanMember ? "mean" : fmt::format("{}", document.member + 1);
+}
+
 std::string describePath(const CameraPath& before, const CameraPath& after) {
     if (before == after) return {};
     const std::size_t was = before.keys.size(), is = after.keys.size();
@@ -84,6 +91,9 @@ std::string describeChange(const Document& before, const Document& after) {
     std::vector<std::string> parts{describeParameters(before, after)};
     if (before.time != after.time) {
         parts.push_back(fmt::format("Time {} -> {}", before.time + 1, after.time + 1));
+    }
+    if (before.member != after.member) {
+        parts.push_back(fmt::format("Member {} -> {}", memberText(before), memberText(after)));
     }
     if (before.camera != after.camera) parts.emplace_back("Camera");
     parts.push_back(describeBookmarks(before.bookmarks, after.bookmarks));

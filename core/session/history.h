@@ -16,7 +16,8 @@ namespace neph {
 /// Everything about the image that the user can change: look, sampling and what follows.
 struct Document : ParameterSet {
     CameraPose camera;
-    int time = 0;  ///< index into the times of the data set
+    int time = 0;    ///< index into the times of the data set
+    int member = 0;  ///< of an ensemble, or kMeanMember
     std::vector<Bookmark> bookmarks;
     CameraPath path;
     bool operator==(const Document&) const = default;

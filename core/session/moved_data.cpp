@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/dataset/file_list.h"
+#include "core/dataset/member_list.h"
 
 namespace neph {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A name is missing if opening it would fail; names of bundled samples are not.
-bool isMissing(const std::string& name) {
+bool isMissing(const std::string& name, bool run) {
     try {
-        listFiles(std::span(&name, 1));
+        run ? filesOfRun(name) : listFiles(std::span(&name, 1));
         return false;
     } catch (const Error&) {
         return true;
@@ -43,7 +44,7 @@ std::vector<std::string> missingData(const SessionState& state) {
     for (const SlotState& slot : state.slots) {
         for (const std::string& name : slot.data) {
             const bool known = std::ranges::find(missing, name) != missing.end();
-            if (!known && isMissing(name)) missing.push_back(name);
+            if (!known && isMissing(name, slot.members)) missing.push_back(name);
         }
     }
     return missing;

@@ -1,6 +1,7 @@
 // recent.h: recently opened data and sessions.
 //
-// An entry has the absolute names of what was opened together, one per line.
+// An entry has the absolute names of what was opened together, one per line; before the runs of an
+// ensemble is the line "members:".
 #pragma once
 #include <cstddef>
 #include <span>
@@ -12,8 +13,11 @@ namespace neph {
 
 inline constexpr std::size_t kMaxRecent = 12;
 
-/// The entry for what was named; empty for a bundled sample and if there is nothing to remember.
-std::string recentEntry(std::span<const std::string> named);
+/// The entry for what was named, as the runs of an ensemble if `members`; empty for a bundled
+/// sample and if there is nothing to remember.
+std::string recentEntry(std::span<const std::string> named, bool members = false);
+/// Whether the names of an entry are the runs of an ensemble.
+bool namesRuns(std::string_view entry);
 
 std::vector<std::string> namesIn(std::string_view entry);
 

@@ -1,4 +1,4 @@
-// session.cpp: opening and reading data, and showing what was requested; messages and history.
+// session.cpp: opening and reading data, and showing what was requested.
 #include "core/session/session.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 namespace neph {
 namespace {
 
-constexpr std::size_t kMaxMessages = 200;
 constexpr double kOpenShare = 0.3;  // of the work of opening and reading one time
 
 std::string nameOf(const std::vector<std::filesystem::path>& paths) {
@@ -23,15 +22,62 @@ std::string nameOf(const std::vector<std::filesystem::path>& paths) {
     return paths.size() == 1 ? first : fmt::format("{} and {} more", first, paths.size() - 1);
 }
 
-/// Keys use file and index, not the position in the series, which changes when files are added.
-VolumeKey keyFor(const DatasetInfo& info, int time, const VolumeRequest& request) {
-    const TimeInfo& when = info.times[static_cast<std::size_t>(time)];
-    return {when.indexInFile, when.file.string(), request};
+/// Keys use file and index, not the position in the series, which changes when files are added. A
+/// member has its own; where it lacks the time, and for the mean, the key is of another's.
+VolumeKey keyFor(const Dataset& dataset, int time, const VolumeRequest& request) {
+    const TimeInfo* when = &dataset.info().times[static_cast<std::size_t>(time)];
+    const Ensemble* ensemble = ensembleOf(dataset);
+    if (ensemble != nullptr && request.member != kMeanMember) {
+        const auto own = ensemble->timeIn(request.member, time);
+        const auto& times = ensemble->infoOf(request.member).times;
+        if (own) when = &times[static_cast<std::size_t>(*own)];
+    }
+    return {when->indexInFile, when->file.string(), request};
+}
+
+/// The members of `list`, or the one series of `paths` where it has none.
+std::shared_ptr<Dataset> openNamed(const OpenSeries& open, const MemberList& list,
+                                   const std::vector<std::filesystem::path>& paths,
+                                   const Progress& progress) {
+    if (list.members.empty()) return open(paths, progress);
+    return Ensemble::open(list, open, progress);
+}
+
+/// The member of an ensemble that is nearest to what is asked for; 0 of a single run.
+int memberIn(const Dataset& dataset, int member) {
+    const Ensemble* ensemble = ensembleOf(dataset);
+    return ensemble == nullptr ? 0 : std::clamp(member, kMeanMember, ensemble->count() - 1);
 }
 
 /// Whether a camera pose shows the same place in both.
 bool sameExtent(const RegularGrid& a, const RegularGrid& b) {
     return a.originM == b.originM && a.extentM() == b.extentM();
+}
+
+struct Start {
+    int time = 0, member = 0;
+};
+
+/// What is shown first: where nobody asked for a time, or for a member by name, one that the other
+/// has. Throws Error where there is no member of that name.
+Start startOf(const Dataset& dataset, const OpenRequest& what) {
+    const int count = static_cast<int>(dataset.info().times.size());
+    const int wanted = what.time.value_or(defaultTime(dataset.info()));
+    Start start{std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1),
+                memberIn(dataset, what.member)};
+    const Ensemble* ensemble = ensembleOf(dataset);
+    if (ensemble == nullptr) return start;
+    if (!what.memberName.empty()) start.member = ensemble->memberNamed(what.memberName);
+    const auto has = [&](int time) {
+        return start.member == kMeanMember || ensemble->timeIn(start.member, time).has_value();
+    };
+    if (has(start.time)) return start;
+    if (what.memberName.empty()) {
+        start.member = ensemble->membersAt(start.time).front();
+    } else if (!what.time) {
+        for (start.time = 0; !has(start.time);) ++start.time;
+    }
+    return start;
 }
 
 }  // namespace
@@ -52,55 +98,38 @@ Session::Session(OpenSeries open, std::function<void()> wake,
 
 void Session::open(std::span<const std::string> named, std::optional<int> time,
                    std::optional<BoxM> region, bool keepsView) {
+    openAs({.named = {named.begin(), named.end()},
+            .time = time,
+            .region = region,
+            .keepsView = keepsView});
+}
+
+void Session::openAs(const OpenRequest& what) {
     std::vector<std::filesystem::path> paths;
+    MemberList list;
     try {
-        paths = listFiles(named);
+        if (what.members) list = listMembers(what.named);
+        paths = what.members ? pathsOf(list.members) : listFiles(what.named);
     } catch (const Error& error) {
         say(Message::Kind::error, error.message());
         return;
     }
-    const std::vector<std::string> names(named.begin(), named.end());
-    auto work = [this, open = open_, names, paths, time, region, keepsView, budget = budget_,
+    auto work = [this, open = open_, what, list, paths, budget = budget_,
                  look = document.look](const Progress& progress) {
-        std::vector<FileStamp> stamps = stampsOf(paths);  // before reading, to notice growth
-        auto dataset =
-            open(paths, [&progress](double share) { return goOn(progress, kOpenShare * share); });
-        const int count = static_cast<int>(dataset->info().times.size());
-        const int wanted = time.value_or(defaultTime(dataset->info()));
-        const int index = std::clamp(wanted < 0 ? wanted + count : wanted, 0, count - 1);
-        const VolumeRequest request{region, budget, planRadii(look, dataset->info()),
-                                    asksHumidity(look)};
-        const Held held = std::make_shared<const HeldVolume>(
-            readVolume(*dataset, index, request, [&progress](double share) {
+        Opened opened{what, list, paths, {}, {}, 0, {}, {}};
+        opened.stamps = stampsOf(paths);  // before reading, to notice growth
+        opened.dataset = openNamed(open, list, paths, [&progress](double share) {
+            return goOn(progress, kOpenShare * share);
+        });
+        const Start start = startOf(*opened.dataset, what);
+        opened.time = start.time;
+        opened.request = {what.region, budget, planRadii(look, opened.dataset->info()),
+                          asksHumidity(look), start.member};
+        opened.held = std::make_shared<const HeldVolume>(
+            readVolume(*opened.dataset, start.time, opened.request, [&progress](double share) {
                 return goOn(progress, kOpenShare + (1.0 - kOpenShare) * share);
             }));
-        return Jobs::Finish([this, names, paths, stamps = std::move(stamps), dataset, index,
-                             request, held, keepsView] {
-            opening_ = false;
-            unframed_ =
-                !keepsView && !(shown_ && sameExtent(shown_->summary.grid, held->summary.grid));
-            dataset_ = dataset;
-            named_ = names;
-            paths_ = paths;
-            stamps_ = stamps;
-            region_ = request.region;
-            cache_.clear();
-            shown_.reset();
-            failedKey_.reset();
-            grown_.reset();
-            unreadable_.clear();
-            toldNotes_.clear();
-            missedLast_ = false;
-            settledSerial = lastSerial_;
-            sayNew(dataset->info().notes);
-            const VolumeKey key = keyFor(dataset->info(), index, request);
-            cache_.put(key, held);
-            show(key, held);
-            document.time = seenTime_ = index;
-            bringMetres();
-            history.restart(document);
-            watch_.watch(paths, stamps);
-        });
+        return Jobs::Finish([this, opened = std::move(opened)] { take(opened); });
     };
     opening_ = true;
     readingKey_.reset();
@@ -108,6 +137,38 @@ void Session::open(std::span<const std::string> named, std::optional<int> time,
         opening_ = false;
         say(Message::Kind::error, error.message());
     });
+}
+
+/// Other data take the place of those that are open.
+void Session::take(const Opened& opened) {
+    const Held& held = opened.held;
+    opening_ = false;
+    unframed_ =
+        !opened.what.keepsView && !(shown_ && sameExtent(shown_->summary.grid, held->summary.grid));
+    dataset_ = opened.dataset;
+    named_ = opened.what.named;
+    members_ = opened.what.members;
+    memberList_ = opened.list;
+    paths_ = opened.paths;
+    stamps_ = opened.stamps;
+    region_ = opened.request.region;
+    cache_.clear();
+    shown_.reset();
+    failedKey_.reset();
+    grown_.reset();
+    unreadable_.clear();
+    toldNotes_.clear();
+    missedLast_ = false;
+    settledSerial = lastSerial_;
+    sayNew(dataset_->info().notes);
+    const VolumeKey key = keyFor(*dataset_, opened.time, opened.request);
+    cache_.put(key, held);
+    show(key, held);
+    document.time = seenTime_ = opened.time;
+    document.member = seenMember_ = opened.request.member;
+    bringMetres();
+    history.restart(document);
+    watch_.watch(paths_, stamps_);
 }
 
 /// Shares the volumes, which are immutable, but opens its own handle of the data.
@@ -124,11 +185,18 @@ void Session::copyFrom(const Session& other) {
     std::shared_ptr<Dataset> another =
         other.dataset_ ? other.dataset_->anotherHandle() : std::unique_ptr<Dataset>();
     if (!another || !other.shown_) {
-        open(other.named_, other.document.time, other.region_, true);
+        openAs({.named = other.named_,
+                .members = other.members_,
+                .time = other.document.time,
+                .member = other.document.member,
+                .region = other.region_,
+                .keepsView = true});
         return;
     }
     dataset_ = std::move(another);
     named_ = other.named_;
+    members_ = other.members_;
+    memberList_ = other.memberList_;
     paths_ = other.paths_;
     stamps_ = other.stamps_;
     region_ = other.region_;
@@ -137,6 +205,7 @@ void Session::copyFrom(const Session& other) {
     shownKey_ = other.shownKey_;
     saidHaze_ = other.saidHaze_;
     seenTime_ = document.time;
+    seenMember_ = document.member;
     watch_.watch(paths_, stamps_);
 }
 
@@ -150,10 +219,27 @@ void Session::setBudget(const MemoryBudget& budget) {
     cache_.setLimit(budget.machine);
 }
 
-VolumeKey Session::keyOf(int time) const {
-    const DatasetInfo& info = dataset_->info();
+VolumeKey Session::keyOf(int time, int member) const {
     const Look& look = document.look;
-    return keyFor(info, time, {region_, budget_, planRadii(look, info), asksHumidity(look)});
+    return keyFor(*dataset_, time,
+                  {region_, budget_, planRadii(look, dataset_->info()), asksHumidity(look),
+                   memberIn(*dataset_, member)});
+}
+
+/// Whether the time or the member is another one than at the last call, and in which direction.
+void Session::noteSteps() {
+    const bool stepped = document.time != seenTime_;
+    const bool across = document.member != seenMember_;
+    if (!stepped && !across) return;
+    acrossMembers_ = across && !stepped;
+    const int from = across && !stepped ? seenMember_ : seenTime_;
+    const int to = across && !stepped ? document.member : document.time;
+    direction_ = to > from ? 1 : -1;
+    seenTime_ = document.time;
+    seenMember_ = document.member;
+    missedLast_ = false;
+    aheadDone_ = false;
+    failedKey_.reset();
 }
 
 void Session::poll() {
@@ -162,14 +248,9 @@ void Session::poll() {
     if (auto change = watch_.takeChange()) grown_ = std::move(change);
     const int last = static_cast<int>(dataset_->info().times.size()) - 1;
     document.time = std::clamp(document.time, 0, last);
-    const bool stepped = document.time != seenTime_;
-    if (stepped) {
-        direction_ = document.time > seenTime_ ? 1 : -1;
-        seenTime_ = document.time;
-        missedLast_ = false;
-        aheadDone_ = false;
-        failedKey_.reset();
-    }
+    document.member = memberIn(*dataset_, document.member);
+    const bool stepped = document.time != seenTime_ || document.member != seenMember_;
+    noteSteps();
     if (opening_ && !stepped) return;
     want(keyOf(document.time));
     if (!jobs_.idle()) return;
@@ -203,13 +284,13 @@ void Session::want(const VolumeKey& key) {
 void Session::read(int time, const VolumeKey& key, Jobs::Kind kind) {
     opening_ = false;
     readingKey_ = key;
-    const std::string label =
-        "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
+    std::string label = "Reading " + dataset_->info().times[static_cast<std::size_t>(time)].label;
+    if (const Ensemble* runs = ensemble()) label += " of " + runs->nameOf(key.request.member);
     auto work = [this, dataset = dataset_, time, key,
                  known = key.request.humidity ? cache_.find(withHumidity(key, false))
                                               : Held()](const Progress& progress) {
         HeldVolume read = known ? *known : readVolume(*dataset, time, key.request, progress);
-        if (known) addHumidity(read, *dataset, time, progress);
+        if (known) addHumidity(read, *dataset, time, key.request.member, progress);
         const Held held = std::make_shared<const HeldVolume>(std::move(read));
         return Jobs::Finish([this, key, held] {
             readingKey_.reset();
@@ -254,12 +335,12 @@ void Session::readFailed(int time, const VolumeKey& key, const Error& error) {
 void Session::goBackToShown() {
     if (!shown_ || !shownKey_) return;
     region_ = shownKey_->request.region;
-    const auto& times = dataset_->info().times;
-    const auto back = std::ranges::find_if(times, [this](const TimeInfo& when) {
-        return when.file.string() == shownKey_->file && when.indexInFile == shownKey_->indexInFile;
-    });
-    if (back != times.end()) {
-        document.time = seenTime_ = static_cast<int>(back - times.begin());
+    const int count = static_cast<int>(dataset_->info().times.size());
+    for (int time = 0; time < count; ++time) {
+        if (keyFor(*dataset_, time, shownKey_->request) != *shownKey_) continue;
+        document.time = seenTime_ = time;
+        document.member = seenMember_ = shownKey_->request.member;
+        return;
     }
 }
 
@@ -279,27 +360,6 @@ void Session::show(const VolumeKey& key, const Held& held) {
         plan.coarsening > 1 || hasUnevenCells(dataset_->info()) || !plan.nested.empty();
     if (remapped) sayNew({describe(plan, dataset_->info())});
     sayOfTime(*held, key.request);
-}
-
-/// Replaces the messages about the time that was shown before; each names its time. What the
-/// request entails for every time has been said.
-void Session::sayOfTime(const HeldVolume& held, const VolumeRequest& request) {
-    std::erase_if(messages, &Message::ofTime);
-    saidHaze_ = document.look.haze;
-    const auto add = [this](Message::Kind kind, const std::string& text) {
-        messages.push_back({kind, text, ++lastSerial_, true});
-    };
-    const std::vector<std::string>& lasting = request.radii.notes;
-    for (const std::string& note : held.volume->notes) {
-        if (std::ranges::find(lasting, note) == lasting.end()) add(Message::Kind::note, note);
-    }
-    const std::string haze = hazeNote(document.look, held.summary.where, held.volume->timeLabel,
-                                      held.summary.noHumidity, held.summary.noAerosol);
-    if (!haze.empty()) add(Message::Kind::note, haze);
-    if (held.summary.empty()) {
-        add(Message::Kind::warning,
-            fmt::format("{}: there is no hydrometeor at this time", held.volume->timeLabel));
-    }
 }
 
 /// Poses are relative to the grid that is shown: another part of the same domain must be seen from
@@ -322,37 +382,6 @@ void Session::keepView(const RegularGrid& before, const RegularGrid& now) {
 std::shared_ptr<const SpeciesVolume> Session::takeVolume() {
     const Held held = std::exchange(fresh_, nullptr);
     return held ? held->volume : nullptr;
-}
-
-void Session::say(Message::Kind kind, std::string text) {
-    if (!messages.empty() && messages.back().kind == kind && messages.back().text == text) return;
-    messages.push_back({kind, std::move(text), ++lastSerial_});
-    if (messages.size() > kMaxMessages) messages.erase(messages.begin());
-}
-
-/// Adds messages that have not been shown for these data before.
-void Session::sayNew(const std::vector<std::string>& notes, Message::Kind kind) {
-    for (const std::string& note : notes) {
-        if (toldNotes_.insert(note).second) say(kind, note);
-    }
-}
-
-bool Session::undo() {
-    if (!history.undo(document)) return false;
-    say(Message::Kind::note, "Undone: " + history.redoLabel());
-    return true;
-}
-
-bool Session::redo() {
-    if (!history.redo(document)) return false;
-    say(Message::Kind::note, "Done again: " + history.undoLabel());
-    return true;
-}
-
-bool Session::jumpTo(std::size_t steps) {
-    if (!history.jumpTo(document, steps)) return false;
-    say(Message::Kind::note, steps == 0 ? "Back at the start" : "Back at: " + history.undoLabel());
-    return true;
 }
 
 }  // namespace neph

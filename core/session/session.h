@@ -19,6 +19,7 @@
 
 #include "core/base/jobs.h"
 #include "core/dataset/dataset.h"
+#include "core/dataset/ensemble.h"
 #include "core/dataset/series_watch.h"
 #include "core/grid/boxes.h"
 #include "core/look/old_metres.h"
@@ -46,6 +47,17 @@ int defaultTime(const DatasetInfo& info);
 using OpenSeries = std::function<std::shared_ptr<Dataset>(
     std::span<const std::filesystem::path> paths, const Progress& progress)>;
 
+/// What to open, and what of it to show.
+struct OpenRequest {
+    std::vector<std::string> named;  ///< files or folders of one series; none: the bundled storm
+    bool members = false;            ///< each name is a run of an ensemble, as listMembers takes it
+    std::optional<int> time{};       ///< negative counts from the end; none: the default time
+    int member = 0;                  ///< or kMeanMember
+    std::string memberName{};        ///< in its place, as Ensemble::memberNamed; or empty
+    std::optional<BoxM> region{};    ///< none: the whole domain
+    bool keepsView = false;          ///< the camera stays whatever the domain
+};
+
 /// One document with its data. Used by the main thread; work runs on the threads of its members.
 class Session {
   public:
@@ -71,11 +83,15 @@ class Session {
     /// domain.
     void open(std::span<const std::string> named, std::optional<int> time = {},
               std::optional<BoxM> region = {}, bool keepsView = false);
+    /// The same with an ensemble as well.
+    void openAs(const OpenRequest& what);
     /// Whether data of another domain were opened since the last call, for which the camera is to
     /// be chosen anew.
     bool takeUnframed() { return std::exchange(unframed_, false); }
     /// The names that the open data were opened with; empty for the bundled storm.
     const std::vector<std::string>& named() const { return named_; }
+    /// Whether those are the runs of an ensemble.
+    bool namesMembers() const { return members_; }
     /// Copies data, document and what is shown from another session, which keeps its own; the
     /// history starts again.
     void copyFrom(const Session& other);
@@ -123,6 +139,12 @@ class Session {
     /// The open data, for questions that are answered beside the session through handles of their
     /// own (Dataset::anotherHandle).
     std::shared_ptr<const Dataset> data() const { return dataset_; }
+    /// The open data as an ensemble; nullptr where they are a single run.
+    const Ensemble* ensemble() const { return dataset_ ? ensembleOf(*dataset_) : nullptr; }
+    /// What a volume of the document's look is asked for with; its member is the document's.
+    VolumeRequest request() const { return keyOf(document.time).request; }
+    /// A volume of the document's time that is in memory, of any member; else nullptr.
+    std::shared_ptr<const HeldVolume> heldOf(int member);
     /// What is shown; nullptr before the first.
     const VolumeSummary* shown() const { return shown_ ? &shown_->summary : nullptr; }
     /// Where and when that is, as far as the data state it.
@@ -146,14 +168,32 @@ class Session {
   private:
     using Held = std::shared_ptr<const HeldVolume>;
 
-    VolumeKey keyOf(int time) const;
+    /// Data that were opened in the background, and the volume to show first.
+    struct Opened {
+        OpenRequest what;
+        MemberList list;
+        std::vector<std::filesystem::path> paths;
+        std::vector<FileStamp> stamps;
+        std::shared_ptr<Dataset> dataset;
+        int time = 0;
+        VolumeRequest request;
+        Held held;
+    };
+    void take(const Opened& opened);
+    VolumeKey keyOf(int time) const { return keyOf(time, document.member); }
+    VolumeKey keyOf(int time, int member) const;
+    void noteSteps();
     void read(int time, const VolumeKey& key, Jobs::Kind kind);
     void readFailed(int time, const VolumeKey& key, const Error& error);
     void goBackToShown();
     void want(const VolumeKey& key);
     void show(const VolumeKey& key, const Held& held);
     void keepView(const RegularGrid& before, const RegularGrid& now);
-    std::vector<int> timesAhead() const;
+    /// A time and a member.
+    struct Ahead {
+        int time = 0, member = 0;
+    };
+    std::vector<Ahead> ahead() const;
     void readAhead();
     void readAgain();
     void adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> stamps);
@@ -165,6 +205,8 @@ class Session {
 
     OpenSeries open_;
     std::vector<std::string> named_;            // by the user, for the open data
+    bool members_ = false;                      // these are the runs of an ensemble
+    MemberList memberList_;                     // then: as they were found
     std::vector<std::filesystem::path> paths_;  // of the open data
     std::vector<FileStamp> stamps_;             // as they were when last read
     std::shared_ptr<Dataset> dataset_;
@@ -178,9 +220,11 @@ class Session {
     bool shownStale_ = false;                 // its file has changed since it was read
     FieldSet metres_ = 0, presetMetres_ = 0;  // of document and presetLook: see takeMetres()
     bool unframed_ = false;
-    bool opening_ = false;  // other data are being opened: what is shown now is left alone
-    int seenTime_ = 0;      // document.time at the last poll
-    int direction_ = 1;     // in which the times were stepped through
+    bool opening_ = false;        // other data are being opened: what is shown now is left alone
+    int seenTime_ = 0;            // document.time at the last poll
+    int direction_ = 1;           // in which the times, or the members, were stepped through
+    int seenMember_ = 0;          // document.member at the last poll
+    bool acrossMembers_ = false;  // the last step was from member to member
     bool aheadDone_ = false;
     bool missedLast_ = false;  // the last time could not be read yet and is to be followed
     std::set<std::string> toldNotes_;

@@ -1,12 +1,13 @@
 // session_file.h: a session saved as JSON: what was open, how it was shown, and the cameras.
 //
 // A file is {"type": "nephoscope-session", "version": 1, "active", "compare", "split_at",
-// "linked_cameras", "linked_times", "slots": [{"data": [names], "region", "preset", "time", "look",
-// "sampling", "camera", "bookmarks", "path"}, ...]}. Look, sampling and camera are written as in
-// presets, lengths are in metres, null is an unlimited side. Data below the folder of the file or
-// beside it are named relative to it ("./run", "../run"), so that both can be moved together; a
-// name without a slash is that of a bundled sample. Files are untrusted: size, depth, duplicate
-// keys and ranges are checked.
+// "linked_cameras", "linked_times", "slots": [{"data": [names], "members", "region", "preset",
+// "time", "member", "look", "sampling", "camera", "bookmarks", "path"}, ...]}. "members" is true
+// where each name is a run of an ensemble; "member" is the index of the one that is shown, or
+// "mean". Look, sampling and camera are written as in presets, lengths are in metres, null is an
+// unlimited side. Data below the folder of the file or beside it are named relative to it ("./run",
+// "../run"), so that both can be moved together; a name without a slash is that of a bundled
+// sample. Files are untrusted: size, depth, duplicate keys and ranges are checked.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -59,55 +59,71 @@ bool Session::shows(int time) const {
 int Session::timesHeld() const {
     if (!dataset_) return 0;
     int held = 0;
-    VolumeKey key = keyOf(document.time);
-    for (const TimeInfo& when : dataset_->info().times) {
-        key.file = when.file.string();
-        key.indexInFile = when.indexInFile;
-        if (cache_.holds(key)) ++held;
+    const int count = static_cast<int>(dataset_->info().times.size());
+    for (int time = 0; time < count; ++time) {
+        if (cache_.holds(keyOf(time))) ++held;
     }
     return held;
 }
 
-/// Times to read ahead, the most useful first: as many as memory holds, in the direction of the
-/// last step, except that the previous time comes second.
-std::vector<int> Session::timesAhead() const {
+std::shared_ptr<const HeldVolume> Session::heldOf(int member) {
+    return dataset_ ? cache_.find(keyOf(document.time, member)) : nullptr;
+}
+
+/// What to read ahead, the most useful first: as much as memory holds, in the direction of the last
+/// step, except that the previous one comes second. After a step from member to member those come
+/// before other times; the mean, for which all are read, is read only where it is shown.
+std::vector<Session::Ahead> Session::ahead() const {
     const int count = static_cast<int>(dataset_->info().times.size());
+    const int members = ensemble() == nullptr ? 1 : ensemble()->count();
     const std::uint64_t each = std::max<std::uint64_t>(1, shown_->volume->bytes());
-    const auto room = static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(count),
-                                                               cache_.limit() / each)) -
-                      1;
-    std::vector<int> times;
-    const auto add = [&](int time) {
-        if (time >= 0 && time < count && static_cast<int>(times.size()) < room) {
-            times.push_back(time);
-        }
+    const auto most = static_cast<std::uint64_t>(count + members - 1);
+    const auto room = static_cast<int>(std::min(most, cache_.limit() / each)) - 1;
+    std::vector<Ahead> next;
+    const auto addSteps = [&](bool across) {
+        const int from = across ? document.member : document.time;
+        const int end = across ? members : count;
+        const int way = across == acrossMembers_ ? direction_ : 1;
+        const auto add = [&](int to) {
+            if (to < 0 || to >= end || static_cast<int>(next.size()) >= room) return;
+            next.push_back(across ? Ahead{document.time, to} : Ahead{to, document.member});
+        };
+        add(from + way);
+        add(from - way);
+        for (int step = 2; step < end; ++step) add(from + step * way);
+        for (int step = 2; step < end; ++step) add(from - step * way);
     };
-    add(document.time + direction_);
-    add(document.time - direction_);
-    for (int step = 2; step < count; ++step) add(document.time + step * direction_);
-    for (int step = 2; step < count; ++step) add(document.time - step * direction_);
-    return times;
+    addSteps(acrossMembers_);
+    addSteps(!acrossMembers_);
+    return next;
 }
 
 /// Starts one volume at a time; poll() calls it again when that is done.
 void Session::readAhead() {
     if (aheadDone_ || !shown_ || shownStale_ || keyOf(document.time) != shownKey_) return;
-    const std::vector<int> times = timesAhead();
-    // Touched in reverse order, so that the nearest times are dropped last.
-    for (auto time = times.rbegin(); time != times.rend(); ++time) cache_.find(keyOf(*time));
+    const std::vector<Ahead> next = ahead();
+    const auto keyFor = [this](const Ahead& one) { return keyOf(one.time, one.member); };
+    // Touched in reverse order, so that the nearest are dropped last.
+    for (auto one = next.rbegin(); one != next.rend(); ++one) cache_.find(keyFor(*one));
     cache_.find(*shownKey_);
-    for (const int time : times) {
-        const VolumeKey key = keyOf(time);
+    for (const Ahead& one : next) {
+        const VolumeKey key = keyFor(one);
         if (cache_.holds(key) || std::ranges::find(unreadable_, key) != unreadable_.end()) continue;
-        read(time, key, Jobs::Kind::ahead);
+        const Ensemble* runs = ensemble();
+        const bool there = runs == nullptr || one.member == kMeanMember ||
+                           runs->timeIn(one.member, one.time).has_value();
+        if (!there) continue;
+        read(one.time, key, Jobs::Kind::ahead);
         return;
     }
     aheadDone_ = true;
 }
 
 void Session::readAgain() {
-    auto work = [this, open = open_, paths = paths_, stamps = *grown_](const Progress& progress) {
-        auto grown = open(paths, progress);
+    auto work = [this, open = open_, list = memberList_, paths = paths_,
+                 stamps = *grown_](const Progress& progress) {
+        std::shared_ptr<Dataset> grown =
+            list.members.empty() ? open(paths, progress) : Ensemble::open(list, open, progress);
         return Jobs::Finish([this, grown, stamps] { adoptGrown(grown, stamps); });
     };
     const auto failed = [this](const Error& error) {
@@ -135,8 +151,9 @@ void Session::adoptGrown(std::shared_ptr<Dataset> grown, std::vector<FileStamp> 
     aheadDone_ = false;
     dropChanged(*old, stamps);
     stamps_ = std::move(stamps);
-    if (now.size != before.size || now.spacingM != before.spacingM || now.edgesM != before.edgesM ||
-        now.domain != before.domain) {
+    // Members share levels that any of them may have changed.
+    if (members_ || now.size != before.size || now.spacingM != before.spacingM ||
+        now.edgesM != before.edgesM || now.domain != before.domain) {
         cache_.clear();
         shownStale_ = true;
     }
@@ -163,6 +180,7 @@ void Session::dropChanged(const Dataset& old, const std::vector<FileStamp>& stam
                            });
     };
     const auto changed = [&](const VolumeKey& key) {
+        if (key.request.member == kMeanMember) return true;  // any file may be among its own
         const auto was = find(stamps_, key.file), is = find(stamps, key.file);
         // If the data are not in the file itself but in others that it describes, nothing is known:
         // read them again.

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/strict_json.h"
 #include "core/camera/camera_format.h"
+#include "core/dataset/ensemble.h"
 #include "core/look/parameter_format.h"
 #include "core/session/session_file.h"
 
@@ -24,8 +25,9 @@ constexpr std::size_t kMaxNameLength = 4096;              // PATH_MAX
 constexpr std::size_t kMaxBookmarks = 1000;
 constexpr std::array<std::string_view, 8> kTopKeys{
     "type", "version", "active", "compare", "split_at", "linked_cameras", "linked_times", "slots"};
-constexpr std::array<std::string_view, 9> kSlotKeys{
-    "data", "region", "preset", "time", "look", "sampling", "camera", "bookmarks", "path"};
+constexpr std::array<std::string_view, 11> kSlotKeys{"data",   "members",   "region", "preset",
+                                                     "time",   "member",    "look",   "sampling",
+                                                     "camera", "bookmarks", "path"};
 constexpr std::array<std::string_view, 2> kRegionKeys{"lower_m", "upper_m"};
 constexpr std::array<std::string_view, 2> kBookmarkKeys{"name", "camera"};
 
@@ -177,13 +179,27 @@ FieldSet readParameters(const Reader& slot, ParameterSet& values) {
     return inMetres;
 }
 
+/// Which member of an ensemble is shown; an index that it does not have becomes one it has.
+int readMemberIndex(const Reader& from) {
+    const Json* json = from.find("member");
+    if (json != nullptr && json->is_string() && json->get<std::string>() == "mean") {
+        return kMeanMember;
+    }
+    if (json != nullptr && json->is_string()) from.refuse("member", "\"mean\" or a whole number");
+    int member = 0;
+    from.read("member", member, std::numeric_limits<int>::max());
+    return member;
+}
+
 SlotState readSlot(const Reader& from, const fs::path& folder) {
     from.warnOfOthers(kSlotKeys);
     SlotState slot;
     slot.data = readNames(from, folder);
+    from.read("members", slot.members);
     slot.region = readRegion(from);
     slot.presetName = readName(from, "preset");
     from.read("time", slot.document.time, std::numeric_limits<int>::max());
+    slot.document.member = readMemberIndex(from);
     slot.inMetres = readParameters(from, slot.document);
     if (const Json* camera = from.find("camera")) {
         slot.document.camera = parseCamera(camera->dump(), from.where, from.warnings);

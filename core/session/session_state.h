@@ -21,6 +21,7 @@ struct SlotState {
     std::string presetName;  ///< last loaded or saved
     Document document;
     FieldSet inMetres = 0;  ///< of the look: whose noise scale awaits bringToCells()
+    bool members = false;   ///< `data` names the runs of an ensemble
     bool operator==(const SlotState&) const = default;
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/strict_json.h"
 #include "core/camera/camera_format.h"
+#include "core/dataset/ensemble.h"
 #include "core/look/parameter_format.h"
 #include "core/session/session_file.h"
 
@@ -72,12 +73,16 @@ Json toJson(const SlotState& slot, const fs::path& folder) {
     Json json = Json::object();
     json["data"] = Json::array();
     for (const std::string& name : slot.data) json["data"].push_back(nameOf(name, folder));
+    if (slot.members) json["members"] = true;
     if (slot.region) {
         json["region"] = {{"lower_m", toJson(slot.region->lowerM)},
                           {"upper_m", toJson(slot.region->upperM)}};
     }
     json["preset"] = slot.presetName;
     json["time"] = document.time;
+    if (slot.members) {
+        json["member"] = document.member == kMeanMember ? Json("mean") : Json(document.member);
+    }
     json["look"] = Json::parse(formatParameters(lookTable(), document));
     json["sampling"] = Json::parse(formatParameters(samplingTable(), document));
     json["camera"] = toJson(document.camera);

@@ -9,7 +9,7 @@
 #include "core/dataset/whereabouts.h"
 #include "core/volume/framing.h"
 #include "core/volume/lowest_air.h"
-#include "core/volume/nested_volume.h"
+#include "core/volume/run_volume.h"
 
 namespace neph {
 namespace {
@@ -46,15 +46,6 @@ void lookThrough(const Array3f& field, float threshold, CellBox& bounds,
             }
         }
     }
-}
-
-/// Lowest and highest level of the whole domain; a region may cover only some of them.
-glm::dvec2 domainHeights(Dataset& dataset, int time, const VolumeRequest& request,
-                         const ReadPlan& plan, const Progress& progress) {
-    const bool cut = request.region && (std::isfinite(request.region->lowerM.z) ||
-                                        std::isfinite(request.region->upperM.z));
-    const RegularGrid grid = cut ? planShown(dataset, time, {}, {}, progress).grid : plan.grid;
-    return {grid.originM.z, grid.upperM().z};
 }
 
 }  // namespace
@@ -111,28 +102,26 @@ VolumeSummary summarise(const SpeciesVolume& volume) {
 
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress) {
-    constexpr double kPlanShare = 0.05, kVolumeShare = 0.97;
+    constexpr double kVolumeShare = 0.97;
     const auto part = [&progress](double from, double to) {
         return Progress([&progress, from, to](double fraction) {
             return goOn(progress, from + (to - from) * fraction);
         });
     };
-    const Progress planning = part(0.0, kPlanShare);
-    const NestedPlan plan = planNested(dataset, time, request.region, request.budget, planning);
-    const glm::dvec2 heights = domainHeights(dataset, time, request, plan.shown, planning);
+    RunVolume read = readRuns(dataset, time, request, part(0.0, kVolumeShare));
     HeldVolume held;
-    held.volume = std::make_shared<const SpeciesVolume>(
-        readNested(dataset, time, plan, request.radii, part(kPlanShare, kVolumeShare)));
+    held.volume = std::make_shared<const SpeciesVolume>(std::move(read.volume));
     held.summary = summarise(*held.volume);
-    held.summary.plan = plan.shown;
-    held.summary.domainHeightsM = heights;
+    held.summary.plan = read.plan;
+    held.summary.domainHeightsM = read.domainHeightsM;
     held.summary.where = whereaboutsOf(dataset.info(), time, held.summary.grid);
-    if (request.humidity) addHumidity(held, dataset, time, part(kVolumeShare, 1.0));
+    if (request.humidity) addHumidity(held, dataset, time, request.member, part(kVolumeShare, 1.0));
     return held;
 }
 
-void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& progress) {
-    const LowestAir air = readLowestAir(dataset, time, progress);
+void addHumidity(HeldVolume& held, Dataset& dataset, int time, int member,
+                 const Progress& progress) {
+    const LowestAir air = readLowestAirOf(dataset, time, member, progress);
     held.summary.where.humidity = air.humidity;
     held.summary.noHumidity = air.reason;
     held.summary.where.aerosolPerM = air.aerosolPerM;

@@ -25,6 +25,7 @@ struct VolumeRequest {
     MemoryBudget budget;
     RadiusPlan radii;       ///< as the look requires
     bool humidity = false;  ///< of the lowest air, where the look asks for it
+    int member = 0;         ///< of an ensemble, or kMeanMember
     bool operator==(const VolumeRequest&) const = default;
 };
 
@@ -75,8 +76,10 @@ VolumeSummary summarise(const SpeciesVolume& volume);
 /// Plans, reads and summarises. Throws Error or Cancelled.
 HeldVolume readVolume(Dataset& dataset, int time, const VolumeRequest& request,
                       const Progress& progress = {});
-/// Adds humidity and aerosol of the lowest air to what was read without. Throws Cancelled.
-void addHumidity(HeldVolume& held, Dataset& dataset, int time, const Progress& progress = {});
+/// Adds humidity and aerosol of the lowest air to what was read without. Of an ensemble: those of
+/// `member`, or their means. Throws Cancelled.
+void addHumidity(HeldVolume& held, Dataset& dataset, int time, int member = 0,
+                 const Progress& progress = {});
 
 /// `region` extended by a tenth of its extent on every side.
 BoxM withMargin(const BoxM& region);

@@ -215,9 +215,10 @@ RadiusPlan radiiOfAll(const RadiusPlan& radii, const NestedPlan& plan) {
 }  // namespace
 
 NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& region,
-                      const MemoryBudget& budget, const Progress& progress) {
+                      const MemoryBudget& budget, const Progress& progress,
+                      const std::optional<NativeLevels>& levels) {
     NestedPlan alone;
-    alone.shown = planRead(dataset, time, region, budget, progress);
+    alone.shown = planRead(dataset, time, region, budget, progress, levels);
     alone.domains.push_back({.name = {}, .dataset = &dataset, .time = time, .plan = alone.shown});
     const CellBox box = alone.shown.even;
     std::vector<Within> domains = nestsIn(dataset, time, box, alone.notes);
@@ -227,9 +228,10 @@ NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& reg
     for (Within& domain : domains) {
         lattice = std::lcm(lattice, domain.ratio);
         finest = std::max(finest, domain.ratio);
-        domain.full = domain.nest == nullptr ? withMarginCell(alone.shown, dataset.info())
-                                             : planRead(*domain.dataset, domain.time,
-                                                        regionWithin(domain, box), {}, progress);
+        domain.full = domain.nest == nullptr
+                          ? withMarginCell(alone.shown, dataset.info())
+                          : planRead(*domain.dataset, domain.time, regionWithin(domain, box), {},
+                                     progress, levels);
     }
     const int least = lattice / finest;
     const NestedPlan full = planOf(domains, {box, lattice, least, region});
@@ -249,8 +251,9 @@ NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& reg
 }
 
 ReadPlan planShown(Dataset& dataset, int time, const std::optional<BoxM>& region,
-                   const MemoryBudget& budget, const Progress& progress) {
-    return planNested(dataset, time, region, budget, progress).shown;
+                   const MemoryBudget& budget, const Progress& progress,
+                   const std::optional<NativeLevels>& levels) {
+    return planNested(dataset, time, region, budget, progress, levels).shown;
 }
 
 SpeciesVolume readNested(Dataset& dataset, int time, const NestedPlan& plan,

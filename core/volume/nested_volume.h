@@ -40,12 +40,15 @@ struct NestedPlan {
 /// them; only where the machine's memory does not suffice are blocks spread over neighbours.
 /// Expected memory is that of the result and of the largest domain, which are held at once. The
 /// plan refers to `dataset`.
+/// `levels` as for planRead, of all domains.
 NestedPlan planNested(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
-                      const MemoryBudget& budget = {}, const Progress& progress = {});
+                      const MemoryBudget& budget = {}, const Progress& progress = {},
+                      const std::optional<NativeLevels>& levels = {});
 
 /// The grid of the same, and its memory.
 ReadPlan planShown(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
-                   const MemoryBudget& budget = {}, const Progress& progress = {});
+                   const MemoryBudget& budget = {}, const Progress& progress = {},
+                   const std::optional<NativeLevels>& levels = {});
 
 /// As resample, with the nests of the plan; where a domain lacks what a species' size needs, that
 /// species is held as mass in all of them. Throws Error or Cancelled.

@@ -26,11 +26,6 @@ constexpr std::uint64_t kVoxelBytes = sizeof(float);  // of one species, here an
 constexpr std::uint64_t kMediumBytes = 16;
 constexpr int kClassesPerTexture = 3;
 
-/// Native heights that determine the levels of the grid, metres.
-struct NativeLevels {
-    double lowest = 0.0, highest = 0.0, medianDepth = 0.0;
-};
-
 /// The largest number of two significant digits that does not exceed `value`; value > 0.
 double roundedDown(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
@@ -60,39 +55,17 @@ std::ranges::minmax_result<float> extremes(Dataset& dataset, const VariableInfo&
     return std::ranges::minmax(dataset.read(variable.name, time, plane, progress).values);
 }
 
-/// Reads only some rows in between: the median needs a sample, not the whole domain.
-NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
-    const VariableInfo& variable =
-        requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
-    const glm::ivec3 size = dataset.info().size;
-    const auto perRow = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.z);
-    const int rows = std::clamp(static_cast<int>(kDepthSamples / perRow),
-                                std::min(kFewestSampleRows, size.y), variable.size.y);
-    std::vector<float> depths;
-    for (int i = 0; i < rows; ++i) {
-        CellBox row = wholeBox(dataset.info());
-        row.lower.y = static_cast<int>((i + 0.5) * size.y / rows);
-        row.upper.y = row.lower.y + 1;
-        addDepths(readHeights(dataset, time, row, progress), depths);
-    }
-    NativeLevels levels;
-    levels.lowest = static_cast<double>(extremes(dataset, variable, time, 0, progress).min);
-    levels.highest = static_cast<double>(extremes(dataset, variable, time, size.z, progress).max);
-    levels.medianDepth = median(depths);
-    return levels;
-}
-
 /// Sets `z` of origin, spacing and size. Spacing and offsets are chosen for the whole depth, so
 /// that the levels of a region are a subset of those of the whole domain.
 void placeLevels(const NativeLevels& native, const std::optional<BoxM>& region, RegularGrid& grid) {
-    double spacing = roundedDown(native.medianDepth);
+    double spacing = roundedDown(native.medianDepthM);
     const auto below = [&](double z) { return std::floor(z / spacing + 1e-6); };
     const auto above = [&](double z) { return std::ceil(z / spacing - 1e-6); };
-    if (above(native.highest) - below(native.lowest) > kMostLevels) {
-        spacing = (native.highest - native.lowest) / (kMostLevels - 2);
+    if (above(native.highestM) - below(native.lowestM) > kMostLevels) {
+        spacing = (native.highestM - native.lowestM) / (kMostLevels - 2);
     }
-    double first = below(native.lowest);
-    double last = std::max(above(native.highest), first + 1.0);
+    double first = below(native.lowestM);
+    double last = std::max(above(native.highestM), first + 1.0);
     if (region) {
         first = std::max(first, below(region->lowerM.z));
         last = std::min(last, above(region->upperM.z));
@@ -166,8 +139,8 @@ void requireCells(const Dataset& dataset, const ReadPlan& plan, const NativeLeve
     throw Error({.where = info.times.front().file.string(),
                  .what = "the region asked for holds no cell of the domain",
                  .found = text(region->lowerM, region->upperM),
-                 .expected = "a part of " +
-                             text({0.0, 0.0, native.lowest}, {extent.x, extent.y, native.highest}),
+                 .expected = "a part of " + text({0.0, 0.0, native.lowestM},
+                                                 {extent.x, extent.y, native.highestM}),
                  .hint = "from the south-west corner, z above sea level, lower before upper"});
 }
 
@@ -229,10 +202,33 @@ std::string planSizeText(std::uint64_t bytes) {
                               : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
 
+/// Reads only some rows in between: the median needs a sample, not the whole domain.
+NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress) {
+    const VariableInfo& variable =
+        requiredVariable(dataset, VariableRole::interfaceHeight, "the height of layers");
+    const glm::ivec3 size = dataset.info().size;
+    const auto perRow = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.z);
+    const int rows = std::clamp(static_cast<int>(kDepthSamples / perRow),
+                                std::min(kFewestSampleRows, size.y), variable.size.y);
+    std::vector<float> depths;
+    for (int i = 0; i < rows; ++i) {
+        CellBox row = wholeBox(dataset.info());
+        row.lower.y = static_cast<int>((i + 0.5) * size.y / rows);
+        row.upper.y = row.lower.y + 1;
+        addDepths(readHeights(dataset, time, row, progress), depths);
+    }
+    NativeLevels levels;
+    levels.lowestM = static_cast<double>(extremes(dataset, variable, time, 0, progress).min);
+    levels.highestM = static_cast<double>(extremes(dataset, variable, time, size.z, progress).max);
+    levels.medianDepthM = median(depths);
+    return levels;
+}
+
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region,
-                  const MemoryBudget& budget, const Progress& progress) {
+                  const MemoryBudget& budget, const Progress& progress,
+                  const std::optional<NativeLevels>& levels) {
     const DatasetInfo& info = dataset.info();
-    const NativeLevels native = readLevels(dataset, time, progress);
+    const NativeLevels native = levels ? *levels : readLevels(dataset, time, progress);
     ReadPlan plan;
     plan.even = touched(info, region);
     plan.box = nativeBox(info, plan.even);

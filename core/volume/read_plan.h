@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/dataset/dataset.h"
+#include "core/dataset/native_levels.h"
 #include "core/grid/boxes.h"
 #include "core/grid/grid.h"
 
@@ -39,12 +40,18 @@ struct ReadPlan {
     bool operator==(const ReadPlan&) const = default;
 };
 
+/// The heights that decide the levels at `time`: reads the lowest and the highest interface and
+/// some rows in between. Throws Error or Cancelled.
+NativeLevels readLevels(Dataset& dataset, int time, const Progress& progress = {});
+
 /// The finest plan for `region` (default: everything) at `time` that fits `budget`, or the coarsest
 /// possible. (Even) cells that the region touches are read whole. The level spacing is the median
 /// native layer depth, rounded so that the times of a series share it. Reads the lowest and the
-/// highest interface and some rows of heights. Throws Error if the region contains no cell.
+/// highest interface and some rows of heights, unless `levels` are given: runs that are to share a
+/// grid have those in common. Throws Error if the region contains no cell.
 ReadPlan planRead(Dataset& dataset, int time, const std::optional<BoxM>& region = {},
-                  const MemoryBudget& budget = {}, const Progress& progress = {});
+                  const MemoryBudget& budget = {}, const Progress& progress = {},
+                  const std::optional<NativeLevels>& levels = {});
 
 /// The same plan with blocks of `coarsening` x `coarsening` even columns.
 ReadPlan coarsened(ReadPlan plan, int coarsening, const DatasetInfo& info);

@@ -18,6 +18,21 @@ CLI::Option* addMapOption(CLI::App& command, std::string& map) {
         ->type_name("FILE");
 }
 
+CLI::Option* addMembersOption(CLI::App& command, std::vector<std::string>& members) {
+    return command
+        .add_option(
+            "--members", members,
+            "Runs of one grid as an ensemble: each a file, a folder or a quoted pattern; or "
+            "one folder that holds them")
+        ->type_name("RUN...");
+}
+
+void checkMembers(const CLI::App& command, const std::vector<std::string>& members) {
+    if (members.empty()) return;
+    refuseTyped(command, {"FILE"}, "there are --members as well",
+                "give one of the two; each of the members is a run");
+}
+
 void addMemoryOption(CLI::App& command, std::string& memory) {
     const auto parse = [](const std::string& text) {
         // Read here for its faults; what a share comes to depends on when it is used.
@@ -35,7 +50,7 @@ void addTimeOption(CLI::App& command, std::optional<TimeRange>& times, const std
         ->type_name("INDEX|a:b|all");
 }
 
-void addLookOptions(CLI::App& command, SceneRequest& request) {
+void addPresetOptions(CLI::App& command, SceneRequest& request) {
     command.add_option("--preset", request.preset, "Preset, by name or file; else default")
         ->type_name("NAME|FILE");
     const auto take = [&request](const std::vector<std::string>& assignments) {
@@ -48,6 +63,10 @@ void addLookOptions(CLI::App& command, SceneRequest& request) {
                                                        "Set one parameter; may be repeated")
         ->type_name("ID=VALUE")
         ->allow_extra_args(false);
+}
+
+void addLookOptions(CLI::App& command, SceneRequest& request) {
+    addPresetOptions(command, request);
     command.add_option("--camera", request.camera, "Camera of a preset, or a file with one")
         ->type_name("NAME|FILE");
 }
@@ -55,6 +74,9 @@ void addLookOptions(CLI::App& command, SceneRequest& request) {
 void addSceneOptions(CLI::App& command, SceneRequest& request) {
     command.add_option("FILE", request.files,
                        "Files of one series, or a folder; none: the bundled storm");
+    addMembersOption(command, request.members);
+    command.add_option("--member", request.member, "Of the ensemble: by name or number, or mean")
+        ->type_name("NAME|N|mean");
     addLookOptions(command, request);
     const auto parse = [](const std::string& text) {
         return asUsage("--parts " + text, [&] { return parsePresetParts(text); });
@@ -92,6 +114,7 @@ void checkScene(const CLI::App& command, const SceneRequest& request, bool anyPr
     std::vector<Setting> settings = request.settings;
     settings.insert(settings.end(), request.engineSettings.begin(), request.engineSettings.end());
     checkSetOnce(settings);
+    checkMembers(command, request.members);
 }
 
 void checkOneTime(const std::optional<TimeRange>& times) {

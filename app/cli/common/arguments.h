@@ -45,9 +45,15 @@ void addReaderOption(CLI::App& command, std::vector<std::string>& readers);
 
 /// --map: a file that says what the variables of an unknown file are.
 CLI::Option* addMapOption(CLI::App& command, std::string& map);
+/// --members: the runs of an ensemble, in place of FILE.
+CLI::Option* addMembersOption(CLI::App& command, std::vector<std::string>& members);
+/// Throws UsageError where files are named beside members.
+void checkMembers(const CLI::App& command, const std::vector<std::string>& members);
 void addMemoryOption(CLI::App& command, std::string& memory);
 void addTimeOption(CLI::App& command, std::optional<TimeRange>& times, const std::string& help);
-/// --preset, --set and --camera.
+/// --preset and --set.
+void addPresetOptions(CLI::App& command, SceneRequest& request);
+/// The same with --camera.
 void addLookOptions(CLI::App& command, SceneRequest& request);
 /// All of a scene; FILE is positional.
 void addSceneOptions(CLI::App& command, SceneRequest& request);

@@ -10,6 +10,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/dataset/ensemble.h"
+#include "core/dataset/file_list.h"
 #include "core/preset/preset_difference.h"
 #include "core/preset/preset_files.h"
 #include "core/session/session.h"
@@ -182,6 +184,31 @@ MemoryBudget chooseBudget(const std::string& memory, std::uint64_t gpuBytes,
         warnings.push_back(error.message());
         return memoryBudget("", gpuBytes);
     }
+}
+
+std::shared_ptr<Dataset> openData(const std::vector<std::string>& files,
+                                  const std::vector<std::string>& members, const PluginHost& host,
+                                  const Progress& progress) {
+    const OpenRun openRun = [&host](std::span<const std::filesystem::path> paths,
+                                    const Progress& part) {
+        return Dataset::open(paths, host, part);
+    };
+    if (members.empty()) return openRun(listFiles(files), progress);
+    return Ensemble::open(listMembers(members), openRun, progress);
+}
+
+int memberOf(const Dataset& dataset, const std::string& asked, int otherwise) {
+    const Ensemble* ensemble = ensembleOf(dataset);
+    if (asked.empty()) {
+        return ensemble == nullptr ? 0 : std::clamp(otherwise, kMeanMember, ensemble->count() - 1);
+    }
+    const std::string typed = "--member " + asked;
+    if (ensemble == nullptr) {
+        throw UsageError({.where = typed,
+                          .what = "the data are a single run",
+                          .hint = "--members RUN RUN... opens several as an ensemble"});
+    }
+    return asUsage(typed, [&] { return ensemble->memberNamed(asked); });
 }
 
 std::vector<int> timesOf(const std::optional<TimeRange>& range, const DatasetInfo& info) {

@@ -1,6 +1,7 @@
 // scene.h: what is to be shown, as asked for on the command line, made into times and a document.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct Setting {
 /// the session, has it.
 struct SceneRequest {
     std::vector<std::string> files;       ///< files or folders; none: the bundled storm
+    std::vector<std::string> members;     ///< runs of an ensemble, in place of files
+    std::string member;                   ///< that is shown, as Ensemble::memberNamed; or empty
     std::vector<std::string> readers;     ///< libraries or folders, before those found elsewhere
     std::string map;                      ///< of the variables of an unknown file; or empty
     std::string preset;                   ///< name or file
@@ -77,6 +80,15 @@ void checkSetOnce(const std::vector<Setting>& settings);
 
 /// "INDEX", "a:b" or "all". Throws UsageError.
 TimeRange parseTimeRange(const std::string& option, const std::string& text);
+
+/// Opens files, or the ensemble of `members` where there are any. Throws Error or Cancelled.
+std::shared_ptr<Dataset> openData(const std::vector<std::string>& files,
+                                  const std::vector<std::string>& members, const PluginHost& host,
+                                  const Progress& progress = {});
+
+/// The member that is asked for by --member, or `otherwise` as far as there is such a one. Throws
+/// UsageError where there is none of that name, or no ensemble.
+int memberOf(const Dataset& dataset, const std::string& asked, int otherwise);
 
 /// The indices of a range, or of the default time where there is none. Throws UsageError that names
 /// the times there are.

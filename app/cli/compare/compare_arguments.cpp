@@ -15,7 +15,7 @@ namespace neph {
 namespace {
 
 constexpr double kPerPercent = 0.01;
-constexpr const char* kDrawing = "Of the data that engines draw, with --engine";
+constexpr const char* kDrawing = "Of the data that are drawn, with --engine or --with-member";
 
 double parseFinite(const std::string& option, const std::string& text, double above) {
     double value = 0.0;
@@ -56,6 +56,10 @@ std::vector<CLI::Option*> addDrawing(CLI::App& command, CompareRequest& request)
             "--engine", takeEngines, "Draw the data with these; the last is the reference")
         ->type_name("NAME[:ID=VALUE]...,NAME...")
         ->allow_extra_args(false);
+    command
+        .add_option("--with-member", request.render.beside.member,
+                    "Draw --member of the ensemble and this one, which is the reference")
+        ->type_name("NAME|N|mean");
     return drawing;
 }
 
@@ -117,8 +121,15 @@ void checkEngines(const CLI::App& command, const CompareRequest& request) {
                     "--out FOLDER");
     }
     const SceneRequest& scene = request.render.scene;
+    if (!request.engines.empty()) {
+        refuseTyped(command, {"--with-member"}, "--engine compares engines on one member",
+                    "give one of the two; --set view.engine=NAME draws both members");
+    } else if (scene.members.empty()) {
+        refuseTyped(command, {"--with-member"}, "there is no ensemble", "--members RUN RUN...");
+    }
     checkScene(command, scene, !scene.preset.empty());
     for (const Setting& setting : scene.settings) {
+        if (request.engines.empty()) break;
         if (setting.row != &parameter("view.engine")) continue;
         throw UsageError({.where = "--set view.engine",
                           .what = "--engine names the engines",
@@ -137,7 +148,7 @@ Command addCompare(CLI::App& app) {
     addFigures(command, *request);
     return {&command, [&command, request, drawing] {
                 request->render.sampling.error = command.count("--error") > 0;
-                if (request->engines.empty()) {
+                if (!request->draws()) {
                     checkFiles(command, *request, drawing);
                 } else {
                     checkEngines(command, *request);

@@ -152,7 +152,7 @@ void compareEngines(const CompareRequest& request) {
 }  // namespace
 
 int runCompare(const CompareRequest& request) {
-    if (request.engines.empty()) {
+    if (!request.draws()) {
         compareFiles(request);
         return 0;
     }

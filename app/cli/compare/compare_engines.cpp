@@ -50,15 +50,23 @@ class Drawer {
     Drawer(const CompareRequest& request, const Progress& progress)
         : request_(request), progress_(progress) {
         const RenderRequest& render = request.render;
-        SideScene scene = sideScenes(render, {}).front();
-        checkEngines(scene.scene.document);
-        std::vector<std::string> warnings = scene.scene.warnings;
-        const MemoryBudget budget =
+        std::vector<SideScene> scenes = sideScenes(render, {});
+        checkEngines(scenes.front().scene.document);
+        std::vector<std::string> warnings = scenes.front().scene.warnings;
+        MemoryBudget budget =
             chooseBudget(render.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
+        budget.gpu /= scenes.size();
+        budget.machine /= scenes.size();
         for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
-        side_ = std::make_unique<Side>(std::move(scene), budget, progress);
-        side_->show(side_->times().front(), progress);
-        for (const std::string& note : side_->newNotes()) fmt::print(stderr, "note: {}\n", note);
+        for (SideScene& scene : scenes) {
+            sides_.push_back(std::make_unique<Side>(std::move(scene), budget, progress));
+            side_ = sides_.back().get();
+            side_->show(side_->times().front(), progress);
+            for (const std::string& note : side_->newNotes()) {
+                fmt::print(stderr, "note: {}\n", note);
+            }
+        }
+        side_ = sides_.front().get();
         sizePx_ = render.sizePx;
         const double aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         pose_ = side_->what().scene.document.camera;
@@ -68,6 +76,15 @@ class Drawer {
     }
 
     ComparedImage draw(const ComparedEngine& engine);
+    /// Draws each side, called by its member.
+    std::vector<ComparedImage> drawMembers() {
+        std::vector<ComparedImage> images;
+        for (const auto& side : sides_) {
+            side_ = side.get();
+            images.push_back(draw({side->memberName(), {}}));
+        }
+        return images;
+    }
 
   private:
     /// Options must act with one of the engines at least. Of the march the window's samples are
@@ -77,6 +94,7 @@ class Drawer {
         for (const ComparedEngine& engine : request_.engines) {
             engines |= bitOf(parametersOf(engine, values).look.engine);
         }
+        if (request_.engines.empty()) engines = bitOf(values.look.engine);
         checkActing(request_.render, engines,
                     enginesWith(&EngineTraits::refinement, Refinement::converges));
     }
@@ -86,7 +104,8 @@ class Drawer {
     const CompareRequest& request_;
     Progress progress_;
     gl::HeadlessContext context_;
-    std::unique_ptr<Side> side_;
+    std::vector<std::unique_ptr<Side>> sides_;
+    Side* side_ = nullptr;  // that is drawn
     glm::ivec2 sizePx_{0};
     CameraPose pose_;
     Camera camera_;
@@ -152,6 +171,7 @@ void Drawer::keep(const ComparedEngine& engine, const LayeredImage& image, const
 std::vector<ComparedImage> drawEngines(const CompareRequest& request, const Progress& progress) {
     if (!request.out.empty()) std::filesystem::create_directories(request.out);
     Drawer drawer(request, progress);
+    if (request.engines.empty()) return drawer.drawMembers();
     std::vector<ComparedImage> images;
     for (const ComparedEngine& engine : request.engines) {
         images.push_back(drawer.draw(engine));

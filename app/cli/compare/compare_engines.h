@@ -6,8 +6,8 @@
 
 namespace neph {
 
-/// Draws all, and keeps them where the request names a folder. The last is the reference. Throws
-/// Error, UsageError or Cancelled.
+/// Draws all, or the member and the one that it is compared with, and keeps them where the request
+/// names a folder. The last is the reference. Throws Error, UsageError or Cancelled.
 std::vector<ComparedImage> drawEngines(const CompareRequest& request, const Progress& progress);
 
 /// Name of a file in the folder of the request, of an engine as typed: "slicing:light.form=printed"

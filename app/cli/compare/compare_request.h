@@ -14,9 +14,12 @@ struct ComparedEngine {
 };
 
 struct CompareRequest {
-    std::vector<ComparedEngine> engines;  ///< the last is the reference; none: two images
-    /// Of what engines draw; the scene's files are the two images where none do.
+    std::vector<ComparedEngine>
+        engines;  ///< the last is the reference; none: two images, or members
+    /// Of what is drawn; the scene's files are the two images where nothing is. Another member of
+    /// its ensemble beside it is the reference.
     RenderRequest render;
+    bool draws() const { return !engines.empty() || !render.beside.member.empty(); }
     bool json = false;
     std::filesystem::path errorImage;  ///< a PNG file; empty: none, here and below
     bool bothSigns = false;            ///< in images of errors

@@ -7,7 +7,6 @@
 #include "app/cli/info/info_json.h"
 #include "app/cli/info/info_text.h"
 #include "core/dataset/dataset.h"
-#include "core/dataset/file_list.h"
 
 namespace neph {
 
@@ -15,8 +14,8 @@ int runInfo(const InfoRequest& request) {
     std::vector<std::string> warnings;
     const MemoryBudget budget = chooseBudget(request.memory, MemoryBudget{}.gpu, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
-    const auto dataset =
-        Dataset::open(listFiles(request.files), PluginHost::standard(request.readers, request.map));
+    const auto dataset = openData(request.files, request.members,
+                                  PluginHost::standard(request.readers, request.map));
     fmt::print("{}", request.json ? infoJson(*dataset, request.times, budget)
                                   : infoText(*dataset, request.times, budget));
     return 0;

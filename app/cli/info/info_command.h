@@ -10,6 +10,7 @@ namespace neph {
 
 struct InfoRequest {
     std::vector<std::string> files;  ///< files of one series, or a folder; none: the bundled storm
+    std::vector<std::string> members;  ///< runs of an ensemble, in place of files
     std::vector<std::string> readers;  ///< libraries or folders, before those found elsewhere
     std::string map;                   ///< of the variables of an unknown file; or empty
     std::optional<TimeRange> times;    ///< none: what can be read in seconds

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/cli/info/info_findings.h"
+#include "app/cli/info/info_members.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/nest_place.h"
@@ -272,6 +273,7 @@ std::string infoJson(Dataset& dataset, const std::optional<TimeRange>& times,
               {"notes", allNotes(info, found)}};
     if (summaries.front().hasColumns) json["condensate"] = condensateJson(info, summaries);
     if (!dataset.nests().empty()) json["domains"] = domainsJson(dataset);
+    if (auto members = membersJson(dataset); !members.is_null()) json["members"] = members;
     if (!info.noPlace.empty()) json["no_place"] = info.noPlace;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/cli/info/info_findings.h"
+#include "app/cli/info/info_members.h"
 #include "app/cli/info/info_place.h"
 #include "app/cli/info/info_shown.h"
 #include "core/dataset/grid_text.h"
@@ -213,7 +214,7 @@ std::string infoText(Dataset& dataset, const std::optional<TimeRange>& times,
     std::string text = fmt::format("Model    {}\nScheme   {}\nReader   {}\n", info.model,
                                    info.scheme.empty() ? "unknown" : info.scheme, info.reader);
     text += gridLines(info, summaries.back().layers);
-    text += domainLines(dataset) + timeLine(info) + placeLines(info);
+    text += domainLines(dataset) + membersLines(dataset) + timeLine(info) + placeLines(info);
     text += fmt::format("Shown    {}\n", shownHere(dataset, summaries.back().time, budget));
     text += peakLines(info, summaries) + columnLines(info, summaries) + rangeLines(summaries);
     text += humidityLine(summaries) + aerosolLine(summaries);

@@ -75,6 +75,8 @@ void addBesideOptions(CLI::App& command, BesideRequest& beside) {
     };
     addParsed(command, "--time-b", beside.time, parseTime, "Beside the image: another time")
         ->type_name("INDEX");
+    command.add_option("--member-b", beside.member, "Beside the image: another member, or mean")
+        ->type_name("NAME|N|mean");
     addParsed(command, "--split", beside.splitAt, parseSplit, "Share of the width for the first")
         ->type_name("SHARE");
 }
@@ -82,14 +84,14 @@ void addBesideOptions(CLI::App& command, BesideRequest& beside) {
 void checkSession(const CLI::App& command, const RenderRequest& request) {
     if (request.session.empty()) {
         refuseTyped(command, {"--slot", "--compare", "--along-path"}, "needs a session",
-                    "--session FILE; or --preset-b, --time-b, --path FILE");
+                    "--session FILE; or --preset-b, --time-b, --member-b, --path FILE");
     }
     if (request.beside.slots) {
         refuseTyped(command, {"--slot"}, "--compare shows both slots", "leave out one of the two");
     }
     if (!request.beside.wanted()) {
         refuseTyped(command, {"--split"}, "there is nothing to compare with",
-                    "--preset-b, --time-b, or --session with --compare");
+                    "--preset-b, --time-b, --member-b, or --session with --compare");
     }
 }
 

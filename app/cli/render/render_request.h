@@ -22,9 +22,10 @@ struct BesideRequest {
     bool slots = false;             ///< the two slots of the session
     std::string preset;             ///< of B, name or file; empty: A's
     std::optional<TimeRange> time;  ///< of B, one; none: A's
+    std::string member;             ///< of B; empty: A's
     /// Share of the width that A takes; none: the session's, or half.
     std::optional<double> splitAt;
-    bool wanted() const { return slots || !preset.empty() || time; }
+    bool wanted() const { return slots || !preset.empty() || time || !member.empty(); }
 };
 
 /// When an engine has samples enough.

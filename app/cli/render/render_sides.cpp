@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/resources.h"
-#include "core/dataset/file_list.h"
+#include "core/dataset/ensemble.h"
 #include "core/look/exposure.h"
 #include "core/plugin/plugin_host.h"
 #include "core/preset/preset_files.h"
@@ -22,7 +22,9 @@ SideScene sceneOf(SceneRequest request, const SlotState* slot) {
     std::optional<Scene> start;
     if (slot != nullptr) {
         start = Scene{slot->presetName, slot->document, {}, slot->inMetres, true};
-        if (request.files.empty()) request.files = slot->data;
+        if (request.files.empty() && request.members.empty()) {
+            (slot->members ? request.members : request.files) = slot->data;
+        }
         if (!request.region) request.region = slot->region;
         side.time = slot->document.time;
     }
@@ -49,9 +51,18 @@ SideScene otherScene(const RenderRequest& request, const std::optional<SessionSt
     SceneRequest other = request.scene;
     if (!beside.preset.empty()) other.preset = beside.preset;
     if (beside.time) other.times = beside.time;
+    if (!beside.member.empty()) other.member = beside.member;
     SideScene side = sceneOf(std::move(other), beside.slots ? slotOf(*session, 2) : first);
     side.ownCamera = beside.slots && !session->linkedCameras && request.scene.camera.empty();
     return side;
+}
+
+/// "file wrfout_d01", "member mem03 of 5", "mean of 5 members".
+std::string sourceOf(const Dataset& dataset, int member, const TimeInfo& time) {
+    const Ensemble* ensemble = ensembleOf(dataset);
+    if (ensemble == nullptr) return "file " + time.file.filename().string();
+    if (member == kMeanMember) return fmt::format("mean of {} members", ensemble->count());
+    return fmt::format("member {} of {}", ensemble->nameOf(member), ensemble->count());
 }
 
 }  // namespace
@@ -79,11 +90,11 @@ std::vector<SideScene> sideScenes(const RenderRequest& request,
 
 Side::Side(SideScene what, const MemoryBudget& budget, const Progress& progress)
     : what_(std::move(what)),
-      dataset_(Dataset::open(listFiles(what_.request.files),
-                             PluginHost::standard(what_.request.readers, what_.request.map),
-                             progress)),
+      dataset_(openData(what_.request.files, what_.request.members,
+                        PluginHost::standard(what_.request.readers, what_.request.map), progress)),
       request_{what_.request.region, budget, planRadii(what_.scene.document.look, dataset_->info()),
-               asksHumidity(what_.scene.document.look)},
+               asksHumidity(what_.scene.document.look),
+               memberOf(*dataset_, what_.request.member, what_.scene.document.member)},
       renderer_(std::make_unique<render::Renderer>(resourcePath("shaders"))),
       notes_(dataset_->info().notes) {
     Scene& scene = what_.scene;
@@ -116,6 +127,11 @@ void Side::show(int time, const Progress& progress) {
                               shown_.noAerosol));
 }
 
+std::string Side::memberName() const {
+    const Ensemble* ensemble = ensembleOf(*dataset_);
+    return ensemble == nullptr ? std::string() : ensemble->nameOf(request_.member);
+}
+
 std::vector<std::string> Side::newNotes() {
     std::vector<std::string> fresh;
     for (std::string& note : std::exchange(notes_, {})) {
@@ -143,8 +159,9 @@ Metadata Side::describe(const ParameterSet& drawn, const CameraPose& pose,
         {"haze", hazeText(hazeOf(drawn.look, shown_.where))},
         {"scale", scaleOf(drawn.look)},
         {"sampling", formatAssignments(samplingTable(), drawn)},
-        {"data", fmt::format("{}; {}; file {}; time {}; reader {}", info().model, info().scheme,
-                             time.file.filename().string(), shown_.timeLabel, info().reader)},
+        {"data",
+         fmt::format("{}; {}; {}; time {}; reader {}", info().model, info().scheme,
+                     sourceOf(*dataset_, request_.member, time), shown_.timeLabel, info().reader)},
         {"resolution", plan.empty() ? "full" : plan},
         {"renderer", fmt::format("{}, {}", work, renderer_->deviceName())},
     };

@@ -53,6 +53,8 @@ class Side {
     const SideScene& what() const { return what_; }
     const DatasetInfo& info() const { return dataset_->info(); }
     const VolumeSummary& shown() const { return shown_; }
+    /// Of an ensemble: "mem03" or "mean"; empty of a single run.
+    std::string memberName() const;
     render::Renderer& renderer() { return *renderer_; }
     /// Whether such an image of what is shown is to scale, in words.
     std::string scaleOf(const Look& look) const;

@@ -60,6 +60,12 @@ void takeTurns(CompareState& compare, NextFrame& next) {
     next.again(kTurnS * (std::floor(turns) + 1.0 - turns));
 }
 
+/// "A", or "A  mem03".
+std::string badge(const CompareState& compare, std::size_t slot) {
+    const std::string& member = compare.members.at(slot);
+    return (slot == 0 ? "A" : "B") + (member.empty() ? "" : "  " + member);
+}
+
 }  // namespace
 
 void drawCompare(const PanelContext& context, CompareState& compare, CompareErrors& errors) {
@@ -74,12 +80,11 @@ void drawCompare(const PanelContext& context, CompareState& compare, CompareErro
     if (compare.mode == CompareMode::split) {
         dragLine(compare, area);
         const float at = area.lower.x + compare.splitAt * area.size().x;
-        imageLabel("A", {at - margin, top}, 1.0f, compare.active == 0);
-        imageLabel("B", {at + margin, top}, 0.0f, compare.active == 1);
+        imageLabel(badge(compare, 0).c_str(), {at - margin, top}, 1.0f, compare.active == 0);
+        imageLabel(badge(compare, 1).c_str(), {at + margin, top}, 0.0f, compare.active == 1);
         return;
     }
-    constexpr std::array kNames{"A", "B"};
-    imageLabel(kNames.at(static_cast<std::size_t>(seenSlot(compare))),
+    imageLabel(badge(compare, static_cast<std::size_t>(seenSlot(compare))).c_str(),
                {area.lower.x + area.size().x / 2.0f, top}, 0.5f, !compare.peeking);
 }
 

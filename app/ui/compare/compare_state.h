@@ -1,14 +1,18 @@
 // compare_state.h: two slots, A and B, each with data, look and camera of its own, and how they
 // share the image.
 #pragma once
+#include <array>
+#include <string>
+
 #include "core/session/session_state.h"
 
 namespace neph::ui {
 
 struct CompareState {
-    int active = 0;        ///< slot that panels edit and keys act on
-    bool second = false;   ///< slot B exists
-    bool peeking = false;  ///< the other slot is shown for as long as Shift is held
+    std::array<std::string, 2> members;  ///< shown in A and B: "mem03", "mean"; empty: a single run
+    int active = 0;                      ///< slot that panels edit and keys act on
+    bool second = false;                 ///< slot B exists
+    bool peeking = false;                ///< the other slot is shown for as long as Shift is held
     CompareMode mode = CompareMode::single;
     int flickered = 0;     ///< slot that is seen now where they are alternately
     bool figures = false;  ///< how far A is from B is told

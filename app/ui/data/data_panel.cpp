@@ -59,6 +59,20 @@ void drawFiles(const DatasetInfo& info, int time) {
     tooltip(paths.c_str());
 }
 
+/// What of an ensemble is shown, and from which files.
+void drawMember(const Ensemble& ensemble, int member, int time) {
+    if (member == kMeanMember) {
+        fact("Member", fmt::format("mean of {} members", ensemble.membersAt(time).size()));
+        tooltip(
+            "The mean content of each cell. It is smoother than any member: thin cloud where some "
+            "of them have cloud, and not a cloud that could be.");
+        return;
+    }
+    fact("Member",
+         fmt::format("{}, {} of {}", ensemble.nameOf(member), member + 1, ensemble.count()));
+    if (const auto own = ensemble.timeIn(member, time)) drawFiles(ensemble.infoOf(member), *own);
+}
+
 void drawDomain(const DatasetInfo& info) {
     const std::string scheme = info.scheme.empty() ? "" : ", " + info.scheme;
     fact("Model", info.model + scheme);
@@ -190,7 +204,11 @@ void drawData(const PanelContext& context, DataEdits& edits) {
         ImGui::TextDisabled("None yet");
         return;
     }
-    drawFiles(*info, session.document.time);
+    if (const Ensemble* ensemble = session.ensemble()) {
+        drawMember(*ensemble, session.document.member, session.document.time);
+    } else {
+        drawFiles(*info, session.document.time);
+    }
     drawDomain(*info);
     ImGui::Spacing();
     drawPlan(*shown, *info, session.budget());

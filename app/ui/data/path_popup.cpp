@@ -24,7 +24,7 @@ struct Words {
     const char *title, *hint, *button;
 };
 /// In the order of BrowseFor. The part after ### is the popup's name.
-constexpr std::array<Words, 4> kWords{{
+constexpr std::array<Words, 5> kWords{{
     {"Open data###files",
      "A file, or a folder with the files of one series. Ctrl or Shift and a click take several.",
      "Open"},
@@ -32,6 +32,9 @@ constexpr std::array<Words, 4> kWords{{
     {"Save session###files", "Data, looks, cameras, bookmarks and the path are kept.", "Save"},
     {"Where are the data?###files", "The file that has moved, or the folder it is in now.",
      "Look there"},
+    {"Open ensemble###files",
+     "The folder that holds the members, or several runs: Ctrl or Shift and a click take several.",
+     "Open"},
 }};
 
 std::string sizeText(std::uint64_t bytes) {
@@ -168,7 +171,8 @@ bool drawRow(FileBrowser& browser, int row, FileEntry& entry) {
             label.c_str(), on,
             ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
         const ImGuiIO& io = ImGui::GetIO();
-        const bool several = browser.purpose == BrowseFor::data && !entry.folder;
+        const bool several = (browser.purpose == BrowseFor::data && !entry.folder) ||
+                             browser.purpose == BrowseFor::members;
         choose(browser, row, several && io.KeyCtrl, several && io.KeyShift);
         browser.focus = browser.toEnd = true;
         opened = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -225,7 +229,7 @@ bool drawButtons(FileBrowser& browser, const Words& words, bool& left) {
     const bool several = browser.chosen.size() > 1;
     std::string told = browser.fault;
     if (told.empty() && browser.replaces) told = "There is such a file already.";
-    if (told.empty() && several) told = fmt::format("{} files", browser.chosen.size());
+    if (told.empty() && several) told = fmt::format("{} chosen", browser.chosen.size());
     const char* button = browser.replaces ? "Replace it" : words.button;
     const float em = ImGui::GetFontSize();
     const float buttons = 13.0f * em;
@@ -257,6 +261,9 @@ void carryOut(const PanelContext& context, SessionDialogs& dialogs,
             break;
         case BrowseFor::moved:
             if (dialogs.waiting) answer(*dialogs.waiting, names.front());
+            break;
+        case BrowseFor::members:
+            openMembers(context, names);
             break;
     }
 }

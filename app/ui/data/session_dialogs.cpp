@@ -107,7 +107,7 @@ void drawRecent(const PanelContext& context, SessionDialogs& dialogs) {
     place("recent.close");
     if (left || !chosen.empty() || context.settings.recent.empty()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (!chosen.empty()) openFiles(context, dialogs, namesIn(chosen));
+    if (!chosen.empty()) openRecent(context, dialogs, chosen);
 }
 
 }  // namespace

@@ -83,6 +83,18 @@ void openFiles(const PanelContext& context, SessionDialogs& dialogs,
     }
 }
 
+void openRecent(const PanelContext& context, SessionDialogs& dialogs, const std::string& entry) {
+    if (namesRuns(entry)) {
+        openMembers(context, namesIn(entry));
+    } else {
+        openFiles(context, dialogs, namesIn(entry));
+    }
+}
+
+void openMembers(const PanelContext& context, const std::vector<std::string>& runs) {
+    context.session().openAs({.named = runs, .members = true});
+}
+
 void openSessionFile(const PanelContext& context, SessionDialogs& dialogs, const fs::path& file) {
     WaitingSession from;
     from.name = file.filename().string();
@@ -117,6 +129,7 @@ void leaveOut(const Session& session, WaitingSession& waiting) {
         });
         if (gone == 0 || !slot.data.empty()) continue;
         slot.data = session.named();
+        slot.members = session.namesMembers();
         slot.region = session.region();
     }
     waiting.missing.clear();
@@ -140,8 +153,12 @@ bool reopenLast(const PanelContext& context, SessionDialogs& dialogs) {
 }
 
 void reloadData(Session& session) {
-    const std::vector<std::string> named = session.named();
-    session.open(named, session.document.time, session.region(), true);
+    session.openAs({.named = session.named(),
+                    .members = session.namesMembers(),
+                    .time = session.document.time,
+                    .member = session.document.member,
+                    .region = session.region(),
+                    .keepsView = true});
 }
 
 void noteOpened(const PanelContext& context, SessionDialogs& dialogs) {
@@ -158,7 +175,7 @@ void noteOpened(const PanelContext& context, SessionDialogs& dialogs) {
     }
     if (!session.info() || session.named() == dialogs.named) return;
     dialogs.named = session.named();
-    addRecent(context.settings.recent, recentEntry(dialogs.named));
+    addRecent(context.settings.recent, recentEntry(dialogs.named, session.namesMembers()));
 }
 
 bool recentIsThere(SessionDialogs& dialogs, const std::vector<std::string>& recent,

@@ -49,6 +49,10 @@ void browse(const Settings& settings, SessionDialogs& dialogs, BrowseFor purpose
 /// Faults become messages.
 void openFiles(const PanelContext& context, SessionDialogs& dialogs,
                const std::vector<std::string>& names);
+/// Opens an entry of the recent ones: data, an ensemble, a session or a preset.
+void openRecent(const PanelContext& context, SessionDialogs& dialogs, const std::string& entry);
+/// Opens each of `runs` as a member of an ensemble, or the members in the one folder that is named.
+void openMembers(const PanelContext& context, const std::vector<std::string>& runs);
 void openSessionFile(const PanelContext& context, SessionDialogs& dialogs,
                      const std::filesystem::path& file);
 void saveSessionFile(const PanelContext& context, SessionDialogs& dialogs,

@@ -48,7 +48,8 @@ void openColumn(Settings& settings, Columns& columns, bool left, bool open) {
 
 bool hasTimeBar(const Session& session) {
     const DatasetInfo* info = session.info();
-    return (info != nullptr && info->times.size() > 1) || session.document.path.keys.size() > 1;
+    return (info != nullptr && info->times.size() > 1) || session.ensemble() != nullptr ||
+           session.document.path.keys.size() > 1;
 }
 
 Layout layoutOf(const Session& session, const Settings& settings, const Columns& columns) {

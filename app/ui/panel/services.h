@@ -29,6 +29,8 @@ struct Services {
     std::function<std::string(const std::string& name, const std::vector<plot::Figure>& figures,
                               const plot::Table& table)>
         savePlots;
+    /// Replaces a PNG file. Throws Error.
+    std::function<void(const std::filesystem::path& png, const Image8& image)> savePng;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state. Another session may be the active one from then on.

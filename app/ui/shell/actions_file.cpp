@@ -28,6 +28,12 @@ const std::array kActions{
            .chord = {Key::o, true},
            .help = "Files of one series, or a folder",
            .run = [](Ui& ui) { browseFor(ui, BrowseFor::data); }},
+    Action{.id = "file.open_ensemble",
+           .label = "Open ensemble...",
+           .menu = Menu::file,
+
+           .help = "Runs of one grid as members: a folder that holds them, or several runs",
+           .run = [](Ui& ui) { browseFor(ui, BrowseFor::members); }},
     Action{.id = "file.bundled",
            .label = "Open the bundled storm",
            .menu = Menu::file,

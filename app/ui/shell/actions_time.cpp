@@ -18,6 +18,10 @@ bool hasPath(const Ui& ui) {
     return ui.session().document.path.keys.size() > 1;
 }
 
+bool hasMembers(const Ui& ui) {
+    return ui.session().ensemble() != nullptr;
+}
+
 void goTo(Ui& ui, int time) {
     ui.session().document.time = std::clamp(time, 0, lastTime(ui.session()));
 }
@@ -123,6 +127,36 @@ const std::array kActions{
            .help = "The last of the series",
            .run = [](Ui& ui) { goTo(ui, lastTime(ui.session())); },
            .enabled = hasTimes},
+    Action{.id = "time.member_before",
+           .label = "Member before",
+           .menu = Menu::time,
+           .chord = {Key::pageUp},
+           .help = "Of an ensemble, at the same time",
+           .run = [](Ui& ui) { stepMember(ui.session(), -1); },
+           .enabled = hasMembers,
+           .needs = "an ensemble: File > Open ensemble",
+           .separated = true},
+    Action{.id = "time.member_after",
+           .label = "Member after",
+           .menu = Menu::time,
+           .chord = {Key::pageDown},
+           .help = "Of an ensemble, at the same time",
+           .run = [](Ui& ui) { stepMember(ui.session(), 1); },
+           .enabled = hasMembers,
+           .needs = "an ensemble: File > Open ensemble"},
+    Action{.id = "time.mean",
+           .label = "Mean of the members",
+           .menu = Menu::time,
+           .chord = {Key::m, false, true},
+           .help = "Smoother than any member; again for the first",
+           .run =
+               [](Ui& ui) {
+                   int& member = ui.session().document.member;
+                   member = member == kMeanMember ? 0 : kMeanMember;
+               },
+           .enabled = hasMembers,
+           .needs = "an ensemble: File > Open ensemble",
+           .checked = [](const Ui& ui) { return ui.session().document.member == kMeanMember; }},
     Action{.id = "time.follow",
            .label = "Follow new times",
            .menu = Menu::time,

@@ -88,7 +88,7 @@ void drawStart(const PanelContext& context, SessionDialogs& dialogs) {
         }
     }
     endNotice();
-    if (!wanted.empty()) openFiles(context, dialogs, namesIn(wanted));
+    if (!wanted.empty()) openRecent(context, dialogs, wanted);
 }
 
 void drawNoHydrometeors(const Area& image, const DatasetInfo& info) {

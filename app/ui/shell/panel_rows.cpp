@@ -9,6 +9,7 @@
 #include "app/ui/compare/error_map.h"
 #include "app/ui/compare/preview_label.h"
 #include "app/ui/data/data_panel.h"
+#include "app/ui/data/ensemble_panel.h"
 #include "app/ui/data/path_popup.h"
 #include "app/ui/data/session_dialogs.h"
 #include "app/ui/fields/fields_panel.h"
@@ -109,6 +110,16 @@ const std::array kPanels{
                      .help = "The list of all that was said",
                      .separated = true},
           .before = "view.profile"},
+    Panel{.id = "ensemble",
+          .draw = [](Ui& ui) { drawEnsemble(contextOf(ui), ui.ensemble, ui.showEnsemble); },
+          .shown = &Ui::showEnsemble,
+          .toggle = {.id = "view.ensemble_map",
+                     .label = "Ensemble map",
+                     .menu = Menu::view,
+
+                     .help = "Probability that the optical depth exceeds a threshold, its mean and "
+                             "spread over the members"},
+          .before = "view.messages"},
     Panel{.id = "files", .draw = [](Ui& ui) { drawPathPopup(contextOf(ui), ui.sessionDialogs); }},
     Panel{.id = "sessions",
           .draw = [](Ui& ui) { drawSessionDialogs(contextOf(ui), ui.sessionDialogs); }},

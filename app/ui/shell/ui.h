@@ -14,6 +14,7 @@
 #include "app/ui/compare/error_map.h"
 #include "app/ui/compare/preview_label.h"
 #include "app/ui/data/data_panel.h"
+#include "app/ui/data/ensemble_panel.h"
 #include "app/ui/data/session_files.h"
 #include "app/ui/fields/fields_state.h"
 #include "app/ui/output/output_state.h"
@@ -54,12 +55,14 @@ struct Ui {
     OutputState output;
     Playback playback;
     SessionDialogs sessionDialogs;
+    EnsemblePanel ensemble;
 
     Palette palette;
     bool showHelp = false;
     bool showHistory = false;
     bool showMessages = false;
     bool showProfile = false;
+    bool showEnsemble = false;
     std::size_t historySeen = 0;        ///< position that the list was last scrolled to
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
 };

@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kButtonEms = 1.75f;  // width
 constexpr float kSpeedEms = 6.4f;
+constexpr float kMemberEms = 9.0f;
 constexpr double kLongestFrameS = 0.25;  // along a path: a hitch is no leap
 
 std::string labelOf(const Session& session, int time) {
@@ -148,7 +149,50 @@ void drawEnds(const Session& session, bool playing, bool path) {
     ImGui::TextDisabled("%s", last.c_str());
 }
 
+/// Which member of an ensemble is shown.
+void drawMembers(Session& session, float width) {
+    const Ensemble& ensemble = *session.ensemble();
+    int& shown = session.document.member;
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##member", ensemble.nameOf(shown).c_str())) {
+        for (int member = kMeanMember; member < ensemble.count(); ++member) {
+            const bool there =
+                member == kMeanMember || ensemble.timeIn(member, session.document.time).has_value();
+            const std::string name = ensemble.nameOf(member) + (there ? "" : " (lacks this time)");
+            ImGui::PushID(member);
+            if (ImGui::Selectable(
+                    name.c_str(), member == shown,
+                    there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled)) {
+                shown = member;
+            }
+            ImGui::PopID();
+            place(fmt::format("member:{}", ensemble.nameOf(member)));
+        }
+        ImGui::EndCombo();
+    }
+    place("time.member");
+    tooltip("The member of the ensemble that is shown, or the mean of all. " +
+            std::string("Page Up and Page Down step through them."));
+    ImGui::SameLine();
+}
+
 }  // namespace
+
+void stepMember(Session& session, int steps) {
+    const Ensemble* ensemble = session.ensemble();
+    if (ensemble == nullptr) return;
+    int& shown = session.document.member;
+    const int time = session.document.time;
+    const int way = steps < 0 ? -1 : 1;
+    int member = shown == kMeanMember && way < 0 ? ensemble->count() : shown;
+    for (member += way; member >= 0 && member < ensemble->count(); member += way) {
+        if (ensemble->timeIn(member, time)) {
+            shown = member;
+            return;
+        }
+        session.say(Message::Kind::note, ensemble->lacking(member, time).message());
+    }
+}
 
 int lastTime(const Session& session) {
     const DatasetInfo* info = session.info();
@@ -183,13 +227,20 @@ void drawTimeBar(const PanelContext& context, Playback& playback) {
         const float buttons = 6.0f * kButtonEms * em + 5.0f * inner;
         drawButtons(context.actions, playback.playing);
         ImGui::SetCursorPosX(left + buttons + em);
-        path ? drawPath(session, playback) : drawTimes(session);
+        if (session.ensemble() != nullptr) drawMembers(session, kMemberEms * em);
+        if (path && lastTime(session) < 1 && session.document.path.keys.size() < 2) {
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextUnformatted(session.info() ? labelOf(session, 0).c_str() : "");
+        } else {
+            path ? drawPath(session, playback) : drawTimes(session);
+        }
         ImGui::SetCursorPos({left, top + ImGui::GetFrameHeightWithSpacing()});
         drawSpeed(playback, lastTime(session), buttons);
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + buttons + em);
         ImGui::AlignTextToFramePadding();
-        drawEnds(session, playback.playing, path);
+        const bool one = path && session.document.path.keys.size() < 2;
+        if (!one) drawEnds(session, playback.playing, path);
     }
     ImGui::End();
 }

@@ -8,6 +8,10 @@ namespace neph::ui {
 /// Index of the last time of the data, 0 before any.
 int lastTime(const Session& session);
 
+/// Goes `steps` members on, past those that lack the time that is shown, which is said; from the
+/// mean to the first or the last.
+void stepMember(Session& session, int steps);
+
 /// Moves on where something is played. `imageTime`: of the data in the image that is shown; -1
 /// where that is not known.
 void playOn(const PanelContext& context, Playback& playback, int imageTime);

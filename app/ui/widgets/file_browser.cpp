@@ -177,6 +177,7 @@ bool fits(FileBrowser& browser, FileEntry& entry) {
             break;
         case BrowseFor::data:
         case BrowseFor::moved:
+        case BrowseFor::members:
             entry.fits = hasMagic(file) ||
                          (hasExtension(browser, entry.name) && kindOfFile(file) == FileKind::data);
             break;
@@ -236,8 +237,7 @@ std::optional<std::vector<std::string>> accept(FileBrowser& browser) {
     const fs::path path = pathOf(browser);
     if (path.empty()) return {};
     if (fs::is_directory(path, error)) {
-        const bool asSeries =
-            browser.purpose == BrowseFor::data || browser.purpose == BrowseFor::moved;
+        const bool asSeries = browser.purpose != BrowseFor::session && opens;
         if (asSeries && browser.line.ends_with('/')) return {{path.string()}};
         goTo(browser, path);
         return {};

@@ -14,7 +14,7 @@
 
 namespace neph::ui {
 
-enum class BrowseFor { data, session, saveSession, moved };
+enum class BrowseFor { data, session, saveSession, moved, members };
 
 struct FileEntry {
     std::string name;
