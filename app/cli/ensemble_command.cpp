@@ -12,11 +12,10 @@
 #include <utility>
 
 #include "app/cli/common/interrupt.h"
-#include "app/image_io/png.h"
+#include "app/image_io/figure_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
 #include "core/base/resources.h"
-#include "core/image/map_image.h"
 #include "core/look/haze.h"
 #include "core/look/old_metres.h"
 #include "core/volume/ensemble_drawing.h"
@@ -40,9 +39,11 @@ EnsembleMap parseMap(const std::string& text) {
 
 std::filesystem::path parseOut(const std::string& text) {
     const std::string ending = std::filesystem::path(text).extension().string();
-    if (ending == ".nc" || ending == ".csv" || ending == ".png") return text;
+    if (ending == ".nc" || ending == ".csv" || ending == ".png" || ending == ".svg") {
+        return text;
+    }
     throw UsageError({"--out " + text, "has no ending of a map",
-                      ending.empty() ? "no ending" : ending, ".nc, .csv or .png", ""});
+                      ending.empty() ? "no ending" : ending, ".nc, .csv, .png or .svg", ""});
 }
 
 std::string sourceText() {
@@ -91,11 +92,14 @@ void writeMap(const EnsembleRequest& request, const EnsembleDepths& depths) {
     } else if (ending == ".csv") {
         replaceFile(request.out, ensembleCsv(depths, request.threshold, sourceText()));
     } else {
-        const MapImage drawn = drawEnsembleMap(depths, request.shown, request.threshold);
-        writePng(request.out, drawn.image,
-                 {{"Software", sourceText()},
-                  {"nephoscope.data", fmt::format("{}; members {}", depths.timeLabel,
-                                                  fmt::join(depths.members, ", "))}});
+        Sheet sheet;
+        sheet.sizePt = {640.0, 560.0};
+        sheet.figures = {{ensembleFigure(depths, request.shown, request.threshold),
+                          {glm::dvec2(0.0), sheet.sizePt}}};
+        sheet.metadata = {{"Software", sourceText()},
+                          {"nephoscope.data", fmt::format("{}; members {}", depths.timeLabel,
+                                                          fmt::join(depths.members, ", "))}};
+        writeSheet(request.out, sheet);
     }
     fmt::print(stderr, "wrote {}\n", request.out.string());
 }
@@ -103,8 +107,9 @@ void writeMap(const EnsembleRequest& request, const EnsembleDepths& depths) {
 void check(const CLI::App& command, const EnsembleRequest& request) {
     checkSetOnce(request.scene.settings);
     checkOneTime(request.scene.times);
-    if (request.out.extension() != ".png") {
-        refuseTyped(command, {"--show"}, "is of a PNG", "leave it out: .nc and .csv hold all maps");
+    if (request.out.extension() != ".png" && request.out.extension() != ".svg") {
+        refuseTyped(command, {"--show"}, "is of a plot",
+                    "leave it out: .nc and .csv hold all maps");
     }
     if (!request.out.empty()) checkReplaceable(request.out);
 }
@@ -151,7 +156,7 @@ Command addEnsemble(CLI::App& app) {
               "Map of a PNG: probability, mean or spread", "probability")
         ->type_name("MAP");
     addParsed(command, "--out,-o", request->out, parseOut, "Maps as a file; else figures alone")
-        ->type_name("P.nc|P.csv|P.png");
+        ->type_name("P.nc|P.csv|P.png|P.svg");
     addParsed(command, "--region", scene.region, parseRegion,
               "Part of the domain in km; else all of it")
         ->type_name("x0:x1,y0:y1[,z0:z1]");

@@ -13,7 +13,7 @@ struct EnsembleRequest {
     SceneRequest scene;      ///< its members, preset, settings, time, region and readers
     double threshold = 1.0;  ///< of the optical depth
     EnsembleMap shown = EnsembleMap::probability;  ///< in a PNG
-    std::filesystem::path out;                     ///< .nc, .csv or .png; empty: figures alone
+    std::filesystem::path out;  ///< .nc, .csv, .png or .svg; empty: figures alone
 };
 
 Command addEnsemble(CLI::App& app);

@@ -26,7 +26,9 @@ fs::path freshName(const fs::path& folder, const fs::path& name) {
 std::string savePlots(const fs::path& folder, const std::string& name,
                       const std::vector<plot::Figure>& figures, plot::Table table,
                       const DatasetInfo* data) {
-    const fs::path file = freshName(folder.empty() ? fs::current_path() : folder, name);
+    const fs::path file = fs::path(name).is_absolute()
+                              ? fs::path(name)
+                              : freshName(folder.empty() ? fs::current_path() : folder, name);
     Metadata metadata{{"Software", fmt::format("Nephoscope {}", versionText())}};
     if (data != nullptr) {
         metadata.emplace_back("Source", data->times.front().file.string());

@@ -153,7 +153,6 @@ std::unique_ptr<Slot> Workbench::makeSlot() {
 void Workbench::offerServices() {
     ui_.services.loadImage = [this](const auto& png) { return textures_.load(png); };
     ui_.services.showImage = [this](const Image8& image) { return textures_.show(image); };
-    ui_.services.savePng = [](const auto& png, const Image8& image) { writePng(png, image, {}); };
     ui_.services.dropImage = [this](unsigned texture) { textures_.drop(texture); };
     ui_.services.savePlots = [this](const auto& name, const auto& figures, const auto& table) {
         const std::filesystem::path out(ui_.output.settings.file);

@@ -51,6 +51,8 @@ class Ensemble : public Dataset {
     /// The error for a time that a member lacks.
     Error lacking(int member, int time) const;
 
+    /// A member's run, for a handle of one's own.
+    std::shared_ptr<const Dataset> runOf(int member) const { return of(member).run; }
     /// A member to read from. The few that were read last keep their files open; the reference is
     /// good until another is asked for.
     Dataset& run(int member);

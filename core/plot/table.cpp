@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/classic_netcdf.h"
+
 namespace neph::plot {
 namespace {
 
@@ -16,7 +18,45 @@ std::string quoted(const std::string& text) {
     return '"' + inside + '"';
 }
 
+struct NameAndUnit {
+    std::string name, unit;
+};
+
+/// "w max [m/s]" as w_max and m/s.
+NameAndUnit partsOf(const std::string& column) {
+    const std::size_t bracket = column.find(" [");
+    NameAndUnit parts{column.substr(0, bracket), "1"};
+    if (bracket != std::string::npos) {
+        parts.unit = column.substr(bracket + 2, column.size() - bracket - 3);
+    }
+    std::ranges::replace(parts.name, ' ', '_');
+    return parts;
+}
+
 }  // namespace
+
+std::string netcdfOf(const Table& table, const std::string& row, const std::string& title) {
+    NetcdfContents contents;
+    contents.attributes = {{"Conventions", "CF-1.8"}, {"title", title}};
+    for (const std::string& comment : table.comments) {
+        const std::size_t colon = comment.find(": ");
+        if (colon == std::string::npos) continue;
+        contents.attributes.push_back({comment.substr(0, colon), comment.substr(colon + 2)});
+    }
+    for (const Column& column : table.columns) {
+        if (!column.texts.empty()) continue;
+        const bool coordinate = contents.variables.empty();
+        if (coordinate) {
+            contents.dimensions.push_back({row, static_cast<int>(column.numbers.size())});
+        }
+        const NameAndUnit parts = partsOf(column.name);
+        contents.variables.push_back({coordinate ? row : parts.name,
+                                      {0},
+                                      {{"long_name", column.name}, {"units", parts.unit}},
+                                      column.numbers});
+    }
+    return formatNetcdf(contents);
+}
 
 std::string csvOf(const Table& table) {
     std::string csv;

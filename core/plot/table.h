@@ -23,4 +23,9 @@ struct Table {
 /// seven digits.
 std::string csvOf(const Table& table);
 
+/// The bytes of a CF NetCDF file with a dimension `row`, a coordinate variable of whose name is the
+/// first column of numbers; each further one is a variable. Names are those of the columns with
+/// underscores, units what they have in brackets; texts are left out.
+std::string netcdfOf(const Table& table, const std::string& row, const std::string& title);
+
 }  // namespace neph::plot

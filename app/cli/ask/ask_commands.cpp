@@ -42,23 +42,29 @@ Quantity quantityOfOption(const std::string& option, const std::string& text) {
     throw UsageError({option, "is not known", text, "one of " + quantityIds(), ""});
 }
 
-std::filesystem::path parseOutFile(const std::string& text) {
+std::filesystem::path parseOutFile(const std::string& text, bool netcdf) {
     const std::filesystem::path file(text);
     const std::string kind = file.extension().string();
-    if (kind == ".svg" || kind == ".png" || kind == ".csv") return file;
-    throw UsageError({"--out", "has no extension that is written", text,
-                      "a name that ends in .svg, .png or .csv", ""});
+    const bool plotOrTable = kind == ".svg" || kind == ".png" || kind == ".csv";
+    if (plotOrTable || (netcdf && kind == ".nc")) return file;
+    throw UsageError(
+        {"--out", "has no extension that is written", text,
+         fmt::format("a name that ends in .svg, .png{}", netcdf ? ", .csv or .nc" : " or .csv"),
+         ""});
 }
 
-void addFiles(CLI::App& command, AskedFiles& files, const std::string& fallback) {
+void addFiles(CLI::App& command, AskedFiles& files, const std::string& fallback,
+              bool netcdf = false) {
     command
         .add_option_function<std::vector<std::string>>(
             "--out,-o",
-            [&files](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) files.out.push_back(parseOutFile(text));
+            [&files, netcdf](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    files.out.push_back(parseOutFile(text, netcdf));
+                }
             },
             "Plot or table to write; may be repeated")
-        ->type_name("P.svg|P.png|P.csv")
+        ->type_name(netcdf ? "P.svg|P.png|P.csv|P.nc" : "P.svg|P.png|P.csv")
         ->allow_extra_args(false)
         ->default_str(fallback);
     addParsed(command, "--size", files.sizePx, parseSize, "Of the plot, in points",
@@ -191,7 +197,7 @@ Command addSeries(CLI::App& app) {
     addParsed(command, "--show", request->kind, parseKind,
               "One plot: contents, updraft, heights, masses or cover; else all")
         ->type_name("KIND");
-    addFiles(command, request->files, "series.svg");
+    addFiles(command, request->files, "series.svg", true);
     return {&command, [request] {
                 finishFiles(request->files, "series.svg");
                 return runSeries(*request);

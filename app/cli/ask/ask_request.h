@@ -19,7 +19,7 @@ struct AskedData {
     std::optional<TimeRange> times;
 };
 
-/// Files that a command writes: .svg, .png or .csv.
+/// Files that a command writes: .svg, .png or .csv, of series also .nc.
 struct AskedFiles {
     std::vector<std::filesystem::path> out;
     glm::ivec2 sizePx{0};  ///< of a plot; 0: its own

@@ -51,6 +51,8 @@ void write(const AskedFiles& files, const Sheet& sheet, plot::Table table) {
     for (const std::filesystem::path& file : files.out) {
         if (file.extension() == ".csv") {
             replaceFile(file, plot::csvOf(table));
+        } else if (file.extension() == ".nc") {
+            replaceFile(file, plot::netcdfOf(table, "time", sheet.metadata.back().second));
         } else {
             writeSheet(file, sheet);
         }

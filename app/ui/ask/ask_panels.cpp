@@ -49,6 +49,13 @@ ImVec2 plotRoom() {
     return {room.x, std::max(room.y - ImGui::GetFrameHeightWithSpacing(), 80.0f)};
 }
 
+/// Why nothing can be asked now.
+void drawNoRun(const std::optional<AskedTime>& when) {
+    if (when) return;
+    ImGui::TextWrapped(
+        "Columns, sections and series are of one run: choose a member that has this time.");
+}
+
 /// What goes on, or why there is no answer.
 template <typename Question, typename Value>
 void drawState(const PanelContext& context, Answer<Question, Value>& answer) {
@@ -258,12 +265,25 @@ plot::Figure figureOf(const SectionQuestion& asked, const CrossSection& section)
                          subtitle);
 }
 
+/// The time of the data that one of a member's own is.
+int timeShown(const Session& session, int own) {
+    const Ensemble* ensemble = session.ensemble();
+    if (ensemble == nullptr) return own;
+    const int times = static_cast<int>(session.info()->times.size());
+    for (int time = 0; time < times; ++time) {
+        if (ensemble->timeIn(session.document.member, time) == own) return time;
+    }
+    return session.document.time;
+}
+
 }  // namespace
 
 void drawColumnPanel(const PanelContext& context, AskState& ask, bool& shown) {
     ask.column.poll();
     const auto when = askedTimeOf(context.session());
-    if (beginAsk("Column", shown, {52.0f, 32.0f}, {1.0f, 0.0f}, context) && when) {
+    const bool open = beginAsk("Column", shown, {52.0f, 32.0f}, {1.0f, 0.0f}, context);
+    if (open) drawNoRun(when);
+    if (open && when) {
         drawColumnHead(ask, when->data->info());
         askColumn(ask, *when);
         drawState(context, ask.column);
@@ -279,7 +299,9 @@ void drawColumnPanel(const PanelContext& context, AskState& ask, bool& shown) {
 void drawSectionPanel(const PanelContext& context, AskState& ask, bool& shown) {
     ask.cut.poll();
     const auto when = askedTimeOf(context.session());
-    if (beginAsk("Section", shown, {56.0f, 26.0f}, {0.0f, 1.0f}, context) && when) {
+    const bool open = beginAsk("Section", shown, {56.0f, 26.0f}, {0.0f, 1.0f}, context);
+    if (open) drawNoRun(when);
+    if (open && when) {
         const DatasetInfo there = when->data->infoAt(when->time);
         placeLine(ask, there);
         drawSectionHead(ask, there);
@@ -307,7 +329,9 @@ void drawSectionPanel(const PanelContext& context, AskState& ask, bool& shown) {
 void drawSeriesPanel(const PanelContext& context, AskState& ask, bool& shown) {
     ask.series.poll();
     const auto when = askedTimeOf(context.session());
-    if (beginAsk("Series", shown, {48.0f, 20.0f}, {0.5f, 1.0f}, context) && when) {
+    const bool open = beginAsk("Series", shown, {48.0f, 20.0f}, {0.5f, 1.0f}, context);
+    if (open) drawNoRun(when);
+    if (open && when) {
         ask.series.ask({when->data}, [&] {
             return [handle = handleOf(*when->data)](const Progress& progress) {
                 SeriesSoFar series;
@@ -345,7 +369,7 @@ void drawSeriesPanel(const PanelContext& context, AskState& ask, bool& shown) {
                 const auto nearest = std::ranges::min_element(
                     series->points, {},
                     [at](const SeriesPoint& point) { return std::abs(point.seconds - at); });
-                context.session().document.time = nearest->time;
+                context.session().document.time = timeShown(context.session(), nearest->time);
             }
             saveButton(context, "series", {seriesFigure(series->points, ask.kind, "")},
                        seriesTable(series->points, series->labels));

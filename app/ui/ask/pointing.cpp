@@ -203,7 +203,13 @@ void drawByDrag(AskState& ask, const std::optional<PointedAt>& at) {
 
 std::optional<AskedTime> askedTimeOf(const Session& session) {
     if (!session.data() || !session.shown()) return {};
-    return AskedTime{session.data(), session.document.time};
+    const Document& document = session.document;
+    const Ensemble* ensemble = session.ensemble();
+    if (ensemble == nullptr) return AskedTime{session.data(), document.time};
+    if (document.member == kMeanMember) return {};
+    const auto own = ensemble->timeIn(document.member, document.time);
+    if (!own) return {};
+    return AskedTime{ensemble->runOf(document.member), *own};
 }
 
 std::optional<PointedAt> pointedAt(const PanelContext& context) {

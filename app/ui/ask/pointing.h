@@ -7,7 +7,8 @@
 
 namespace neph::ui {
 
-/// What is shown of the session now; nothing before data are there.
+/// What is shown of the session now, of an ensemble the member's run; nothing before data are
+/// there, and of a mean, which no model has computed.
 std::optional<AskedTime> askedTimeOf(const Session& session);
 
 /// Along the ray under the mouse; nothing where the mouse is not over the image alone.

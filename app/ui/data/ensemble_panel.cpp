@@ -6,11 +6,11 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/plot_canvas.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
@@ -117,22 +117,18 @@ void drawChoices(EnsemblePanel& panel) {
     ImGui::EndDisabled();
 }
 
-/// As wide as suits the window.
-int mapWidthPx(const EnsembleDepths& depths) {
+/// As large as suits the window.
+ImVec2 plotSize(const EnsembleDepths& depths) {
     const float em = ImGui::GetFontSize();
-    const float height = std::max(10.0f * em, ImGui::GetIO().DisplaySize.y - kAroundMapEms * em);
+    const float height = std::max(12.0f * em, ImGui::GetIO().DisplaySize.y - kAroundMapEms * em);
     const glm::vec2 extent(depths.grid.extentM());
-    return static_cast<int>(std::min(kMapWidthEms * em, height * extent.x / extent.y));
+    const float map = std::min(kMapWidthEms * em, height * extent.x / extent.y);
+    return {map + 12.0f * em, map * extent.y / extent.x + 7.0f * em};
 }
 
-void redraw(const PanelContext& context, EnsemblePanel& panel) {
+void redraw(EnsemblePanel& panel) {
     if (!panel.depths || !std::exchange(panel.stale, false)) return;
-    const auto threshold = static_cast<double>(panel.threshold);
-    panel.values = mapOf(*panel.depths, panel.map, threshold);
-    panel.drawn = drawEnsembleMap(*panel.depths, panel.map, threshold, mapWidthPx(*panel.depths));
-    const Services& services = context.services;
-    if (panel.texture != 0 && services.dropImage) services.dropImage(panel.texture);
-    panel.texture = services.showImage ? services.showImage(panel.drawn.image).texture : 0;
+    panel.figure = ensembleFigure(*panel.depths, panel.map, static_cast<double>(panel.threshold));
 }
 
 /// "probability 0.75 at x 42.5 km, y 61.5 km, 35.02 N 97.11 W".
@@ -142,33 +138,28 @@ std::string valueText(const EnsemblePanel& panel, glm::ivec2 column) {
         static_cast<std::size_t>(column.y) * static_cast<std::size_t>(depths.grid.size.x) +
         static_cast<std::size_t>(column.x);
     const glm::dvec2 km = kKmOfM * depths.centreM(at);
-    std::string text = fmt::format(
-        "{} {} at x {} km, y {} km",
-        panel.map == EnsembleMap::probability ? "probability" : "optical depth",
-        std::isnan(panel.values[at]) ? "not known"
-                                     : numberText(static_cast<double>(panel.values[at])),
-        numberText(km.x, 6), numberText(km.y, 6));
+    std::string text =
+        fmt::format("{} {} at x {} km, y {} km",
+                    panel.map == EnsembleMap::probability ? "probability" : "optical depth",
+                    std::isnan(panel.figure.field->values[at])
+                        ? "not known"
+                        : numberText(static_cast<double>(panel.figure.field->values[at])),
+                    numberText(km.x, 6), numberText(km.y, 6));
     if (!panel.places.empty() && !std::isnan(panel.places[at].latitudeDeg)) {
         text += ", " + geoText(panel.places[at]);
     }
     return text;
 }
 
-void drawMapImage(const EnsemblePanel& panel) {
-    const glm::vec2 imagePx(panel.drawn.image.size);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float scale = std::min({1.0f, display.x / imagePx.x, 0.8f * display.y / imagePx.y});
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(panel.texture)),
-                 {imagePx.x * scale, imagePx.y * scale});
-    place("ensemble.image");
+void drawMap(const EnsemblePanel& panel) {
+    const ShownPlot plot = showPlot("ensemble.image", panel.figure, plotSize(*panel.depths));
     std::string under = " ";
-    if (ImGui::IsItemHovered()) {
-        const ImVec2 mouse = ImGui::GetMousePos();
-        const glm::dvec2 pixel((mouse.x - at.x) / scale, (mouse.y - at.y) / scale);
-        const glm::ivec3 size = panel.depths->grid.size;
-        const glm::ivec2 column = panel.drawn.columnAt(pixel, {size.x, size.y});
-        if (column.x >= 0) under = valueText(panel, column);
+    if (plot.hoveredAt) {
+        const RegularGrid& grid = panel.depths->grid;
+        const glm::dvec2 cells =
+            (*plot.hoveredAt / kKmOfM - glm::dvec2(grid.originM)) / glm::dvec2(grid.spacingM);
+        const glm::ivec2 most = glm::ivec2(grid.size) - 1;
+        under = valueText(panel, glm::clamp(glm::ivec2(glm::floor(cells)), glm::ivec2(0), most));
     }
     ImGui::TextUnformatted(under.c_str());
 }
@@ -184,12 +175,12 @@ void writeFile(const PanelContext& context, const EnsemblePanel& panel) {
             replaceFile(file, ensembleNetcdf(*panel.depths, threshold, source));
         } else if (ending == ".csv") {
             replaceFile(file, ensembleCsv(*panel.depths, threshold, source));
-        } else if (ending == ".png" && context.services.savePng) {
-            context.services.savePng(file, panel.drawn.image);
+        } else if ((ending == ".png" || ending == ".svg") && context.services.savePlots) {
+            context.services.savePlots(file.string(), {panel.figure}, {});
         } else {
             throw Error({.where = panel.file,
                          .what = "has no ending of a map",
-                         .expected = ".nc, .csv or .png"});
+                         .expected = ".nc, .csv, .png or .svg"});
         }
         session.say(Message::Kind::note, "Wrote " + file.string());
     } catch (const Error& error) {
@@ -202,7 +193,8 @@ void drawExport(const PanelContext& context, const EnsemblePanel& panel, std::st
     ImGui::SetNextItemWidth(24.0f * em);
     ImGui::InputText("##file", &file);
     place("ensemble.file");
-    tooltip("NetCDF (.nc) and a table (.csv) hold all three maps, an image (.png) the one shown.");
+    tooltip(
+        "NetCDF (.nc) and a table (.csv) hold all three maps, a plot (.png, .svg) the one shown.");
     ImGui::SameLine();
     if (ImGui::Button("Write")) writeFile(context, panel);
     place("ensemble.write");
@@ -226,11 +218,11 @@ void drawState(EnsemblePanel& panel) {
 
 void drawDepths(const PanelContext& context, EnsemblePanel& panel) {
     const EnsembleDepths& depths = *panel.depths;
-    drawMapImage(panel);
+    drawMap(panel);
     for (const std::string& member : depths.without) {
         ImGui::TextDisabled("%s has no such time", member.c_str());
     }
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + static_cast<float>(panel.drawn.image.size.x));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + plotSize(depths).x);
     ImGui::TextDisabled("Optical depths are as images have them: %s", depths.scale.c_str());
     ImGui::PopTextWrapPos();
     drawExport(context, panel, panel.file);
@@ -250,7 +242,7 @@ void drawEnsemble(const PanelContext& context, EnsemblePanel& panel, bool& shown
         } else {
             update(context, panel);
             drawChoices(panel);
-            redraw(context, panel);
+            redraw(panel);
             drawState(panel);
             if (panel.depths) drawDepths(context, panel);
         }

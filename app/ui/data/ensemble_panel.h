@@ -9,7 +9,7 @@
 
 #include "app/ui/panel/panel_context.h"
 #include "core/base/jobs.h"
-#include "core/image/map_image.h"
+#include "core/plot/figure.h"
 #include "core/volume/ensemble_maps.h"
 
 namespace neph::ui {
@@ -34,11 +34,9 @@ struct EnsemblePanel {
     std::string fault;
     std::unique_ptr<Jobs> jobs;
 
-    MapImage drawn;  ///< of `depths`, and what the texture shows
-    std::vector<float> values;
+    plot::Figure figure;  ///< of `depths`
     std::vector<GeoPoint> places;
-    unsigned texture = 0;
-    bool stale = true;  ///< to be drawn again
+    bool stale = true;  ///< the figure is of other choices
 };
 
 /// The window; closing it sets `shown` to false and stops what is being read.

@@ -25,12 +25,11 @@ struct Services {
     std::function<LoadedImage(const Image8& image)> showImage;
     std::function<void(unsigned texture)> dropImage;
     /// Writes plots side by side, or their numbers, by the name's extension, where the last export
-    /// went; returns the file. Throws Error.
+    /// went under a name that is free there, or to the file that an absolute path names; returns
+    /// the file. Throws Error.
     std::function<std::string(const std::string& name, const std::vector<plot::Figure>& figures,
                               const plot::Table& table)>
         savePlots;
-    /// Replaces a PNG file. Throws Error.
-    std::function<void(const std::filesystem::path& png, const Image8& image)> savePng;
     /// What a session file would hold now; panels hand it to what runs beside the program.
     std::function<SessionState()> state;
     /// Takes over a session file's state. Another session may be the active one from then on.
