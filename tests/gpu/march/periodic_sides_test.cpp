@@ -18,11 +18,11 @@ namespace {
 // Straight down, nearly from infinity: the middle three quarters of the domain.
 const CameraPose kFromAbove{{0.5f, 0.5f, 0.5f}, 6.0f, 180.0f, 90.0f, 5.0f};
 
-render::FrameInputs framed(const SpeciesVolume& volume, Transport transport, LightSides sides,
+render::FrameInputs framed(const SpeciesVolume& volume, Transport transport, DomainSides sides,
                            const CameraPose& pose, glm::ivec2 sizePx) {
     Look look = lookOf(kModes[1]);  // one phase function, for which paths have little noise
     look.transport = transport;
-    look.lightSides = sides;
+    look.domainSides = sides;
     look.phaseDisplay = PhaseDisplay::physical;
     look.sunAzimuthDeg = 255.0f;
     look.sunElevationDeg = 35.0f;
@@ -92,7 +92,7 @@ SpeciesVolume nineOf(const SpeciesVolume& one) {
 /// The relative error of the march's mean, where the noise of the reference's is about 1 %.
 double biasBetweenSides(const SpeciesVolume& volume, const CameraPose& pose, float elevationDeg) {
     render::FrameInputs inputs =
-        framed(volume, Transport::full, LightSides::periodic, pose, {16, 12});
+        framed(volume, Transport::full, DomainSides::periodic, pose, {16, 12});
     inputs.look.sunElevationDeg = elevationDeg;
     const auto meanOf = [&](const render::FrameInputs& of, int samples) {
         const std::vector<double> columns = columnsOf(averageOn(volume, of, samples));
@@ -111,9 +111,9 @@ TEST_CASE("Between periodic sides a plane layer is as bright at its sides as in 
          {Transport::lowAlbedo, Transport::translucent, Transport::full}) {
         CAPTURE(static_cast<int>(transport));
         render::FrameInputs inputs =
-            framed(volume, transport, LightSides::periodic, kFromAbove, {12, 6});
+            framed(volume, transport, DomainSides::periodic, kFromAbove, {12, 6});
         CHECK(unevenness(averageOn(volume, inputs, 4)) < 0.01);
-        inputs.look.lightSides = LightSides::open;
+        inputs.look.domainSides = DomainSides::open;
         CHECK(unevenness(averageOn(volume, inputs, 4)) > 0.05);
     }
 }
@@ -121,7 +121,7 @@ TEST_CASE("Between periodic sides a plane layer is as bright at its sides as in 
 TEST_CASE("Between periodic sides paths find a plane layer as bright at its sides") {
     const SpeciesVolume volume = uniformVolume({12, 12, 5}, 300.0, 1.5e-5f);
     render::FrameInputs inputs =
-        framed(volume, Transport::full, LightSides::periodic, kFromAbove, {8, 4});
+        framed(volume, Transport::full, DomainSides::periodic, kFromAbove, {8, 4});
     inputs.look.engine = Engine::reference;
     const auto westOverEast = [&] {
         const std::vector<double> columns = columnsOf(averageOn(volume, inputs, 192));
@@ -129,7 +129,7 @@ TEST_CASE("Between periodic sides paths find a plane layer as bright at its side
         return west / std::accumulate(columns.begin() + 4, columns.end(), 0.0);
     };
     CHECK(westOverEast() == doctest::Approx(1.0).epsilon(0.04));
-    inputs.look.lightSides = LightSides::open;
+    inputs.look.domainSides = DomainSides::open;
     CHECK(westOverEast() > 1.15);
 }
 
@@ -138,10 +138,10 @@ TEST_CASE("Sunlight between periodic sides is that in the midst of neighbours") 
     for (const Transport transport : {Transport::lowAlbedo, Transport::translucent}) {
         CAPTURE(static_cast<int>(transport));
         render::FrameInputs inputs =
-            framed(volume, transport, LightSides::periodic, kFromAbove, {24, 18});
+            framed(volume, transport, DomainSides::periodic, kFromAbove, {24, 18});
         inputs.look.sunElevationDeg = 12.0f;  // shadows are as long as the domain at most
         const ImageF repeated = averageOn(volume, inputs, 2);
-        inputs.look.lightSides = LightSides::open;
+        inputs.look.domainSides = DomainSides::open;
         const double fromNine = luminanceError(repeated, averageOn(nine, inputs, 2));
         CHECK(fromNine < 0.03);
         CHECK(luminanceError(repeated, averageOn(volume, inputs, 2)) > 3.0 * fromNine);
@@ -168,7 +168,7 @@ TEST_CASE("In a white furnace with periodic sides nothing can be told from the s
     for (const Engine engine : {Engine::march, Engine::reference}) {
         CAPTURE(static_cast<int>(engine));
         render::FrameInputs inputs =
-            framed(volume, Transport::full, LightSides::periodic, views()[0].pose, {16, 12});
+            framed(volume, Transport::full, DomainSides::periodic, views()[0].pose, {16, 12});
         inputs.look.engine = engine;
         inputs.look.sunIntensity = 0.0f;
         inputs.look.skyZenith = inputs.look.skyHorizon = glm::vec3(1.0f);
@@ -185,12 +185,12 @@ TEST_CASE("Sides that are changed and changed back leave nothing behind") {
     for (const Engine engine : {Engine::march, Engine::reference}) {
         CAPTURE(static_cast<int>(engine));
         render::FrameInputs inputs =
-            framed(volume, Transport::full, LightSides::open, views()[0].pose, {12, 9});
+            framed(volume, Transport::full, DomainSides::open, views()[0].pose, {12, 9});
         inputs.look.engine = engine;
         std::vector<ImageF> images;
-        for (const LightSides sides :
-             {LightSides::open, LightSides::periodic, LightSides::open, LightSides::periodic}) {
-            inputs.look.lightSides = sides;
+        for (const DomainSides sides :
+             {DomainSides::open, DomainSides::periodic, DomainSides::open, DomainSides::periodic}) {
+            inputs.look.domainSides = sides;
             const Stage redone = renderer().render(inputs).redone;
             CHECK(redone == (images.empty() ? Stage::medium : Stage::light));
             images.push_back(renderer().readLinear());
@@ -204,11 +204,11 @@ TEST_CASE("Sides that are changed and changed back leave nothing behind") {
 TEST_CASE("Half-angle slicing has open sides, and says so once where periodic ones are asked for") {
     const SpeciesVolume volume = brokenClouds();
     render::FrameInputs inputs =
-        framed(volume, Transport::translucent, LightSides::open, views()[0].pose, {24, 18});
+        framed(volume, Transport::translucent, DomainSides::open, views()[0].pose, {24, 18});
     inputs.look.engine = Engine::slicing;
     const ImageF open = renderOn(volume, inputs);
     renderer().takeMessages();
-    inputs.look.lightSides = LightSides::periodic;
+    inputs.look.domainSides = DomainSides::periodic;
     CHECK(worstDifference(open, renderOn(volume, inputs)) == 0.0f);
     const std::vector<std::string> messages = renderer().takeMessages();
     REQUIRE(messages.size() == 1);
