@@ -114,7 +114,8 @@ Model sam() {
             .times = {"time"},
             .gas = {287.0, 461.0, 1004.0, 1e5},
             .latentHeatJPerKg = 2.5104e6,
-            .liquidBelow273 = true};
+            .liquidBelow273 = true,
+            .periodic = true};
 }
 
 // The unit that DALES states for water, 1e-5kg/kg, is that of its 16-bit binary files: the NetCDF
@@ -140,7 +141,8 @@ Model dales() {
             .perMoistAir = true,
             .gas = {287.04, 461.5, 1004.0, 1e5},
             .latentHeatJPerKg = 2.53e6,
-            .tiles = {R"((.*)\.(\d{3})\.(\d{3})\.(\d{3})\.nc)", {2, 3}}};
+            .tiles = {R"((.*)\.(\d{3})\.(\d{3})\.(\d{3})\.nc)", {2, 3}},
+            .periodic = true};
 }
 
 Model uclales() {
@@ -164,7 +166,8 @@ Model uclales() {
             .perMoistAir = true,
             .ghostLevels = true,
             .gas = {287.04, 461.5, 1005.0, 1e5},
-            .tiles = {R"((.*)\.(\d{4})(\d{4})\.nc)", {2, 3}}};
+            .tiles = {R"((.*)\.(\d{4})(\d{4})\.nc)", {2, 3}},
+            .periodic = true};
 }
 
 Model palm() {
@@ -233,7 +236,8 @@ Model monc() {
                   wind("v", kNorth),
                   wind("w", kUp)},
         .ghostLevels = true,
-        .gas = {287.05, 461.5, 1005.0, 1e5}};
+        .gas = {287.05, 461.5, 1005.0, 1e5},
+        .periodic = true};
 }
 
 Model microhh() {
@@ -260,7 +264,8 @@ Model microhh() {
             .times = {"time"},
             .perMoistAir = true,
             .gas = {287.04, 461.5, 1005.0, 1e5},
-            .microhhAir = true};
+            .microhhAir = true,
+            .periodic = true};
 }
 
 Model mesoNh() {

@@ -135,9 +135,9 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 /// What a run adds to the image, step by step: sunlight scattered once, and diffuse light, of which
 /// voxels of light know the sum.
 void addScattered(Path path, Station from, Station stations[kRun], Optics optics, vec3 sun,
-                  vec3 metM, inout Eye eye) {
+                  inout Eye eye) {
 #if PERIODIC
-    vec4 source = sentAlongRay(metM, sun);
+    vec4 source;  // of two steps
 #endif
     for (int i = 0; i < kRun; ++i) {
         Station to = stations[i];
@@ -145,7 +145,15 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
             0.5 * optics.kept * (from.extinctionPerM + to.extinctionPerM) * (to.atM - from.atM);
         float origin = originInStep(from.extinctionPerM, to.extinctionPerM, depth);
         float light = mix(from.light, to.light, origin);
-#if !PERIODIC
+#if PERIODIC
+        if (i % 2 == 0) {
+            Station last = stations[i + 1];
+            float both = 0.5 * optics.kept * (from.extinctionPerM + last.extinctionPerM) *
+                         (last.atM - from.atM);
+            float place = originInStep(from.extinctionPerM, last.extinctionPerM, both);
+            source = sentAlongRay(positionOn(path, mix(from.atM, last.atM, place)), sun);
+        }
+#else
         vec3 positionM = positionOn(path, mix(from.atM, to.atM, origin));
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
 #endif
@@ -185,7 +193,7 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     float throughNearer = eye.through;
 #if FULL
     addScattered(path, last, stations, opticsOf(mixture, thicknessAt(metM), path.sunwards), sun,
-                 metM, eye);
+                 eye);
 #else
     float seen = (eye.through - met.through) * mixture.skylight;
     for (int i = 0; i < CLASSES; ++i) {
@@ -201,9 +209,9 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
     }
 #if PERIODIC
     else {
-        eye.radiance =
-            nearer + hazyGround(eye.radiance - nearer,
-                                (throughNearer - eye.through) * u_.skyHorizon.rgb, met.atM);
+        vec3 horizon = (throughNearer - eye.through) * u_.skyHorizon.rgb;
+        float acrossM = met.atM * length(path.ray.dir.xy);
+        eye.radiance = nearer + hazyCloud(eye.radiance - nearer, horizon, acrossM);
     }
 #endif
     last = stations[kRun - 1];

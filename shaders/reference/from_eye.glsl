@@ -193,9 +193,8 @@ void passAir(inout Path p, float distanceM) {
     p.throughput *= clearOfAir(air, distanceM);
 }
 
-/// What fades into the horizon where there is no air.
-void fade(inout Path p, float distanceM) {
-    float clear = exp(-distanceM / kHazeLengthM);
+/// So much of what is seen is clear, where there is no air; the rest has faded into the horizon.
+void fade(inout Path p, float clear) {
     p.radiance += (1.0 - clear) * worthOf(p) * u_.skyHorizon.rgb;
     p.throughput *= clear;
 }
@@ -206,14 +205,14 @@ void passHaze(inout Path p) {
     if (hasAir()) {
         passAir(p, endOfRayM_);
     } else {
-        fade(p, endOfRayM_);
+        fade(p, exp(-endOfRayM_ / kHazeLengthM));
     }
 }
 
 void noteFirst(inout Path p) {
 #if PERIODIC
     p.firstM = p.flownM;
-    if (!hasAir()) fade(p, p.firstM);
+    if (!hasAir()) fade(p, hazyCloud(vec3(1.0), vec3(0.0), p.firstM * length(p.axis.xy)).r);
 #else
     p.firstM = distance(u_.eyeM.xyz, p.positionM);
 #endif

@@ -28,7 +28,8 @@ TEST_CASE("A MicroHH case can be opened by its folder, .ini or grid, in float an
             CHECK(info.spacingM == glm::dvec2(100.0));
             REQUIRE(info.times.size() == 2);
             CHECK(info.times[1].label == "7200 s");
-            CHECK(info.notes.empty());
+            REQUIRE(info.notes.size() == 1);
+            CHECK(contains(info.notes[0], "domain.sides=periodic"));
             CHECK(info.find("thl_bot") == nullptr);
             CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
             CHECK(dataset->read("rhoref", 0).values == std::vector<float>{1.2f, 1.1f});
@@ -78,7 +79,7 @@ TEST_CASE("A hydrometeor that the run has and the case lacks altogether is named
               "[grid]\nitot=4\njtot=3\nktot=2\nxsize=400\nysize=300\nzsize=100\n"
               "[thermo]\nswthermo=moist\n[micro]\nswmicro=nsw6\n");
     const auto notes = openFiles({path})->info().notes;
-    REQUIRE(notes.size() == 4);
+    REQUIRE(notes.size() == 5);
     CHECK(contains(notes[0], "qi, cloud ice"));
     CHECK(contains(notes[1], "qr, rain"));
     CHECK(contains(notes[2], "qs, snow"));

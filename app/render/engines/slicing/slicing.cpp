@@ -85,8 +85,8 @@ void SlicingEngine::tellOpenSides(const Look& look, RenderContext& context) {
             if (engine.periodicSides) others.push_back(engine.id);
         }
         context.messages.push_back(fmt::format(
-            "light.sides=periodic does not act with {}: its light comes in through open sides; "
-            "choose view.engine={} for light that repeats",
+            "domain.sides=periodic does not act with {}: it draws the domain once, and light comes "
+            "in through open sides; choose view.engine={} for the endless field",
             traitsOf(look.engine).label, fmt::join(others, " or ")));
     }
     toldOpenSides_ = wanted;
