@@ -332,7 +332,6 @@ Contents Case::describe() {
     chooseTimes();
     describeModel();
     noteMissing();
-    if (hasPeriodicSides(keys_)) contents_.notePeriodicSides("MicroHH");
     // zh lists n interfaces; the top one is zsize.
     const std::string path = (folder_ / kMicrohhGrid).string();
     const std::size_t n = size_[2];
@@ -353,6 +352,7 @@ Contents Case::describe() {
     addFields();
     addDerived();
     contents_.completeAir();
+    if (hasPeriodicSides(keys_)) contents_.notePeriodicSides("MicroHH");
     return std::move(contents_);
 }
 
