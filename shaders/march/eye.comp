@@ -137,7 +137,7 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 void addScattered(Path path, Station from, Station stations[kRun], Optics optics, vec3 sun,
                   inout Eye eye) {
 #if PERIODIC
-    vec4 source;  // of two steps
+    vec4 source = vec4(0.0);  // of two steps
 #endif
     for (int i = 0; i < kRun; ++i) {
         Station to = stations[i];
@@ -148,10 +148,11 @@ void addScattered(Path path, Station from, Station stations[kRun], Optics optics
 #if PERIODIC
         if (i % 2 == 0) {
             Station last = stations[i + 1];
-            float both = 0.5 * optics.kept * (from.extinctionPerM + last.extinctionPerM) *
-                         (last.atM - from.atM);
+            float ends = from.extinctionPerM + last.extinctionPerM;
+            float both = 0.5 * optics.kept * ends * (last.atM - from.atM);
             float place = originInStep(from.extinctionPerM, last.extinctionPerM, both);
-            source = sentAlongRay(positionOn(path, mix(from.atM, last.atM, place)), sun);
+            bool any = ends + to.extinctionPerM > 0.0;
+            if (any) source = sentAlongRay(positionOn(path, mix(from.atM, last.atM, place)), sun);
         }
 #else
         vec3 positionM = positionOn(path, mix(from.atM, to.atM, origin));

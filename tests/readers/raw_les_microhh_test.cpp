@@ -86,6 +86,25 @@ TEST_CASE("A hydrometeor that the run has and the case lacks altogether is named
     CHECK(contains(notes[3], "qg, graupel"));
 }
 
+TEST_CASE("A MicroHH run with an outflow is not said to have periodic sides") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    const std::string ini =
+        "[grid]\nitot=4\njtot=3\nktot=2\nxsize=400\nysize=300\nzsize=100\n"
+        "[thermo]\nswthermo=moist\n[micro]\nswmicro=2mom_warm\n";
+    const auto saysPeriodic = [&](const std::string& text) {
+        writeText(folder / "case.ini", text);
+        for (const std::string& note : openFiles({path})->info().notes) {
+            if (contains(note, "periodic sides")) return true;
+        }
+        return false;
+    };
+    CHECK(saysPeriodic(ini));
+    CHECK(saysPeriodic(ini + "[boundary]\nscalar_outflow=\n"));
+    CHECK_FALSE(saysPeriodic(ini + "[boundary]\nscalar_outflow=qt\n"));
+    CHECK_FALSE(saysPeriodic(ini + "[boundary_lateral]\nsw_openbc=true\n"));
+}
+
 TEST_CASE("The number of rain drops is converted from cubic metres to kilograms of air") {
     const TemporaryFolder folder;
     const auto path = writeMicrohh(folder.path(), {});
