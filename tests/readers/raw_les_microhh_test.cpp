@@ -2,6 +2,7 @@
 // air.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "tests/readers/raw_maker.h"
@@ -94,10 +95,10 @@ TEST_CASE("A MicroHH run with an outflow is not said to have periodic sides") {
         "[thermo]\nswthermo=moist\n[micro]\nswmicro=2mom_warm\n";
     const auto saysPeriodic = [&](const std::string& text) {
         writeText(folder / "case.ini", text);
-        for (const std::string& note : openFiles({path})->info().notes) {
-            if (contains(note, "periodic sides")) return true;
-        }
-        return false;
+        const auto dataset = openFiles({path});
+        return std::ranges::any_of(dataset->info().notes, [](const std::string& note) {
+            return contains(note, "periodic sides");
+        });
     };
     CHECK(saysPeriodic(ini));
     CHECK(saysPeriodic(ini + "[boundary]\nscalar_outflow=\n"));
