@@ -106,6 +106,12 @@ void Texture::setRepeat() {
     }
 }
 
+void Texture::setRepeatAcross(bool repeats) {
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+        glTextureParameteri(name_, axis, repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    }
+}
+
 void Texture::upload(GLenum pixelFormat, GLenum type, const void* data, int level) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const glm::ivec3 size = glm::max(size_ >> level, glm::ivec3(1));

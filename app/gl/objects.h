@@ -30,6 +30,8 @@ class Texture {
 
     void setLinear();
     void setRepeat();
+    /// Whether it repeats along its first two axes; along the third it does not.
+    void setRepeatAcross(bool repeats);
     /// Replaces all texels of one level; level n + 1 has half the size of level n. `data` is
     /// tightly packed.
     void upload(GLenum pixelFormat, GLenum type, const void* data, int level = 0);

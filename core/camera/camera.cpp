@@ -21,12 +21,6 @@ glm::dvec3 towardsEye(const CameraPose& pose) {
 
 }  // namespace
 
-TargetLimits::TargetLimits(const CameraPose& pose) {
-    if (!pose.fixedToGround) return;
-    lower.x = lower.y = -kFarTarget;
-    upper.x = upper.y = kFarTarget;
-}
-
 glm::dvec3 Camera::rayDir(glm::dvec2 ndc) const {
     return glm::normalize(forward + right * (ndc.x * tanHalfFovY * aspect) +
                           up * (ndc.y * tanHalfFovY));
@@ -53,7 +47,7 @@ std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& fr
     same.distance =
         static_cast<float>(static_cast<double>(pose.distance) * unitM(from) / unitM(to));
     const bool near = same.distance >= kMinDistance && same.distance <= kMaxDistance;
-    const bool inside = same.target == TargetLimits(same).nearest(same.target);
+    const bool inside = same.target == TargetLimits{}.nearest(same.target);
     if (!near || !inside) return {};
     return same;
 }
@@ -61,7 +55,7 @@ std::optional<CameraPose> sameView(const CameraPose& pose, const RegularGrid& fr
 void keepOnGround(CameraPose& pose, const RegularGrid& grid, glm::dvec2 movedM) {
     if (!pose.fixedToGround) return;
     const glm::dvec2 share = movedM / glm::dvec2(grid.extentM());
-    pose.target = TargetLimits(pose).nearest(pose.target - glm::vec3(glm::vec2(share), 0.0f));
+    pose.target = TargetLimits{}.nearest(pose.target - glm::vec3(glm::vec2(share), 0.0f));
 }
 
 void orbit(CameraPose& pose, float azimuthStepDeg, float elevationStepDeg) {
@@ -78,7 +72,7 @@ void pan(CameraPose& pose, const RegularGrid& grid, glm::vec2 step) {
         (camera.right * static_cast<double>(-step.x) + camera.up * static_cast<double>(-step.y)) *
         heightM;
     pose.target += glm::vec3(moveM / grid.extentM());
-    pose.target = TargetLimits(pose).nearest(pose.target);
+    pose.target = TargetLimits{}.nearest(pose.target);
 }
 
 void dolly(CameraPose& pose, float factor) {

@@ -25,15 +25,15 @@ struct CameraPose {
 
 inline constexpr float kMinFovDeg = 5.0f, kMaxFovDeg = 75.0f;
 inline constexpr float kMinDistance = 1e-3f, kMaxDistance = 20.0f;
-inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;
-/// Of what is fixed to the ground, which a grid that moves leaves behind: 4000 km of one of 40 km,
-/// with a precision of half a metre.
+inline constexpr float kMinTarget = -1.0f, kMaxTarget = 2.0f;  // in height
+/// Across, where a domain may repeat to the horizon, and a grid that moves leaves behind what is
+/// fixed to the ground: 4000 km of one of 40 km, with a precision of half a metre.
 inline constexpr float kFarTarget = 100.0f;
 
 /// What the target of a pose can be, shares of the domain.
 struct TargetLimits {
-    explicit TargetLimits(const CameraPose& pose);
-    glm::vec3 lower{kMinTarget}, upper{kMaxTarget};
+    glm::vec3 lower{-kFarTarget, -kFarTarget, kMinTarget};
+    glm::vec3 upper{kFarTarget, kFarTarget, kMaxTarget};
     glm::vec3 nearest(const glm::vec3& target) const { return glm::clamp(target, lower, upper); }
 };
 

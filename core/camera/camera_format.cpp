@@ -29,7 +29,8 @@ float cameraNumber(const Json& value, const CameraKey& row, std::string_view whe
                  excerpt(value), fmt::format("a number from {} to {}", row.lo, row.hi), ""});
 }
 
-glm::vec3 cameraTarget(const Json& value, const TargetLimits& limits, std::string_view where) {
+glm::vec3 cameraTarget(const Json& value, std::string_view where) {
+    const TargetLimits limits;
     bool fits = value.is_array() && value.size() == 3;
     glm::vec3 target{0.0f};
     for (int i = 0; fits && i < 3; ++i) {
@@ -40,7 +41,9 @@ glm::vec3 cameraTarget(const Json& value, const TargetLimits& limits, std::strin
     }
     if (fits) return target;
     throw Error({std::string(where), "camera \"target\" cannot take this value", excerpt(value),
-                 fmt::format("three numbers from {} to {}", limits.lower.x, limits.upper.x), ""});
+                 fmt::format("three numbers, two from {} to {} and one from {} to {}",
+                             limits.lower.x, limits.upper.x, limits.lower.z, limits.upper.z),
+                 ""});
 }
 
 CameraPose readCamera(const Json& values, std::string_view where,
@@ -48,7 +51,7 @@ CameraPose readCamera(const Json& values, std::string_view where,
     CameraPose pose;
     std::vector<std::string_view> known{"target", kFixedKey};
     for (const CameraKey& row : kCameraKeys) known.push_back(row.key);
-    const auto fixed = values.find(std::string(kFixedKey));  // decides on the target's limits
+    const auto fixed = values.find(std::string(kFixedKey));
     if (fixed != values.end()) {
         if (!fixed->is_boolean()) refuseJson(where, kFixedKey, excerpt(*fixed), "true or false");
         pose.fixedToGround = fixed->get<bool>();
@@ -56,7 +59,7 @@ CameraPose readCamera(const Json& values, std::string_view where,
     for (const auto& [key, value] : values.items()) {
         const auto row = std::ranges::find(kCameraKeys, key, &CameraKey::key);
         if (key == "target") {
-            pose.target = cameraTarget(value, TargetLimits(pose), where);
+            pose.target = cameraTarget(value, where);
         } else if (row != kCameraKeys.end()) {
             pose.*(row->member) = cameraNumber(value, *row, where);
         } else if (key != kFixedKey) {

@@ -68,7 +68,7 @@ void fitBoxes(CameraPose& pose, const RegularGrid& grid, std::span<const BoxM> b
     const double depth = (near + far) / 2.0;
     const glm::dvec3 target =
         camera.right * horizontal.middle() + camera.up * vertical.middle() + camera.forward * depth;
-    pose.target = TargetLimits(pose).nearest(shareOf(target, grid));
+    pose.target = TargetLimits{}.nearest(shareOf(target, grid));
     pose.distance =
         std::clamp(static_cast<float>((depth - eye) / unitM(grid)), kMinDistance, kMaxDistance);
 }
@@ -87,13 +87,13 @@ void zoomTo(CameraPose& pose, const RegularGrid& grid, glm::dvec2 ndc, double as
     dolly(pose, factor);
     const double scale = static_cast<double>(pose.distance) / static_cast<double>(before);
     const glm::dvec3 moved = point + (target - point) * scale;
-    pose.target = TargetLimits(pose).nearest(shareOf(moved, grid));
+    pose.target = TargetLimits{}.nearest(shareOf(moved, grid));
 }
 
 bool standAt(CameraPose& pose, const RegularGrid& grid, const glm::dvec3& eyeM) {
     const glm::dvec3 forward = placeCamera(pose, grid, 1.0).forward;
     // Distances at which the target is within its limits: intersection of a ray and a box.
-    const TargetLimits limits(pose);
+    const TargetLimits limits;
     double near = static_cast<double>(kMinDistance) * unitM(grid);
     double far = static_cast<double>(kMaxDistance) * unitM(grid);
     for (int i = 0; i < 3; ++i) {

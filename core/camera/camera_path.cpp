@@ -85,7 +85,7 @@ class Spline {
         const glm::dvec3 target = eye - awayOf(v) * v[distance] * frame_.unitM();
         CameraPose pose;
         pose.fixedToGround = path_.keys.front().pose.fixedToGround;
-        pose.target = TargetLimits(pose).nearest(
+        pose.target = TargetLimits{}.nearest(
             glm::vec3((target - frame_.grid.originM) / frame_.grid.extentM()));
         pose.distance = static_cast<float>(v[distance]);
         pose.azimuthDeg = static_cast<float>(v[azimuth] - 360.0 * std::floor(v[azimuth] / 360.0));

@@ -43,7 +43,7 @@ struct EngineTraits {
     bool singleScattering = false;
     bool scattersOften = false;  ///< knows Transport::full
     bool printedLight = false;   ///< knows Eq. 14-17 as [Riley03] prints them
-    bool periodicSides = false;  ///< knows LightSides::periodic
+    bool periodicSides = false;  ///< knows DomainSides::periodic
     bool groundTruth = false;    ///< what other engines are compared with; true of one
     bool layers = false;         ///< knows an image's variance, transmittance and depths
 };

@@ -19,7 +19,7 @@ std::string ofScattering(const Look& look) {
 
 std::string knownErrorText(const Look& look) {
     std::string text = ofScattering(look);
-    if (look.lightSides == LightSides::open || sidesRepeat(look)) return text;
+    if (look.domainSides == DomainSides::open || sidesRepeat(look)) return text;
     return fmt::format("{}{}sides are open", text, text.empty() ? "" : "; ");
 }
 

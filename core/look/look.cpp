@@ -41,7 +41,7 @@ glm::vec3 groundAlbedo(const Look& look) {
 }
 
 bool sidesRepeat(const Look& look) {
-    return look.lightSides == LightSides::periodic && traitsOf(look.engine).periodicSides;
+    return look.domainSides == DomainSides::periodic && traitsOf(look.engine).periodicSides;
 }
 
 }  // namespace neph

@@ -25,8 +25,8 @@ enum class RadiationOptics : int { geometric, wrfRrtmg };
 enum class MixingRule : int { asGiven, byCell };
 enum class ColourMode : int { natural, fields };
 enum class LightForm : int { printed, consistent };
-/// What is beside the volume, for light: nothing, or the volume again and again in x and y.
-enum class LightSides : int { open, periodic };
+/// What is beside the volume, for light and eye: nothing, or the volume again and again in x and y.
+enum class DomainSides : int { open, periodic };
 enum class PhaseDisplay : int { linear, logarithmic, physical };
 /// Two colours, or the air of the Earth. docs/sky.md
 enum class SkyModel : int { gradient, atmosphere };
@@ -84,7 +84,7 @@ struct Look {
     MixingRule mixing = MixingRule::asGiven;
     ColourMode colour = ColourMode::natural;
 
-    LightSides lightSides = LightSides::open;
+    DomainSides domainSides = DomainSides::open;
     LightForm lightForm = LightForm::printed;
     float forwardAngleDeg = 20.0f;  ///< half of it, 10°, holds 90 % in [Riley03] fig. 7
     float forwardG = 0.979f;
@@ -149,8 +149,8 @@ glm::vec3 shownGroundColour(const Look& look);
 /// in full light.
 glm::vec3 groundAlbedo(const Look& look);
 
-/// Whether light meets the volume again beyond its sides: LightSides::periodic, of an engine that
-/// knows it.
+/// Whether light and eye meet the volume again beyond its sides: DomainSides::periodic, of an
+/// engine that knows it.
 bool sidesRepeat(const Look& look);
 
 /// Between periodic sides light from a sun on the horizon would never leave; it stands at least so

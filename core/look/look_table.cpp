@@ -135,17 +135,19 @@ void addLight(std::vector<Parameter>& table) {
         "or after any number of scatterings.");
     transport.engines = kSingleScattering;
     transport.formerId = "mode.transport";
-    rows.choice(
-            "sides", "Domain sides", &Look::lightSides, Stage::light,
-            {{"open", "Open", "Nothing is beside what is shown; light comes in from there."},
-             {"periodic", "Periodic",
-              "Light goes through what is shown again and again in x and y."}},
-            "What lies beside what is shown, for sunlight and scattered light: nothing, or the "
-            "same "
-            "again and again, as in large-eddy simulations. That it repeats is assumed, also of a "
-            "region or of a domain with other sides. The eye sees it once; the sun is at least 1 "
-            "degree off the horizon. Half-angle slicing has open sides. docs/transport.md")
-        .engines = enginesWith(&EngineTraits::periodicSides, true);
+    Parameter& sides = rows.choice(
+        "sides", "Domain sides", &Look::domainSides, Stage::medium,
+        {{"open", "Open", "Nothing is beside what is shown; light comes in from there."},
+         {"periodic", "Periodic",
+          "What is shown is there again and again in x and y, to the horizon: drawn and lit as the "
+          "endless field that it is a part of."}},
+        "What lies beside what is shown, for light and eye: nothing, or the same again and again "
+        "to the horizon, as in large-eddy simulations. That it repeats is assumed, also of a "
+        "region or of a domain with other sides. The sun is at least 1 degree off the horizon. "
+        "Half-angle slicing has open sides. docs/transport.md");
+    sides.engines = enginesWith(&EngineTraits::periodicSides, true);
+    sides.id = "domain.sides";
+    sides.formerId = "light.sides";
     rows.choice(
             "form", "Forward scattering", &Look::lightForm, Stage::light,
             {{"printed", "As printed", "As the paper prints it: brightness depends on the planes."},

@@ -64,6 +64,11 @@ float displayed(float value, PhaseDisplay display, DisplayRange range) {
 
 }  // namespace
 
+glm::vec2 fitNoise(float scaleM, glm::dvec2 widthM) {
+    const double tileM = static_cast<double>(glsl::kDetailFeaturesPerTile * scaleM);
+    return widthM / (glm::max(glm::round(widthM / tileM), 1.0) * tileM);
+}
+
 float mixingScaleAt(const Look& look, const SpeciesLook& field, double cellM) {
     const auto scale = static_cast<double>(field.mixingScale);
     if (look.mixing == MixingRule::asGiven || scale >= 1.0) return field.mixingScale;
@@ -84,6 +89,15 @@ MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>
         plan.classOf[s] = static_cast<int>(found - plan.classes.begin());
         plan.extinctionPerHeld[s] = extinctionPerHeld(look, field, holdings[s], cellM);
     }
+    return plan;
+}
+
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings,
+                      double cellM, glm::dvec2 widthM) {
+    MediumPlan plan = planMedium(look, holdings, cellM);
+    plan.repeats = sidesRepeat(look);
+    if (!plan.repeats) return plan;
+    for (MediumClass& c : plan.classes) c.noiseFit = fitNoise(c.noiseScaleM, widthM);
     return plan;
 }
 

@@ -21,6 +21,7 @@ struct MediumClass {
     PhaseSpec phase;
     float noiseAmount = 0.0f;  ///< 0 when noise is off
     float noiseScaleM = 1.0f;
+    glm::vec2 noiseFit{1.0f};  ///< times this along x and y: fitNoise()
     NoiseCharacter noiseCharacter = NoiseCharacter::billow;
     bool operator==(const MediumClass&) const = default;
 };
@@ -32,8 +33,13 @@ struct MediumPlan {
     std::array<float, kSpeciesCount> extinctionPerHeld{};
     /// Index into `classes`, -1 when absent or invisible.
     std::array<int, kSpeciesCount> classOf{};
+    bool repeats = false;  ///< the medium is that of periodic sides
     bool operator==(const MediumPlan&) const = default;
 };
+
+/// What lengths of a noise are multiplied by so that a whole number of its tiles, at least one,
+/// fits into each width of a domain that repeats: the detail then goes on across its sides.
+glm::vec2 fitNoise(float scaleM, glm::dvec2 widthM);
 
 /// Length of the largest features of a field's noise, in data of such cells.
 inline float noiseScaleM(const SpeciesLook& field, double cellM) {
@@ -48,6 +54,10 @@ float mixingScaleAt(const Look& look, const SpeciesLook& field, double cellM);
 /// `cellM` is the data's native horizontal cell (SpeciesVolume::cellM).
 MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings,
                       double cellM);
+
+/// The same of a domain of some width, which repeats if the look's sides do.
+MediumPlan planMedium(const Look& look, const std::array<Holding, kSpeciesCount>& holdings,
+                      double cellM, glm::dvec2 widthM);
 
 /// The phase functions of the classes as the image shows them (`light.phase_display`): tables of
 /// kPhaseTableSize entries, dimensionless, 1 for full isotropic scatter in the physical display and

@@ -42,7 +42,7 @@ std::string nameOf(const std::string& name, const fs::path& folder) {
 
 /// Limits a pose to the ranges of the reader, so that every file that is written can be read again.
 CameraPose bounded(CameraPose pose) {
-    pose.target = TargetLimits(pose).nearest(pose.target);
+    pose.target = TargetLimits{}.nearest(pose.target);
     for (const CameraKey& row : kCameraKeys) {
         pose.*(row.member) = std::clamp(pose.*(row.member), row.lo, row.hi);
     }

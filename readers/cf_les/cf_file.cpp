@@ -146,6 +146,7 @@ void Describer::describeModel(const nc::NcFile& file) {
         const auto text = file.text(name);
         if (text && !text->empty()) d.attributes.emplace_back(name, *text);
     }
+    if (model_.periodic) contents_.notePeriodicSides(model_.title);
     if (!mapPath_.empty()) {
         d.notes.push_back(fmt::format("Names and units are those of {}.",
                                       fs::path(mapPath_).filename().string()));

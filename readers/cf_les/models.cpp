@@ -124,7 +124,8 @@ Model sam() {
             .times = {"time"},
             .gas = {287.0, 461.0, 1004.0, 1e5},
             .latentHeatJPerKg = 2.5104e6,
-            .liquidBelow273 = true};
+            .liquidBelow273 = true,
+            .periodic = true};
 }
 
 // The unit that DALES states for water, 1e-5kg/kg, is that of its 16-bit binary files: the NetCDF
@@ -150,7 +151,8 @@ Model dales() {
             .perMoistAir = true,
             .gas = {287.04, 461.5, 1004.0, 1e5},
             .latentHeatJPerKg = 2.53e6,
-            .tiles = {R"((.*)\.(\d{3})\.(\d{3})\.(\d{3})\.nc)", {2, 3}}};
+            .tiles = {R"((.*)\.(\d{3})\.(\d{3})\.(\d{3})\.nc)", {2, 3}},
+            .periodic = true};
 }
 
 Model uclales() {
@@ -174,7 +176,8 @@ Model uclales() {
             .perMoistAir = true,
             .ghostLevels = true,
             .gas = {287.04, 461.5, 1005.0, 1e5},
-            .tiles = {R"((.*)\.(\d{4})(\d{4})\.nc)", {2, 3}}};
+            .tiles = {R"((.*)\.(\d{4})(\d{4})\.nc)", {2, 3}},
+            .periodic = true};
 }
 
 Model palm() {
@@ -243,7 +246,8 @@ Model monc() {
                   wind("v", kNorth),
                   wind("w", kUp)},
         .ghostLevels = true,
-        .gas = {287.05, 461.5, 1005.0, 1e5}};
+        .gas = {287.05, 461.5, 1005.0, 1e5},
+        .periodic = true};
 }
 
 Model microhh() {
@@ -270,7 +274,8 @@ Model microhh() {
             .times = {"time"},
             .perMoistAir = true,
             .gas = {287.04, 461.5, 1005.0, 1e5},
-            .microhhAir = true};
+            .microhhAir = true,
+            .periodic = true};
 }
 
 Model mesoNh() {

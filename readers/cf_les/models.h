@@ -92,6 +92,7 @@ struct Model {
     Tiles tiles{};
     bool microhhAir = false;        ///< MicroHH's files of its reference air lie beside
     bool liquidBelow273 = false;    ///< cloudCondensate and precipitation as SAM divides them
+    bool periodic = false;          ///< its sides are, in x and y, unless a run asks for others
     bool terrainFollowing = false;  ///< the ground lifts the levels, as with CM1
 };
 

@@ -173,6 +173,13 @@ void Contents::addDerived(plugin::Variable variable, Derived derived) {
     add(std::move(variable), std::move(source));
 }
 
+void Contents::notePeriodicSides(const std::string& model) {
+    description.notes.push_back(
+        model +
+        " has periodic sides unless a run asks for others: domain.sides=periodic draws and lights "
+        "the clouds as the endless field that they are a part of.");
+}
+
 void Contents::addSum(const std::vector<std::size_t>& parts) {
     plugin::Variable sum = description.variables[parts.front()];
     std::vector<std::string> names;

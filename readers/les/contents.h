@@ -53,6 +53,9 @@ struct Contents {
     void addDerived(neph::plugin::Variable variable, Derived derived);
     std::optional<std::size_t> find(NephRole role) const;
 
+    /// Notes that the model has periodic sides, and what shows the endless field.
+    void notePeriodicSides(const std::string& model);
+
     /// Adds the sum of variables of one role and species. They keep their names and lose the role.
     void addSum(const std::vector<std::size_t>& parts);
 

@@ -352,6 +352,7 @@ Contents Case::describe() {
     addFields();
     addDerived();
     contents_.completeAir();
+    if (hasPeriodicSides(keys_)) contents_.notePeriodicSides("MicroHH");
     return std::move(contents_);
 }
 

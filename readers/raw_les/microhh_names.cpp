@@ -55,6 +55,14 @@ std::vector<std::string_view> hydrometeorsOf(const std::map<std::string, std::st
     return names;
 }
 
+bool hasPeriodicSides(const std::map<std::string, std::string>& keys) {
+    return std::ranges::none_of(keys, [](const auto& each) {
+        const bool asks =
+            each.first == "boundary_lateral/sw_openbc" || each.first == "boundary/scalar_outflow";
+        return asks && !each.second.empty() && each.second != "0" && each.second != "false";
+    });
+}
+
 std::optional<FieldName> fieldName(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || dot == 0 || name.size() - dot - 1 < 7) return {};

@@ -27,6 +27,10 @@ const MicrohhField* findMicrohhField(std::string_view name);
 /// parseIni gives them.
 std::vector<std::string_view> hydrometeorsOf(const std::map<std::string, std::string>& keys);
 
+/// Whether what leaves the domain of such a run on one side enters it on the other: it asks neither
+/// for open sides nor for an outflow of scalars.
+bool hasPeriodicSides(const std::map<std::string, std::string>& keys);
+
 /// A file name `<variable>.<7 or more digits>`.
 struct FieldName {
     std::string variable;

@@ -23,7 +23,11 @@ void main() {
     for (int z = 0; z < kBrickVoxels + 2; ++z) {
         for (int y = 0; y < kBrickVoxels + 2; ++y) {
             for (int x = 0; x < kBrickVoxels + 2; ++x) {
-                ivec3 voxel = clamp(lower + ivec3(x, y, z), ivec3(0), last);
+                ivec3 voxel = lower + ivec3(x, y, z);
+#if PERIODIC
+                voxel.xy = (voxel.xy + last.xy + 1) % (last.xy + 1);
+#endif
+                voxel = clamp(voxel, ivec3(0), last);
                 largest = max(largest, texelFetch(t_extinction, voxel, 0).r);
             }
         }

@@ -7,10 +7,12 @@
 #version 450 core
 #include "../shared/march_layout.glsl"
 layout(local_size_x = kCloudyAirGroup, local_size_y = kCloudyAirGroup) in;
+#include "../lib/harmonics.glsl"
 #include "../lib/random.glsl"
 #include "../shared/light_layout.glsl"
 #include "../sky/air.glsl"
 #include "cloudy_air.glsl"
+#include "sent.glsl"
 
 layout(binding = kSunThroughUnit) uniform sampler3D t_through;
 layout(binding = kSunnyAirUnit) uniform sampler3D t_sunnyAir;
@@ -50,24 +52,48 @@ SentByAir sentBefore(AirRay air, float distanceM) {
                      textureLod(t_byHaze, vec2(air.at.y, at), 0.0).rgb);
 }
 
-#if FULL
+#if FULL && PERIODIC
+DirectionHarmonics alongRay_;
+
+/// What clouds change of the light that a stretch of air scatters along the ray, at a point of it.
+vec3 changedBy(SentByAir before, SentByAir until, vec3 positionM) {
+    vec3 size = vec3(textureSize(t_aroundMolecules, 0));
+    float layer = size.z / float(kAroundLayers);
+    vec3 at = (positionM - lowerM) / spacingM + 0.5;
+    at = vec3(at.xy / size.xy, clamp(at.z, 0.5, layer - 0.5) / size.z);
+    float of[4 * kAroundLayers];
+    for (int j = 0; j < kAroundLayers; ++j) {
+        vec3 place = vec3(at.xy, at.z + float(j) / float(kAroundLayers));
+        vec4 four = textureLod(t_aroundMolecules, place, 0.0);
+        for (int k = 0; k < 4; ++k) of[4 * j + k] = four[k];
+    }
+    vec3 byMolecules = max(until.byMolecules - before.byMolecules, 0.0);
+    vec3 byHaze = max(until.byHaze - before.byHaze, 0.0);
+    vec3 change = vec3(0.0);
+    for (int part = 0; part < kAroundParts; ++part) {
+        vec3 ofDegree = vec3(0.0);
+        for (int q = 0; q < kSkyMoments; ++q) {
+            ofDegree[degreeOfMoment(q)] += of[kSkyMoments * part + q] * alongRay_.value[q];
+        }
+        change += (dot(kOfMolecules, ofDegree) * byMolecules + dot(kOfHaze, ofDegree) * byHaze) *
+                  colourAround(part, altitudeM(positionM));
+    }
+    return change;
+}
+#elif FULL
 /// What clouds change of the light that a stretch of air scatters, at a point of it. Beyond what is
 /// known of it, it is as much less as they look smaller from there.
 vec3 changedBy(SentByAir before, SentByAir until, vec3 positionM) {
     vec3 size = vec3(textureSize(t_aroundMolecules, 0));
     vec3 upperM = lowerM + (size - 1.0) * spacingM;
-    vec3 inside = clamp(repeated(positionM), lowerM, upperM);
+    vec3 inside = clamp(positionM, lowerM, upperM);
     vec3 at = ((inside - lowerM) / spacingM + 0.5) / size;
     vec3 change = max(until.byMolecules - before.byMolecules, 0.0) *
                       textureLod(t_aroundMolecules, at, 0.0).rgb +
                   max(until.byHaze - before.byHaze, 0.0) * textureLod(t_aroundHaze, at, 0.0).rgb;
-#if PERIODIC
-    return change;
-#else
     float reachM = 0.25 * (upperM.x - lowerM.x + upperM.y - lowerM.y);
     float away = 1.0 + distance(inside, positionM) / reachM;
     return change / (away * away);
-#endif
 }
 #endif
 
@@ -84,6 +110,9 @@ void main() {
     // Another place in each step for each ray and image.
     float place =
         fract(unitsOf(randomWords(uvec4(pixel, 0u, 0u))).x + 0.61803399 * float(u_.sampling.x));
+#if FULL && PERIODIC
+    alongRay_ = directionHarmonics(-ray.dir, -u_.towardsSun.xyz);
+#endif
     vec3 change = vec3(0.0);
     float fromM = cloudyAirDistanceM(0, size.z);
     SentByAir before = sentBefore(air, fromM);

@@ -36,7 +36,7 @@ float detailAt(vec3 positionM, vec3 jitter, Detail detail) {
     float factor = 0.0;
     for (int k = 0; k < KINDS; ++k) {
         vec4 kind = u_.classes[kClassOfKind[k]].noise;
-        vec3 at = (positionM + u_.moved.xyz) * kind.y + jitter;
+        vec3 at = (positionM + u_.moved.xyz) * kind.ywy + jitter;
         at.z = 0.5 * (fract(at.z) + kind.z);
         float noise = textureLod(t_noise, at, 0.0).r / kDetailMean - 1.0;
         factor += max(0.0, detail.share[k] + detail.amount[k] * noise);

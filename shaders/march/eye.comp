@@ -14,7 +14,9 @@ layout(local_size_x = kMarchEyeGroup, local_size_y = kMarchEyeGroup) in;
 #include "../shared/march_blocks.glsl"
 #include "cloudy_air.glsl"
 #include "detail.glsl"
+#include "diffuse.glsl"
 #include "packed_sample.glsl"
+#include "path.glsl"
 #include "sunlight.glsl"
 
 // Of the band of rows that is drawn.
@@ -22,7 +24,6 @@ layout(location = kMarchFirstRowLocation) uniform int firstRow;
 // Of this image in the mean: 1 for the first.
 layout(location = kMarchBlendLocation) uniform float blend;
 layout(rgba32f, binding = kMarchLinearImage) uniform image2D io_linear;
-layout(binding = kMarchBlueNoiseUnit) uniform sampler2D t_blueNoise;
 #if PROFILE
 layout(r32ui, binding = kMarchTakenImage) writeonly uniform uimage2D o_taken;
 layout(std430, binding = kMarchCountsBuffer) buffer Counts {
@@ -36,30 +37,6 @@ layout(binding = kMarchFloorUnit) uniform sampler3D t_floor;
 
 // Of cloudy_air.comp.
 layout(binding = kCloudyAirUnit) uniform sampler3D t_cloudyAir;
-#if FULL
-// Of source_to_eye.comp.
-layout(binding = kMarchSourceUnit) uniform sampler3D t_source;
-#endif
-
-const int kRun = 4;
-// Transmittance below which a ray ends, and one towards the sun's disc, which outshines clouds.
-const float kOpaque = 0.005, kOpaqueToSun = 1e-7;
-const float kLongest = ADAPTIVE == 1 ? 2.0 : 1.0;  // step, in the shortest
-
-/// A ray in the units in which it is used.
-struct Path {
-    Ray ray;
-    vec3 at, atPerM;          // in the medium's texture
-    vec3 brick, brickPerM;    // in bricks
-    float bendM, bendBricks;  // upwards, per square of the distance
-    AirRay air;
-    float startM, endM;  // of the part that can meet anything
-    float stepM;         // the shortest
-    bool sunwards;       // what is scattered forward is seen
-    float place;         // of the samples on the ray, in shortest steps, less than the longest
-    float opaque;        // transmittance below which it ends
-};
-
 /// A sample: where it is on the ray, and what is there.
 struct Station {
     float atM;
@@ -80,75 +57,6 @@ struct Eye {
     float atM;      // sum of the distances of what is seen, each times how much of it is
     uint taken, skipped;
 };
-
-/// In [0, 1): a different place for each pixel and each image. The golden ratio's fraction
-/// spreads the images evenly.
-float placeInStep(ivec2 pixel) {
-    float pattern = texelFetch(t_blueNoise, (pixel + u_.whole.zw) & (kBlueNoiseSize - 1), 0).r;
-    return fract(pattern + 0.61803399 * float(u_.sampling.x));
-}
-
-Path pathOf(ivec2 pixel, Ray ray, vec2 insideM) {
-    Path path;
-    path.ray = ray;
-    path.at = ray.originM / u_.gridExtentM.xyz;
-    path.atPerM = ray.dir / u_.gridExtentM.xyz;
-    path.brick = ray.originM / u_.brickM.xyz;
-    path.brickPerM = divisible(ray.dir) / u_.brickM.xyz;
-    path.bendM = bendOf(ray.dir);
-    path.bendBricks = path.bendM / u_.brickM.z;
-    if (hasAir()) path.air = airRay(ray.dir);
-    path.startM = insideM.x;
-    path.endM = insideM.y;
-    path.stepM = 1.0 / length(ray.dir * u_.march.xyz);
-    path.sunwards = dot(u_.towardsSun.xyz, ray.dir) > kPeakEndCos;
-    path.place = kLongest * placeInStep(pixel);
-    path.opaque = sunDisc(ray.dir).g > 0.0 ? kOpaqueToSun : kOpaque;
-    return path;
-}
-
-/// Samples lie at the same distances from the eye whatever was skipped before, so that no brick
-/// shows in an image. The first and the last lie at the ends of the path.
-float stationM(Path path, float index) {
-    return clamp((index + path.place) * path.stepM, path.startM, path.endM);
-}
-
-/// The last sample that begins a longest step and does not lie beyond.
-float stationBefore(Path path, float atM) {
-    return kLongest * floor((atM / path.stepM - path.place) / kLongest);
-}
-
-/// Leaps from empty brick to empty brick; returns where that ends.
-float leap(Path path, float atM, inout uint skipped) {
-    ivec3 last = textureSize(t_bricks, 0) - 1;
-    while (true) {
-        vec3 p = path.brick + atM * path.brickPerM;
-        p.z += path.bendBricks * atM * atM;
-        vec3 perM = path.brickPerM;
-        perM.z = divisible(vec3(perM.z + 2.0 * path.bendBricks * atM)).z;
-        vec3 ahead = step(0.0, perM);
-        vec3 corner = floor(p);
-        float reach = float(texelFetch(t_bricks, clamp(ivec3(corner), ivec3(0), last), 0).r);
-        if (reach == 0.0 || atM >= path.endM) return atM;
-        vec3 wall = corner + mix(vec3(1.0 - reach), vec3(reach), ahead);
-        vec3 distanceM = (wall - p) / perM;
-        // A thousandth of a brick over the wall, so that rounding cannot hold the ray at it.
-        atM += min(min(distanceM.x, distanceM.y), distanceM.z) + 1e-3 * u_.brickM.x;
-        ++skipped;
-    }
-}
-
-vec3 inTexture(Path path, float atM) {
-    vec3 at = path.at + atM * path.atPerM;
-    at.z += path.bendM / u_.gridExtentM.z * atM * atM;
-    return at;
-}
-
-vec3 positionOn(Path path, float atM) {
-    vec3 positionM = path.ray.originM + atM * path.ray.dir;
-    positionM.z += path.bendM * atM * atM;
-    return positionM;
-}
 
 Station stationAt(Path path, float index) {
     float atM = stationM(path, index);
@@ -228,14 +136,28 @@ Scattered scatteredIn(Station from, Station stations[kRun], float through) {
 /// voxels of light know the sum.
 void addScattered(Path path, Station from, Station stations[kRun], Optics optics, vec3 sun,
                   inout Eye eye) {
+#if PERIODIC
+    vec4 source = vec4(0.0);  // of two steps
+#endif
     for (int i = 0; i < kRun; ++i) {
         Station to = stations[i];
         float depth =
             0.5 * optics.kept * (from.extinctionPerM + to.extinctionPerM) * (to.atM - from.atM);
         float origin = originInStep(from.extinctionPerM, to.extinctionPerM, depth);
         float light = mix(from.light, to.light, origin);
+#if PERIODIC
+        if (i % 2 == 0) {
+            Station last = stations[i + 1];
+            float ends = from.extinctionPerM + last.extinctionPerM;
+            float both = 0.5 * optics.kept * ends * (last.atM - from.atM);
+            float place = originInStep(from.extinctionPerM, last.extinctionPerM, both);
+            bool any = ends + to.extinctionPerM > 0.0;
+            if (any) source = sentAlongRay(positionOn(path, mix(from.atM, last.atM, place)), sun);
+        }
+#else
         vec3 positionM = positionOn(path, mix(from.atM, to.atM, origin));
         vec4 source = textureLod(t_source, sourceAt(positionM), 0.0);
+#endif
         vec3 diffuse = source.rgb - light * source.a * sun * u_.sunRadiance.rgb;
         float through = eye.through * exp2(-kLog2E * depth);
         vec3 single = optics.once;
@@ -286,12 +208,22 @@ void run(Path path, Station stations[kRun], inout Station last, inout Eye eye) {
                                            throughNearer - eye.through);
         eye.atM += (throughNearer - eye.through) * met.atM;
     }
+#if PERIODIC
+    else {
+        vec3 horizon = (throughNearer - eye.through) * u_.skyHorizon.rgb;
+        float acrossM = met.atM * length(path.ray.dir.xy);
+        eye.radiance = nearer + hazyCloud(eye.radiance - nearer, horizon, acrossM);
+    }
+#endif
     last = stations[kRun - 1];
 }
 #endif
 
 Eye march(Path path, uint most) {
     lookUpSunlight(path.ray.dir, path.sunwards);
+#if FULL && PERIODIC
+    lookUpDiffuse(path.ray.dir);
+#endif
     Eye eye = Eye(vec3(0.0), 1.0, 0.0, 0.0, 0u, 0u);
     float stride = kLongest;
     float index = stationBefore(path, path.startM);

@@ -21,14 +21,14 @@ layout(location = kPackExtinctionPerTexelLocation) uniform float extinctionPerTe
 layout(binding = kBesideHeldUnit) uniform sampler3D t_noise;
 layout(location = kPackAmountLocation) uniform float amount[SPECIES];  // of each species' detail
 // Of each scale and character of detail.
-layout(location = kPackTexelsPerMLocation) uniform float noiseTexelsPerM[KINDS];
+layout(location = kPackTexelsPerMLocation) uniform vec3 noiseTexelsPerM[KINDS];
 layout(location = kPackCharacterLocation) uniform float character[KINDS];  // 0 billow, 1 wisp
 layout(location = kPackVoxelLocation) uniform vec3 voxelM;
 layout(location = kPackMovedLocation) uniform vec3 movedM;  // FrameBlock::moved
 const int kKindOfSpecies[SPECIES] = KIND_OF_SPECIES;
 
 float noiseOf(int kind, vec3 positionM) {
-    float texels = noiseTexelsPerM[kind] * min(min(voxelM.x, voxelM.y), voxelM.z);  // a voxel
+    float texels = noiseTexelsPerM[kind].x * min(min(voxelM.x, voxelM.y), voxelM.z);  // a voxel
     int level = clamp(int(round(log2(max(texels, 1.0)))), 0, kNoiseLevels - 1);
     ivec3 at = ivec3(floor(positionM * noiseTexelsPerM[kind])) & (kNoiseSize - 1);
     at.z += int(character[kind]) * kNoiseSize;

@@ -19,9 +19,10 @@ layout(location = kPackExtinctionPerTexelLocation) uniform float extinctionPerTe
 layout(location = kPackLayerLocation) uniform float layerM;  // height of a voxel
 layout(location = kPackAsymmetryLocation) uniform float asymmetry;
 layout(location = kPackGroundLocation) uniform float groundShare;
+layout(location = kPackCellLocation) uniform vec3 cellSize;  // as a share of the texture
 
 vec3 cornerOf(ivec3 cell) {
-    return (2.0 * vec3(cell) + 1.0) / vec3(textureSize(t_extinction, 0));
+    return (vec3(cell) + 0.5) * cellSize;
 }
 
 /// 1 for 1/m, an eighth for 1e-12/m and less: seven octaves of byte steps are left for the shares.

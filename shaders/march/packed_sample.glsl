@@ -60,12 +60,12 @@ MediumSample sampleMedium(vec3 positionM) {
 #if FULL
 /// Place of a point in textures of the voxels of light.
 vec3 lightVoxelAt(vec3 positionM) {
-    return positionM * u_.lightPerM.xyz + u_.lightOffset.xyz;
+    return repeated(positionM) * u_.lightPerM.xyz + u_.lightOffset.xyz;
 }
 
 /// Place of a point in the texture of their light.
 vec3 sourceAt(vec3 positionM) {
-    return positionM * u_.sourcePerM.xyz + u_.sourceOffset.xyz;
+    return repeated(positionM) * u_.sourcePerM.xyz + u_.sourceOffset.xyz;
 }
 
 /// How thick the voxels of light are around a point: 0 thin, 1 thick, 2 very thick.

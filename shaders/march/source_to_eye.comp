@@ -1,13 +1,14 @@
 // source_to_eye.comp: what each active voxel of light sends towards the eye by scattering diffuse
 // light, per unit of scaled optical depth (rgb), and how much of it, times the sun's radiance, is
-// sunlight scattered once (a). One invocation a node.
+// sunlight scattered once (a). One invocation a node. PERIODIC: the eye stands in another direction
+// from each repeat, and the moments themselves are taken over.
 #version 450 core
 #include "../shared/march_layout.glsl"
 layout(local_size_x = kSourceGroup) in;
 #include "../lib/harmonics.glsl"
 #include "../shared/frame.glsl"
 #include "../shared/groups_layout.glsl"
-#include "../sky/air.glsl"
+#include "sent.glsl"
 
 layout(rgba16f, binding = kSourceImage) writeonly uniform image3D o_source;
 layout(std430, binding = kSourceNodesBuffer) readonly buffer Nodes {
@@ -24,7 +25,7 @@ layout(std430, binding = kSourceBalancedBuffer) readonly buffer Balanced {
 layout(location = kSourceCountLocation) uniform int count;
 layout(location = kFirstGroupLocation) uniform int firstGroup;
 
-#if BALANCED
+#if BALANCED && !PERIODIC
 /// How much sunlight that is scattered once, per irradiance, the moments of a node hold.
 float heldOfBeam(int first, float cosTheta) {
     float held = 0.0;
@@ -49,6 +50,29 @@ const int kBeside = 1;
 const int kBeside = 0;
 #endif
 
+#if PERIODIC
+const int kLayers = BALANCED == 1 ? kMomentLayers : kMomentLayersUnbalanced;
+
+uint wordOf(int i, int w) {
+    if (w < kWordsOfNode) return moments_[kWordsOfNode * i + w];
+#if BALANCED
+    return balanced_[kWordsOfBalanced * i + w - kWordsOfNode];
+#else
+    return 0u;
+#endif
+}
+
+/// Of node i, which lies at a texel.
+void send(int i, ivec3 texel) {
+    int layer = imageSize(o_source).z / kLayers;
+    for (int j = 0; j < kLayers; ++j) {
+        vec4 four = vec4(unpackHalf2x16(wordOf(i, 2 * j)), unpackHalf2x16(wordOf(i, 2 * j + 1)));
+        imageStore(o_source, texel + ivec3(0, 0, j * layer), four);
+    }
+}
+#else
+const int kLayers = 1;
+
 /// Of node i, which lies at a texel.
 void send(int i, ivec3 texel) {
     vec3 at = (vec3(texel) + 0.5) / vec3(imageSize(o_source));
@@ -71,27 +95,21 @@ void send(int i, ivec3 texel) {
             sky[q / kSkyMoments] += pair[half_] * y.value[q % kSkyMoments];
         }
     }
-    // Light of a sun of this radiance: shaders/medium/phases.glsl.
-    // Sunlight arrives with the luminance that it has at each altitude; its colour is taken to be
-    // that of where it is scattered last.
-    vec3 colour = sunAt(altitudeM(positionM));
-    colour /= max(dot(colour, kLuminance), 1e-12);
-    if (!hasAir()) colour = vec3(1.0);
-    vec3 source = 4.0 * kPi * sun * colour * u_.sunRadiance.rgb +
-                  max(sky[0] * skyPartAt(altitudeM(positionM), 0) +
-                          sky[1] * skyPartAt(altitudeM(positionM), 1),
-                      0.0);
+    float atM = altitudeM(positionM);
+    vec3 source = sunSent(sun, sunAt(atM)) + skySent(sky[0], sky[1], atM);
     float held = 0.0;
 #if BALANCED
     held = 4.0 * kPi * heldOfBeam(kWordsOfBalanced * i, dot(travel, -u_.towardsSun.xyz));
 #endif
     imageStore(o_source, texel, vec4(source, held));
 }
+#endif
 
 void main() {
     int i = kSourceGroup * (firstGroup + int(gl_WorkGroupID.x)) + int(gl_LocalInvocationID.x);
     if (i >= count) return;
     ivec3 held = imageSize(o_source);
+    held.z /= kLayers;
     ivec3 size = held - 2 * ivec3(kBeside, kBeside, 0);
     int index = int(nodes_[i]);
     ivec3 node = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));

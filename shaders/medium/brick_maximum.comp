@@ -24,13 +24,20 @@ float extinctionAt(ivec3 voxel) {
 void main() {
     ivec3 brick = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(brick, imageSize(o_maximum)))) return;
-    ivec3 lower = max(brick * kBrickVoxels - 1, ivec3(0));
-    ivec3 upper = min((brick + 1) * kBrickVoxels + 1, textureSize(t_medium0, 0));
+    ivec3 size = textureSize(t_medium0, 0);
+    ivec3 lower = brick * kBrickVoxels - 1;
+    ivec3 upper = (brick + 1) * kBrickVoxels + 1;
+    lower.z = max(lower.z, 0);
+    upper.z = min(upper.z, size.z);
+#if !PERIODIC
+    lower.xy = max(lower.xy, ivec2(0));
+    upper.xy = min(upper.xy, size.xy);
+#endif
     float largest = 0.0;
     for (int z = lower.z; z < upper.z; ++z) {
         for (int y = lower.y; y < upper.y; ++y) {
             for (int x = lower.x; x < upper.x; ++x) {
-                largest = max(largest, extinctionAt(ivec3(x, y, z)));
+                largest = max(largest, extinctionAt((ivec3(x, y, z) + size) % size));
             }
         }
     }

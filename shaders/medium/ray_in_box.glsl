@@ -1,6 +1,7 @@
 // ray_in_box.glsl: the part of a pixel's ray that can meet anything.
 #pragma once
 #include "../lib/ray_box.glsl"
+#include "../lib/sky.glsl"
 #include "../shared/frame.glsl"
 
 /// Part of a ray from the eye that is below a height, of which `overM` is the eye's excess.
@@ -34,7 +35,25 @@ vec2 partInBoxM(Ray ray, vec3 lowerM, vec3 upperM) {
     return inside;
 }
 
+/// The same between two corners of the grid: where it repeats, between their heights. A ray that
+/// never leaves them is followed as far as haze lets it be seen; air bends all others out.
+vec2 partSeenM(Ray ray, vec3 lowerM, vec3 upperM) {
+#if PERIODIC
+    const float kFarM = 1e20;
+    vec2 insideM = partInBoxM(ray, vec3(vec2(-kFarM), lowerM.z), vec3(vec2(kFarM), upperM.z));
+    // Without a ground there is nothing behind the Earth either.
+    float bend = bendOf(ray.dir);
+    vec2 tooLowM = belowM(ray.originM.z - lowerM.z, ray.dir.z, bend);
+    bool dips = bend > 0.0 && tooLowM.x < tooLowM.y && tooLowM.x > insideM.x;
+    if (dips) insideM.y = min(insideM.y, tooLowM.x);
+    if (u_.sky.x < 0.5) insideM.y = min(insideM.y, kSeenM);
+    return insideM;
+#else
+    return partInBoxM(ray, lowerM, upperM);
+#endif
+}
+
 /// The same of the occupied box.
 vec2 insideBoxM(Ray ray) {
-    return partInBoxM(ray, u_.boxLowerM.xyz, u_.boxUpperM.xyz);
+    return partSeenM(ray, u_.boxLowerM.xyz, u_.boxUpperM.xyz);
 }

@@ -21,7 +21,7 @@ struct MediumSample {
 #if NOISE
 float detail(vec3 positionM, int index) {
     vec4 noise = u_.classes[index].noise;
-    vec2 texel = textureLod(t_noise, (positionM + u_.moved.xyz) * noise.y, 0.0).rg;
+    vec2 texel = textureLod(t_noise, (positionM + u_.moved.xyz) * noise.ywy, 0.0).rg;
     return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
 }
 #endif

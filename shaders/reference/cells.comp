@@ -17,7 +17,7 @@ layout(location = kBoundCellVoxelsLocation) uniform int cellVoxels;  // a side
 layout(binding = kNoiseBoundUnit) uniform sampler3D t_noiseBound;
 // Of each class's detail.
 layout(location = kBoundAmountLocation) uniform float amount[kMaxClasses];
-layout(location = kBoundTexelsPerMLocation) uniform float texelsPerM[kMaxClasses];
+layout(location = kBoundTexelsPerMLocation) uniform vec3 texelsPerM[kMaxClasses];
 // 0 billow, 1 wisp.
 layout(location = kBoundCharacterLocation) uniform float character[kMaxClasses];
 layout(location = kBoundVoxelLocation) uniform vec3 voxelM;
@@ -54,8 +54,15 @@ float classOf(vec4 first, vec4 second, int index) {
 void main() {
     ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(cell, imageSize(o_bound)))) return;
-    ivec3 lower = max(cell * cellVoxels - 1, ivec3(0));
-    ivec3 upper = min((cell + 1) * cellVoxels, textureSize(t_medium0, 0));
+    ivec3 size = textureSize(t_medium0, 0);
+    ivec3 lower = cell * cellVoxels - 1;
+    ivec3 upper = (cell + 1) * cellVoxels;
+    lower.z = max(lower.z, 0);
+    upper.z = min(upper.z, size.z);
+#if !PERIODIC
+    lower.xy = max(lower.xy, ivec2(0));
+    upper.xy = min(upper.xy, size.xy);
+#endif
     float factor[CLASSES];
     for (int i = 0; i < CLASSES; ++i) {
         factor[i] = 1.0;
@@ -68,9 +75,13 @@ void main() {
     for (int z = lower.z; z < upper.z; ++z) {
         for (int y = lower.y; y < upper.y; ++y) {
             for (int x = lower.x; x < upper.x; ++x) {
-                vec4 first = texelFetch(t_medium0, ivec3(x, y, z), 0);
+                ivec3 voxel = ivec3(x, y, z);
+#if PERIODIC
+                voxel = (voxel + size) % size;
+#endif
+                vec4 first = texelFetch(t_medium0, voxel, 0);
 #if CLASS_TEXTURES > 1
-                second = texelFetch(t_medium1, ivec3(x, y, z), 0);
+                second = texelFetch(t_medium1, voxel, 0);
 #endif
                 float sum = 0.0;
                 for (int i = 0; i < CLASSES; ++i) sum += factor[i] * classOf(first, second, i);

@@ -10,18 +10,17 @@ void aim(inout Path p) {
     bool bent = bends(p);
     vec3 lowerM = vec3(0.0), upperM = u_.gridExtentM.xyz;
 #if PERIODIC
-    bool repeats = meetsRepeats(p);
-    if (repeats) {
-        // A level path would never leave: a ten-thousandth of all are turned by less than that.
-        const float kLeastSlope = 1e-4, kFarM = 1e20;
+    const float kLeastSlope = 1e-4, kFarM = 1e20;
+    lowerM.xy = vec2(-kFarM);
+    upperM.xy = vec2(kFarM);
+    // A level path would never leave: a ten-thousandth of all are turned by less than that.
+    if (!isOfEye(p)) {
         p.dir.z = p.dir.z < 0.0 ? min(p.dir.z, -kLeastSlope) : max(p.dir.z, kLeastSlope);
-        lowerM.xy = vec2(-kFarM);
-        upperM.xy = vec2(kFarM);
     }
 #endif
     vec2 inside = bent ? partInBoxM(Ray(p.positionM, p.dir), lowerM, upperM)
                        : rayBox(p.positionM, p.dir, lowerM, upperM);
-    if (inside.x >= inside.y || inside.y <= 0.0) {
+    if (inside.x >= inside.y || inside.y <= 0.0 || inside.x >= endOfSight(p)) {
         p.stage = kLeft;
         return;
     }
@@ -31,9 +30,8 @@ void aim(inout Path p) {
     } else if (inside.x > 0.0) {
         p.positionM += inside.x * p.dir;
     }
-#if PERIODIC
-    if (repeats) p.positionM = repeated(p.positionM);
-#endif
+    if (isOfEye(p)) p.flownM = max(inside.x, 0.0);
+    p.positionM = repeated(p.positionM);
     if (inside.x > 0.0) p.positionM = clamp(p.positionM, vec3(0.0), u_.gridExtentM.xyz);
     p.cell = cellAt(p.positionM);
     p.stage = kFlying;
@@ -42,6 +40,23 @@ void aim(inout Path p) {
     p.airM = meets ? drawAirM(altitudeM(p.positionM), p.dir.z, p.hero, u.yz) : kNoAirM;
 #endif
 }
+
+#if PERIODIC
+/// Whether the path has just come through a side of the domain.
+bool begins(Path p, int axis) {
+    float atM = p.positionM[axis];
+    return axis < 2 && (p.dir[axis] > 0.0 ? atM <= 0.0 : atM >= u_.gridExtentM[axis]);
+}
+
+/// Puts a path that bends from wall to wall back on its ray, whose height it would lose sight of.
+void follow(inout Path p) {
+    Ray ray = Ray(u_.eyeM.xyz, p.axis);
+    p.positionM.z = clamp(pointAlong(ray, p.flownM).z, 0.0, u_.gridExtentM.z);
+    p.dir = p.axis;
+    bend(p, p.flownM);
+    p.cell = cellAt(p.positionM);
+}
+#endif
 
 /// Goes from wall to wall, a few at most, until there may be a particle: then returns the bound
 /// that says so, else 0.
@@ -54,6 +69,9 @@ float cross(inout Path p) {
         bool inAir = p.flownM + lengthM >= p.airM;
         if (inAir) lengthM = max(p.airM - p.flownM, 0.0);
 #endif
+        float sightM = max(endOfSight(p) - p.flownM, 0.0);
+        bool fades = lengthM >= sightM;
+        lengthM = min(lengthM, sightM);
         float depth = s.boundPerM * lengthM;
         if (depth > p.depth) {
             p.positionM += p.depth / s.boundPerM * p.dir;
@@ -71,8 +89,11 @@ float cross(inout Path p) {
             break;
         }
 #endif
-        if (!crossWall(s, p.dir, meetsRepeats(p), p.positionM, p.cell)) p.stage = kLeft;
+        if (fades || !crossWall(s, p.dir, p.positionM, p.cell)) p.stage = kLeft;
         if (bends(p)) bend(p, s.lengthM);
+#if PERIODIC
+        if (bends(p) && p.stage == kFlying && begins(p, s.axis)) follow(p);
+#endif
     }
     return 0.0;
 }

@@ -54,8 +54,12 @@ bool showsBackdrop() {
     return true;
 }
 
-bool meetsRepeats(Path p) {
-    return true;
+bool isOfEye(Path p) {
+    return false;
+}
+
+float endOfSight(Path p) {
+    return 1e30;
 }
 
 #if AIR

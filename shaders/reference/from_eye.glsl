@@ -18,10 +18,23 @@ void start(inout Path p, uint index) {
     p.axis = ray.dir;
 }
 
-/// Until it meets a particle a path follows its ray over the round Earth; `axis` is how it left the
-/// eye.
+/// Until it meets a particle a path is the eye's ray; `axis` is how it left the eye.
+bool isOfEye(Path p) {
+    return p.scatterings == 0 && !p.toSun;
+}
+
+/// The ray follows the round Earth.
 bool bends(Path p) {
-    return p.scatterings == 0 && !p.toSun && u_.sky.z > 0.0;
+    return isOfEye(p) && u_.sky.z > 0.0;
+}
+
+/// Distance at which the eye's ray ends where it may never leave what repeats; a ray through air
+/// does.
+float endOfSight(Path p) {
+#if PERIODIC
+    if (isOfEye(p) && !hasAir()) return kSeenM;
+#endif
+    return 1e30;
 }
 
 /// Turns a path after so much of its way.
@@ -61,11 +74,6 @@ bool showsBackdrop() {
     return u_.sampling.y == 1;
 }
 
-/// Whether the path meets what repeats between periodic sides: the eye sees the grid once.
-bool meetsRepeats(Path p) {
-    return p.scatterings > 0 || p.toSun;
-}
-
 /// Light of the air before a distance along a path's ray, and what the air leaves of other light.
 vec3 lightOfAir(AirRay air, float distanceM) {
     return throughAir(air, distanceM, vec3(0.0), 1.0);
@@ -75,6 +83,7 @@ vec3 clearOfAir(AirRay air, float distanceM) {
 }
 
 const float kFarM = 1e30;
+float endOfRayM_ = kFarM;  // of the eye's ray that has ended in this round
 
 #if AIR
 /// The eye's ray is seen through air as the tables have it; what light the box sends into it is
@@ -86,7 +95,11 @@ bool meetsAir(Path p) {
 /// Part of the ray that the box's air sends light into, before a distance. An eye below the ground
 /// sees no air of the box, but that of one which stands on the ground.
 vec2 tracedPartM(Ray ray, float untilM) {
-    vec2 inside = partInBoxM(ray, vec3(0.0), u_.gridExtentM.xyz);
+    vec2 inside = partSeenM(ray, vec3(0.0), u_.gridExtentM.xyz);
+#if PERIODIC
+    // The tables, of which it takes the place, know no more.
+    untilM = min(untilM, thinAirM(altitudeM(ray.originM), ray.dir.z) + kAirRangeM);
+#endif
     return vec2(inside.x, altitudeM(ray.originM) < 0.0 ? 0.0 : min(inside.y, untilM));
 }
 
@@ -133,7 +146,7 @@ float drawLengthM(Thinning t, float lengthM, float u) {
 void meetAirBefore(inout Path p, vec3 dir, uint lane) {
     if (p.stage == kDone && !showsBackdrop()) return;
     Ray ray = Ray(u_.eyeM.xyz, dir);
-    vec2 partM = tracedPartM(ray, p.stage == kDone ? kFarM : distance(ray.originM, p.positionM));
+    vec2 partM = tracedPartM(ray, p.stage == kDone ? kFarM : endOfRayM_);
     float lengthM = partM.y - partM.x;
     if (lengthM <= 0.0) return;
     AirRay air = airRay(dir);
@@ -153,7 +166,7 @@ void meetAirBefore(inout Path p, vec3 dir, uint lane) {
     atM = clamp(atM, 0.0, lengthM);
     float density = mix(densityOf(molecules, atM, lengthM), densityOf(haze, atM, lengthM), ofHaze);
     if (p.stage != kDone) suspend(p, lane);
-    p.positionM = pointAlong(ray, partM.x + atM);
+    p.positionM = repeated(pointAlong(ray, partM.x + atM));
     p.throughput = clearOfAir(air, partM.x + atM) * boxAirAt(altitudeM(p.positionM)).extinction /
                    max(density, 1e-30);
     p.axis = dir;
@@ -174,25 +187,35 @@ vec3 seenSky(Path p) {
 }
 
 /// What is seen directly is seen through the air, as with the other engines.
-void passAir(inout Path p) {
+void passAir(inout Path p, float distanceM) {
     AirRay air = airRay(p.axis);
-    float distanceM = distance(u_.eyeM.xyz, p.positionM);
     p.radiance += worthOf(p) * (lightOfAir(air, distanceM) - tracedLight(p, distanceM));
     p.throughput *= clearOfAir(air, distanceM);
 }
 
-/// The ground fades into the horizon where there is no air.
-void passHaze(inout Path p) {
-    if (hasAir()) {
-        passAir(p);
-        return;
-    }
-    float clear = exp(-distance(u_.eyeM.xyz, p.positionM) / kHazeLengthM);
+/// So much of what is seen is clear, where there is no air; the rest has faded into the horizon.
+void fade(inout Path p, float clear) {
     p.radiance += (1.0 - clear) * worthOf(p) * u_.skyHorizon.rgb;
     p.throughput *= clear;
 }
 
+/// The ground, in the place where it is seen.
+void passHaze(inout Path p) {
+    endOfRayM_ = distance(u_.eyeM.xyz, p.positionM);
+    if (hasAir()) {
+        passAir(p, endOfRayM_);
+    } else {
+        fade(p, exp(-endOfRayM_ / kHazeLengthM));
+    }
+}
+
 void noteFirst(inout Path p) {
+#if PERIODIC
+    p.firstM = p.flownM;
+    if (!hasAir()) fade(p, hazyCloud(vec3(1.0), vec3(0.0), p.firstM * length(p.axis.xy)).r);
+#else
     p.firstM = distance(u_.eyeM.xyz, p.positionM);
-    if (hasAir()) passAir(p);
+#endif
+    endOfRayM_ = p.firstM;
+    if (hasAir()) passAir(p, p.firstM);
 }

@@ -45,9 +45,9 @@ Stretch stretchAhead(vec3 positionM, vec3 dir, ivec3 cell) {
     return s;
 }
 
-/// Moves to the wall and into the cell behind it; false where the grid ends there. `repeats`:
-/// behind periodic sides it begins again.
-bool crossWall(Stretch s, vec3 dir, bool repeats, inout vec3 positionM, inout ivec3 cell) {
+/// Moves to the wall and into the cell behind it; false where the grid ends there: behind periodic
+/// sides it begins again.
+bool crossWall(Stretch s, vec3 dir, inout vec3 positionM, inout ivec3 cell) {
     bool up = divisible(dir)[s.axis] > 0.0;
     float wallM = s.wallM[s.axis];
     positionM += s.lengthM * dir;
@@ -55,7 +55,7 @@ bool crossWall(Stretch s, vec3 dir, bool repeats, inout vec3 positionM, inout iv
     float extentM = u_.gridExtentM[s.axis];
     bool leaves = up ? wallM >= extentM : wallM <= 0.0;
 #if PERIODIC
-    if (leaves && repeats && s.axis < 2) {
+    if (leaves && s.axis < 2) {
         positionM[s.axis] = up ? 0.0 : extentM;
         cell = cellAt(positionM);
         return true;

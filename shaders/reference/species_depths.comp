@@ -21,10 +21,30 @@ layout(location = kDepthsStepLocation) uniform float longestStepM;
 float detailOf(int index, vec3 positionM) {
 #if NOISE
     vec4 noise = u_.classes[index].noise;
-    vec2 texel = textureLod(t_noise, (positionM + u_.moved.xyz) * noise.y, 0.0).rg;
+    vec2 texel = textureLod(t_noise, (positionM + u_.moved.xyz) * noise.ywy, 0.0).rg;
     return detailFactor(noise.z < 0.5 ? texel.r : texel.g, noise.x);
 #else
     return 1.0;
+#endif
+}
+
+/// Interpolated as the medium is, across the sides of a domain that repeats too.
+float heldAt(int s, vec3 positionM) {
+#if PERIODIC
+    ivec3 size = textureSize(t_held[s], 0);
+    vec3 at = repeated(positionM) / u_.gridExtentM.xyz * vec3(size) - 0.5;
+    vec3 upper = at - floor(at);
+    float held = 0.0;
+    for (int k = 0; k < 8; ++k) {
+        ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
+        ivec3 voxel = (ivec3(floor(at)) + corner + size) % size;
+        voxel.z = clamp(int(floor(at.z)) + corner.z, 0, size.z - 1);
+        vec3 share = mix(1.0 - upper, upper, vec3(corner));
+        held += share.x * share.y * share.z * texelFetch(t_held[s], voxel, 0).r;
+    }
+    return held;
+#else
+    return textureLod(t_held[s], positionM / u_.gridExtentM.xyz, 0.0).r;
 #endif
 }
 
@@ -32,7 +52,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, u_.image.xy))) return;
     Ray ray = rayThrough(pixel);
-    vec2 inside = partInBoxM(ray, vec3(0.0), u_.gridExtentM.xyz);
+    vec2 inside = partSeenM(ray, vec3(0.0), u_.gridExtentM.xyz);
     float lengthM = max(0.0, inside.y - max(inside.x, 0.0));
     int steps = int(ceil(lengthM / longestStepM));
     float stepM = lengthM / float(max(steps, 1));
@@ -42,8 +62,8 @@ void main() {
         vec3 positionM = pointAlong(ray, max(inside.x, 0.0) + (float(i) + 0.5) * stepM);
         for (int s = 0; s < kSpeciesCount; ++s) {
             if (classOf[s] < 0) continue;
-            float held = textureLod(t_held[s], positionM / u_.gridExtentM.xyz, 0.0).r;
-            depth[s] += extinctionPerHeld[s] * held * stepM * detailOf(classOf[s], positionM);
+            depth[s] += extinctionPerHeld[s] * heldAt(s, positionM) * stepM *
+                        detailOf(classOf[s], positionM);
         }
     }
     int count = u_.image.x * u_.image.y;

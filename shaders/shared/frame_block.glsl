@@ -14,7 +14,8 @@ const int kMaxClasses = kSpeciesCount;  // each species may be a class of its ow
 
 struct ClassBlock {
     vec4 colourAlbedo;  ///< rgb: colour × single-scattering albedo; w: albedo
-    vec4 noise;         ///< x: amount, y: 1 / tile length in m, z: 0 billow, 1 wisp
+    vec4 noise;         ///< x: amount, y and w: 1 / tile length in m, along x and z, and along y;
+                        ///< z: 0 billow, 1 wisp
     vec4 forward;  ///< albedo times the share of light that counts as not scattered, where voxels
                    ///< of light are thin (x), thick (y) and very thick (z)
 };
@@ -36,7 +37,8 @@ struct FrameBlock {
     vec4 gridExtentM;     ///< of the whole volume
     vec4 cloudyAir;       ///< xy: distances between which clouds change what air sends, z: pixels
                           ///< between two rays of their table, w: 1 where there is one
-    vec4 mixtureExtentM;  ///< of the half-resolution texture of the march
+    vec4 mixtureExtentM;  ///< of the half-resolution texture of the march, which between periodic
+                          ///< sides divides the width evenly
     vec4 brickM;          ///< size of an occupancy brick
     vec4 forwardShare;    ///< x: CP(θ_f/4), y: CP(θ_f/2), z: cut-off transmittance of the eye
     vec4 lightPerM;       ///< of the voxels of light: their texture's coordinate is a point
@@ -56,6 +58,8 @@ struct FrameBlock {
     vec4 ambient;      ///< rgb: radiance that skylight gives a sample under open sky
     vec4 ground;       ///< rgb: radiance in full light, an irradiance of 4 pi; w: 1 when visible
     vec4 moved;        ///< xy: how far a grid that moves has gone over the ground, m
+    vec4 shifted;      ///< xy: whole widths of the domain by which the eye stands further, m: a
+                       ///< field that repeats looks the same from there, its ground does not
     ivec4
         slices;  ///< x: count, y: first of this batch, z: count of this batch, w: number of classes
     ivec4 sampling;  ///< x: number of this image among those averaged at rest; y: 1 for sky and

@@ -61,6 +61,12 @@ const int kWordsOfSky = (2 * kSkyMoments + 1) / 2;
 const int kWordsOfNode = kWordsOfSun + kWordsOfSky;
 const int kBalancedDegrees = 5;
 const int kWordsOfBalanced = (kBalancedDegrees + 1) / 2;
+// Where the domain repeats, the moments themselves lie in its texture, four a texel, layer upon
+// layer: of the sun, of the sky, and where there are any the balanced ones.
+const int kFirstSkyMoment = 2 * kWordsOfSun;
+const int kFirstBalancedMoment = 2 * kWordsOfNode;
+const int kMomentLayers = (kFirstBalancedMoment + 2 * kWordsOfBalanced) / 4;
+const int kMomentLayersUnbalanced = (kFirstBalancedMoment + 3) / 4;
 
 // sun_through.comp
 const int kSunThroughImage = 0;
@@ -78,6 +84,9 @@ const int kAroundHazeImage = 1;
 const int kAroundMomentsBuffer = 4;
 const int kAroundLowerLocation = 0;
 const int kAroundSpacingLocation = 1;
+const int kAroundParts = 3;
+// Where the domain repeats: layers of moments in the texture of molecules.
+const int kAroundLayers = (kAroundParts * kSkyMoments + 3) / 4;
 
 // pack_mixture.comp
 const int kPackMixture0Image = 0;
@@ -85,3 +94,4 @@ const int kPackMixture1Image = 1;
 const int kPackLayerLocation = kPackExtinctionPerTexelLocation + kSpeciesCount;
 const int kPackAsymmetryLocation = kPackLayerLocation + 1;
 const int kPackGroundLocation = kPackAsymmetryLocation + 1;
+const int kPackCellLocation = kPackGroundLocation + 1;

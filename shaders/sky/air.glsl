@@ -108,7 +108,7 @@ vec3 groundSeen(Ray ray, float distanceM) {
     // A pixel is longer the flatter the ray; what it covers is taken to be as wide as long.
     float pixelM = distanceM * pixelAngle();
     int kind = int(u_.skyZenith.w);
-    vec3 pattern = groundPattern(kind, groundPoint(ray, distanceM).xy + u_.moved.xy,
+    vec3 pattern = groundPattern(kind, groundPoint(ray, distanceM).xy + u_.moved.xy + u_.shifted.xy,
                                  pixelM / sqrt(max(abs(ray.dir.z), 1e-3)));
     return kind == kSeaGround ? (1.0 - seaMirrors(-min(ray.dir.z, 0.0))) * pattern : pattern;
 }

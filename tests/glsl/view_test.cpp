@@ -139,3 +139,12 @@ TEST_CASE("Display values get gain, tone mapping and encoding, and negative ligh
     const glm::vec3 video = glsl::displayValue(glm::vec3(1.0f), 1);
     CHECK(video.r == Approx(glsl::srgbEncode(2.54f / 3.16f)).epsilon(1e-5));
 }
+
+TEST_CASE("Clouds that repeat are what they are nearby, and gone where rays end") {
+    const glm::vec3 cloud(1.0f), horizon(0.2f, 0.3f, 0.4f);
+    CHECK(glsl::hazyCloud(cloud, horizon, 0.0f) == cloud);
+    CHECK(glm::length(glsl::hazyCloud(cloud, horizon, 3e3f) - cloud) < 2e-3f);
+    const glm::vec3 away = glsl::hazyCloud(cloud, horizon, glsl::kHazeLengthM);
+    CHECK(away.r == doctest::Approx(0.2 + 0.8 * std::exp(-1.0)));
+    CHECK(glm::length(glsl::hazyCloud(cloud, horizon, glsl::kSeenM) - horizon) < 3e-3f);
+}

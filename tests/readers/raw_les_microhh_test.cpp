@@ -2,6 +2,7 @@
 // air.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "tests/readers/raw_maker.h"
@@ -28,7 +29,8 @@ TEST_CASE("A MicroHH case can be opened by its folder, .ini or grid, in float an
             CHECK(info.spacingM == glm::dvec2(100.0));
             REQUIRE(info.times.size() == 2);
             CHECK(info.times[1].label == "7200 s");
-            CHECK(info.notes.empty());
+            REQUIRE(info.notes.size() == 1);
+            CHECK(contains(info.notes[0], "domain.sides=periodic"));
             CHECK(info.find("thl_bot") == nullptr);
             CHECK(dataset->read("interface_height", 0).values == std::vector<float>{0, 50, 100});
             CHECK(dataset->read("rhoref", 0).values == std::vector<float>{1.2f, 1.1f});
@@ -78,11 +80,30 @@ TEST_CASE("A hydrometeor that the run has and the case lacks altogether is named
               "[grid]\nitot=4\njtot=3\nktot=2\nxsize=400\nysize=300\nzsize=100\n"
               "[thermo]\nswthermo=moist\n[micro]\nswmicro=nsw6\n");
     const auto notes = openFiles({path})->info().notes;
-    REQUIRE(notes.size() == 4);
+    REQUIRE(notes.size() == 5);
     CHECK(contains(notes[0], "qi, cloud ice"));
     CHECK(contains(notes[1], "qr, rain"));
     CHECK(contains(notes[2], "qs, snow"));
     CHECK(contains(notes[3], "qg, graupel"));
+}
+
+TEST_CASE("A MicroHH run with an outflow is not said to have periodic sides") {
+    const TemporaryFolder folder;
+    const auto path = writeMicrohh(folder.path(), {});
+    const std::string ini =
+        "[grid]\nitot=4\njtot=3\nktot=2\nxsize=400\nysize=300\nzsize=100\n"
+        "[thermo]\nswthermo=moist\n[micro]\nswmicro=2mom_warm\n";
+    const auto saysPeriodic = [&](const std::string& text) {
+        writeText(folder / "case.ini", text);
+        const auto dataset = openFiles({path});
+        return std::ranges::any_of(dataset->info().notes, [](const std::string& note) {
+            return contains(note, "periodic sides");
+        });
+    };
+    CHECK(saysPeriodic(ini));
+    CHECK(saysPeriodic(ini + "[boundary]\nscalar_outflow=\n"));
+    CHECK_FALSE(saysPeriodic(ini + "[boundary]\nscalar_outflow=qt\n"));
+    CHECK_FALSE(saysPeriodic(ini + "[boundary_lateral]\nsw_openbc=true\n"));
 }
 
 TEST_CASE("The number of rain drops is converted from cubic metres to kilograms of air") {

@@ -13,7 +13,7 @@ namespace neph::render {
 namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
-static_assert(sizeof(FrameBlock) == 36 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
+static_assert(sizeof(FrameBlock) == 37 * 16 + block::kMaxClasses * 48, "std140 and C++ agree");
 
 constexpr float kOpaque = 1e-4f;  // transmittance below which the slices' eye sees no further
 constexpr double kRingShare = 3.0 / 8.0;  // of θ_f: the middle of the ring. docs/physics.md §3
@@ -23,15 +23,27 @@ vec4 v4(dvec3 v, double w = 0.0) {
 }
 
 block::ClassBlock classBlock(const MediumClass& c) {
-    const float perTile = 1.0f / (glsl::kDetailFeaturesPerTile * c.noiseScaleM);
+    const vec2 perTile = 1.0f / (glsl::kDetailFeaturesPerTile * c.noiseScaleM * c.noiseFit);
     const float character = c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f;
-    return {vec4(c.colour * c.albedo, c.albedo), vec4(c.noiseAmount, perTile, character, 0.0f),
-            vec4(0.0f)};
+    return {vec4(c.colour * c.albedo, c.albedo),
+            vec4(c.noiseAmount, perTile.x, character, perTile.y), vec4(0.0f)};
 }
 
-void fillView(FrameBlock& block, const Camera& camera, const RegularGrid& grid,
+/// Whole widths of a domain between an eye and the domain.
+dvec3 widthsTo(dvec3 eyeM, const RegularGrid& grid) {
+    const dvec3 widthM = grid.extentM();
+    return {std::floor(eyeM.x / widthM.x) * widthM.x, std::floor(eyeM.y / widthM.y) * widthM.y,
+            0.0};
+}
+
+void fillView(FrameBlock& block, const FrameInputs& inputs, const RegularGrid& grid,
               const SlicePlan& plan) {
-    block.eyeM = v4(camera.eyeWorld - grid.originM, grid.originM.z);
+    const Camera& camera = inputs.camera;
+    dvec3 eyeM = camera.eyeWorld - grid.originM;
+    const dvec3 shiftedM = sidesRepeat(inputs.look) ? widthsTo(eyeM, grid) : dvec3(0.0);
+    eyeM -= shiftedM;
+    block.eyeM = v4(eyeM, grid.originM.z);
+    block.shifted = v4(shiftedM);
     block.forward = v4(camera.forward, plan.frontToBack ? 1.0 : -1.0);
     block.right = v4(camera.right * camera.tanHalfFovY * camera.aspect);
     block.up = v4(camera.up * camera.tanHalfFovY);
@@ -82,7 +94,7 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
                           const BrickMap& bricks, const MediumPlan& medium, const SlicePlan& slices,
                           const SkyTextures& sky) {
     FrameBlock block{};
-    fillView(block, inputs.camera, grid, slices);
+    fillView(block, inputs, grid, slices);
     fillLight(block, inputs.look, slices);
     if (sky.hasAir()) {
         fillAtmosphere(block, inputs.look, inputs.camera.eyeWorld.z, sky);
@@ -96,6 +108,10 @@ FrameBlock makeFrameBlock(const FrameInputs& inputs, const RegularGrid& grid,
     block.boxUpperM = v4(bricks.occupied.upperM);
     block.gridExtentM = v4(grid.extentM());
     block.mixtureExtentM = v4(dvec3(2 * ((grid.size + 1) / 2)) * grid.spacingM);
+    if (medium.repeats) {
+        block.mixtureExtentM.x = block.gridExtentM.x;
+        block.mixtureExtentM.y = block.gridExtentM.y;
+    }
     block.brickM = v4(bricks.brickM);
     block.slices = {slices.count, 0, 0, static_cast<int>(medium.classes.size())};
     block.sampling = {0, inputs.backdrop ? 1 : 0, 0, 0};

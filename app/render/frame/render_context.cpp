@@ -6,7 +6,7 @@
 namespace neph::render {
 
 void prepareClasses(const Look& look, RenderContext& context) {
-    const MediumPlan plan = planMedium(look, context.volume.holdings, context.volume.cellM);
+    const MediumPlan plan = planMedium(look, context.volume);
     filteredNoise(plan, context);
     context.medium.update<MediumTextures>(plan, [&](MediumTextures& medium) {
         context.timer.pass("bake medium");

@@ -1,6 +1,7 @@
 // detail_kinds.h: which of several details can be read from the noise at once.
 #pragma once
 #include <algorithm>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "core/optics/noise.h"
@@ -11,6 +12,7 @@ namespace neph::render {
 struct Detail {
     float amount = 0.0f;
     float scaleM = 1.0f;
+    glm::vec2 fit{1.0f};  ///< MediumClass::noiseFit
     NoiseCharacter character = NoiseCharacter::billow;
 };
 

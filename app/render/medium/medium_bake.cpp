@@ -56,13 +56,18 @@ void bakeMedium(const VolumeTextures& volume, const MediumPlan& plan, gl::Progra
     if (needsSecond != static_cast<bool>(out.second)) {
         out.second = needsSecond ? makeMediumTexture(volume.grid.size) : gl::Texture();
     }
+    for (gl::Texture* texture : {&out.first, &out.second}) {
+        if (*texture) texture->setRepeatAcross(plan.repeats);
+    }
     bakeExtinction(volume, programs, out);
     bakeSkylight(volume, programs, out);
     out.first.bind(kMedium0Unit);
     if (out.second) out.second.bind(kMedium1Unit);
     const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
     maxima.bindImage(kBrickMaximumImage, GL_WRITE_ONLY);
-    const gl::Program& program = programs.get("medium/brick_maximum.comp", defines(out));
+    std::vector<std::string> bricked = defines(out);
+    bricked.push_back(fmt::format("PERIODIC {}", plan.repeats ? 1 : 0));
+    const gl::Program& program = programs.get("medium/brick_maximum.comp", bricked);
     program.dispatch(maxima.size());
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);

@@ -42,17 +42,20 @@ float largestOf(const Array3f& held) {
     return *std::max_element(largest.begin(), largest.end());
 }
 
-/// Which thirds of a block hold anything, along each axis: its first voxel, its inside, its last.
+/// Which parts of a block hold anything, along each axis: its first voxel, any, its last.
 struct Thirds {
     std::array<std::array<bool, 3>, 3> any{};
-    void mark(int axis, int voxel) {
-        any[static_cast<std::size_t>(axis)][voxel == 0                  ? 0
-                                            : voxel == kBlockVoxels - 1 ? 2
-                                                                        : 1] = true;
+    /// The voxel of so many.
+    void mark(int axis, int voxel, int voxels) {
+        auto& along = any[static_cast<std::size_t>(axis)];
+        if (voxel == 0) along[0] = true;
+        if (voxel == voxels - 1) along[2] = true;
+        along[1] = true;
     }
 };
 
-/// Marks a block that holds anything, and neighbours into which interpolation carries it.
+/// Marks a block that holds anything, and neighbours into which interpolation carries it: where the
+/// domain repeats, those on its other side.
 void markAround(glm::ivec3 block, const Thirds& thirds, Blocks& blocks) {
     for (int k = 0; k < 27; ++k) {
         const glm::ivec3 step{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
@@ -61,10 +64,10 @@ void markAround(glm::ivec3 block, const Thirds& thirds, Blocks& blocks) {
             const auto& any = thirds.any[static_cast<std::size_t>(axis)];
             reached = reached && (step[axis] == 0 || any[step[axis] < 0 ? 0 : 2]);
         }
-        const glm::ivec3 p = block + step;
-        const bool inside = glm::all(glm::greaterThanEqual(p, glm::ivec3(0))) &&
-                            glm::all(glm::lessThan(p, blocks.size));
-        if (reached && inside) blocks.at(p.x, p.y, p.z) = 1;
+        glm::ivec3 p = block + step;
+        p.x = (p.x + blocks.size.x) % blocks.size.x;
+        p.y = (p.y + blocks.size.y) % blocks.size.y;
+        if (reached && p.z >= 0 && p.z < blocks.size.z) blocks.at(p.x, p.y, p.z) = 1;
     }
 }
 
@@ -77,9 +80,10 @@ Thirds thirdsOf(const Array3f& held, glm::ivec3 block, float least) {
             const float* row = &held.at(0, y, z);
             for (int x = lower.x; x < upper.x; ++x) {
                 if (row[x] <= least) continue;
-                thirds.mark(0, x - lower.x);
-                thirds.mark(1, y - lower.y);
-                thirds.mark(2, z - lower.z);
+                for (int axis = 0; axis < 3; ++axis) {
+                    thirds.mark(axis, glm::ivec3(x, y, z)[axis] - lower[axis],
+                                upper[axis] - lower[axis]);
+                }
             }
         }
     return thirds;
@@ -98,8 +102,7 @@ void mark(const Array3f& held, float largest, Blocks& blocks) {
         for (int y = 0; y < blocks.size.y; ++y)
             for (int x = 0; x < blocks.size.x; ++x) {
                 const Thirds& here = thirds.at(x, y, z);
-                const bool any = here.any[0][0] || here.any[0][1] || here.any[0][2];
-                if (any) markAround({x, y, z}, here, blocks);
+                if (here.any[0][1]) markAround({x, y, z}, here, blocks);
             }
 }
 
@@ -141,6 +144,10 @@ std::size_t VolumeTextures::bytes() const {
     std::size_t sum = blockList.bytes();
     for (const gl::Texture& texture : held) sum += texture.bytes();
     return sum;
+}
+
+MediumPlan planMedium(const Look& look, const VolumeTextures& volume) {
+    return planMedium(look, volume.holdings, volume.cellM, volume.grid.extentM());
 }
 
 VolumeTextures uploadVolume(const SpeciesVolume& volume) {

@@ -5,6 +5,7 @@
 
 #include "app/gl/objects.h"
 #include "core/grid/species.h"
+#include "core/look/medium.h"
 
 namespace neph::render {
 
@@ -18,12 +19,16 @@ struct VolumeTextures {
     std::array<gl::Texture, kSpeciesCount> held;
     std::array<float, kSpeciesCount> perTexel{};  ///< held value = texel × perTexel
     std::array<Holding, kSpeciesCount> holdings{};
-    /// Lower corners, in blocks, of all blocks that hold or border on anything.
+    /// Lower corners, in blocks, of all blocks that hold or border on anything, also across the
+    /// sides of the domain.
     std::vector<glm::ivec3> blocks;
     gl::Buffer blockList;  ///< the same: ivec4 (xyz, 0)
 
     std::size_t bytes() const;
 };
+
+/// What a look makes of it.
+MediumPlan planMedium(const Look& look, const VolumeTextures& volume);
 
 /// Converts with a few threads.
 VolumeTextures uploadVolume(const SpeciesVolume& volume);

@@ -46,7 +46,7 @@ TEST_CASE("Droplets scatter as droplets and ice as crystals, of sizes that cloud
 
 TEST_CASE("Between periodic sides the sun keeps off the horizon, of engines that know them") {
     Look look;
-    look.lightSides = LightSides::periodic;
+    look.domainSides = DomainSides::periodic;
     for (const float elevationDeg : {0.0f, 0.5f, -0.5f, 1.5f, -3.0f}) {
         CAPTURE(elevationDeg);
         look.sunElevationDeg = elevationDeg;
@@ -63,6 +63,6 @@ TEST_CASE("Between periodic sides the sun keeps off the horizon, of engines that
         CHECK(sunDirWorld(look).z == doctest::Approx(std::sin(glm::radians(elevationDeg))));
     }
     look.engine = Engine::march;
-    look.lightSides = LightSides::open;
+    look.domainSides = DomainSides::open;
     CHECK_FALSE(sidesRepeat(look));
 }

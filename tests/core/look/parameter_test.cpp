@@ -337,7 +337,7 @@ TEST_CASE("An engine that does not know periodic sides says that they are open")
     Look look;
     look.engine = Engine::slicing;
     CHECK(knownErrorText(look).find("sides are open") == std::string::npos);
-    look.lightSides = LightSides::periodic;
+    look.domainSides = DomainSides::periodic;
     CHECK(knownErrorText(look).find("; sides are open") != std::string::npos);
     look.engine = Engine::march;
     CHECK(knownErrorText(look).empty());

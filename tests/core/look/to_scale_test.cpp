@@ -40,7 +40,7 @@ TEST_CASE("All water and ice with the sizes of the data and all scattering is to
     look.skyModel = SkyModel::atmosphere;
     look.sunIntensity = 2.0f;
     look.groundVisible = false;
-    look.lightSides = LightSides::periodic;
+    look.domainSides = DomainSides::periodic;
     look.engine = Engine::reference;
     look.radiationOptics = RadiationOptics::wrfRrtmg;
     look.of(Species::ice).phase.kind = PhaseKind::solidColumn;

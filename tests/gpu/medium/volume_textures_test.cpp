@@ -46,8 +46,11 @@ std::set<Block> reached(const Array3f& held) {
                 for (int k = 0; k < 27; ++k) {
                     const glm::ivec3 p =
                         glm::ivec3(x, y, z) + glm::ivec3(k % 3, k / 3 % 3, k / 9) - 1;
+                    // Where the domain repeats, those on its other side.
+                    const glm::ivec3 around = (p + held.size) % held.size;
                     const glm::ivec3 block =
-                        glm::clamp(p, glm::ivec3(0), held.size - 1) / glm::ivec3(kBlockVoxels);
+                        glm::ivec3(around.x, around.y, std::clamp(p.z, 0, held.size.z - 1)) /
+                        glm::ivec3(kBlockVoxels);
                     blocks.emplace(block.x, block.y, block.z);
                 }
             }

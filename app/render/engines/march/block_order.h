@@ -9,19 +9,21 @@
 
 namespace neph::render {
 
-/// The blocks that may hold anything, and those around them: the light between two samples is
-/// taken from both, of which one may lie outside.
-inline std::vector<glm::ivec3> around(const VolumeTextures& volume) {
+/// The blocks that may hold anything, and those around them, `repeats`: also across the sides of
+/// the domain: the light between two samples is taken from both, of which one may lie outside.
+inline std::vector<glm::ivec3> around(const VolumeTextures& volume, bool repeats) {
     Array3<std::uint8_t> marks((volume.grid.size + kBlockVoxels - 1) / kBlockVoxels, 0);
     std::vector<glm::ivec3> found;
     for (const glm::ivec3 block : volume.blocks) {
-        const glm::ivec3 lower = glm::max(block - 1, glm::ivec3(0));
-        const glm::ivec3 upper = glm::min(block + 2, marks.size);
+        const glm::ivec3 open(!repeats, !repeats, 1);
+        const glm::ivec3 lower = glm::max(block - 1, open - 1);
+        const glm::ivec3 upper = glm::min(block + 2, marks.size + 1 - open);
         for (int z = lower.z; z < upper.z; ++z)
             for (int y = lower.y; y < upper.y; ++y)
                 for (int x = lower.x; x < upper.x; ++x) {
-                    if (std::exchange(marks.at(x, y, z), std::uint8_t{1}) == 0) {
-                        found.emplace_back(x, y, z);
+                    const glm::ivec3 at = (glm::ivec3(x, y, z) + marks.size) % marks.size;
+                    if (std::exchange(marks.at(at.x, at.y, at.z), std::uint8_t{1}) == 0) {
+                        found.push_back(at);
                     }
                 }
     }
@@ -35,7 +37,7 @@ class BlockOrder {
         const glm::dvec3 blockM = volume.grid.spacingM * static_cast<double>(kBlockVoxels);
         // Half the extent of a block along the light.
         const double reachM = 0.5 * glm::dot(glm::abs(plan.normal), blockM);
-        for (const glm::ivec3 block : around(volume)) {
+        for (const glm::ivec3 block : around(volume, plan.repeats)) {
             const glm::dvec3 middleM = (glm::dvec3(block) + 0.5) * blockM;
             const double alongM = glm::dot(plan.normal, middleM) - plan.firstM;
             const auto layer = [&](double m) {  // what lies before or behind all has an end's light

@@ -82,6 +82,12 @@ std::vector<std::uint32_t> wordsOf(const LightState& state) {
     return words;
 }
 
+int mostTexels() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
+    return most;
+}
+
 gl::Texture makeLinear(GLenum format, glm::ivec3 size) {
     gl::Texture texture = gl::Texture::make3D(format, size);
     texture.setLinear();
@@ -129,8 +135,13 @@ void DiffuseLight::takeMedium(const FrameInputs& inputs, const RegularGrid& grid
                               const PackedMedium& medium, const gl::Program& nodes) {
     const BoxM whole{glm::dvec3(0.0), grid.extentM()};
     seaLevelM_ = grid.originM.z;
-    grid_ = chooseLightGrid(grid, medium.bricks.empty() ? whole : medium.bricks.occupied,
-                            inputs.sampling.lightVoxels, sidesRepeat(inputs.look));
+    const BoxM occupied = medium.bricks.empty() ? whole : medium.bricks.occupied;
+    grid_ = chooseLightGrid(grid, occupied, inputs.sampling.lightVoxels, sidesRepeat(inputs.look));
+    // Layers of moments lie upon one another.
+    for (int most = inputs.sampling.lightVoxels;
+         grid_.periodicSides && grid_.nodes.z * kMomentLayers > mostTexels(); most /= 2) {
+        grid_ = chooseLightGrid(grid, occupied, most / 2, true);
+    }
     auto made = std::make_shared<LightMedium>();
     made->nodes = grid_.nodes;
     made->spacingM = grid_.spacingM;
@@ -250,8 +261,11 @@ void DiffuseLight::upload(const LightState& state) {
     }
     if (shownAround_ != state.around) uploadAround(*state.around);
     shownAround_ = state.around;
-    const glm::ivec3 held = shownGrid_.held();
+    glm::ivec3 held = shownGrid_.held();
+    if (shownGrid_.periodicSides)
+        held.z *= balanced.empty() ? kMomentLayersUnbalanced : kMomentLayers;
     if (source_.size() != held) source_ = makeLinear(GL_RGBA16F, held);
+    hasMoments_ = false;
     // Other voxels may have been occupied before.
     glClearTexImage(source_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
 }
@@ -267,10 +281,13 @@ void DiffuseLight::uploadAround(const std::array<LightAround, kLightParts>& arou
         }
     }
     aroundMoments_.write(moments.data(), moments.size() * sizeof(float));
-    const glm::ivec3 size = around[0].grid.nodes;
-    if (aroundMolecules_.size() == size) return;
-    aroundMolecules_ = makeLinear(GL_RGBA16F, size);
-    aroundHaze_ = makeLinear(GL_RGBA16F, size);
+    glm::ivec3 size = around[0].grid.nodes;
+    if (shownGrid_.periodicSides) size.z *= kAroundLayers;
+    if (aroundMolecules_.size() != size) {
+        aroundMolecules_ = makeLinear(GL_RGBA16F, size);
+        aroundHaze_ = makeLinear(GL_RGBA16F, shownGrid_.periodicSides ? glm::ivec3(1) : size);
+    }
+    aroundMolecules_.setRepeatAcross(shownGrid_.periodicSides);
 }
 
 void DiffuseLight::placeAround(const gl::Program& program) const {
@@ -292,7 +309,8 @@ void DiffuseLight::lookFrom(const FrameBlock& block, const SkyTextures& sky,
                             const gl::Program& sourceToEye) {
     lightGround(block, sky);
     const auto count = static_cast<int>(shown_->nodes.size());
-    if (count == 0) return;
+    if (count == 0 || hasMoments_) return;
+    hasMoments_ = shownGrid_.periodicSides;
     nodes_.bind(GL_SHADER_STORAGE_BUFFER, kSourceNodesBuffer);
     moments_.bind(GL_SHADER_STORAGE_BUFFER, kSourceMomentsBuffer);
     if (isBalanced()) balanced_.bind(GL_SHADER_STORAGE_BUFFER, kSourceBalancedBuffer);

@@ -68,9 +68,10 @@ class DiffuseLight {
     LightRequest asked_;
     std::vector<std::pair<PhaseSpec, PhaseMoments>> phases_;  ///< that were met
     gl::Texture thickness_;                                   ///< R8, half of lightThickness
-    gl::Texture source_;                                      ///< RGBA16F
-    gl::Texture groundLight_;                                 ///< RGBA16F
-    gl::Texture aroundMolecules_, aroundHaze_;                ///< RGBA16F, of light_around.comp
+    gl::Texture source_;                                      ///< RGBA16F, of source_to_eye.comp
+    bool hasMoments_ = false;                   ///< where the domain repeats: they are in `source_`
+    gl::Texture groundLight_;                   ///< RGBA16F
+    gl::Texture aroundMolecules_, aroundHaze_;  ///< RGBA16F, of light_around.comp
     std::shared_ptr<const std::array<LightAround, kLightParts>> shownAround_;
     gl::Buffer extinctions_, nodes_, moments_, balanced_, aroundMoments_;
 };

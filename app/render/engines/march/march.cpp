@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/render/engines/march/block_order.h"
+#include "app/render/engines/march/march_defines.h"
 #include "app/render/frame/frame_block.h"
-#include "app/render/medium/detail_kinds.h"
 #include "app/render/medium/noise_texture.h"
 #include "core/look/sun.h"
 
@@ -69,44 +69,10 @@ int batchOf(const SlicePlan& plan, const RegularGrid& grid) {
     return std::min({kLightBatch, plan.count, layers - 1});
 }
 
-std::vector<std::string> defines(const Look& look, const PackedMedium& medium) {
-    Look carried = look;  // what reaches a place straight from the sun is solved no further
-    if (scattersOften(look)) carried.transport = Transport::lowAlbedo;
-    std::vector<std::string> names = lightDefines(carried, medium.plan, true);
-    names.push_back("PACKED 1");
-    if (scattersOften(look)) names.push_back("FULL 1");
-    if (sidesRepeat(look)) names.push_back("PERIODIC 1");
-    names.push_back("LIGHT_FORMAT r16");
-    names.push_back(fmt::format("MIXTURE_TEXTURES {}", medium.mixtureCount()));
-    return names;
-}
-
 /// Full transport shows radiance: its phase functions are physical.
 Look shownLook(Look look) {
     if (scattersOften(look)) look.phaseDisplay = PhaseDisplay::physical;
     return look;
-}
-
-DetailKinds kindsOf(const MediumPlan& plan) {
-    std::vector<Detail> details;
-    for (const MediumClass& c : plan.classes) {
-        details.push_back({c.noiseAmount, c.noiseScaleM, c.noiseCharacter});
-    }
-    return render::kindsOf(details);
-}
-
-std::vector<std::string> eyeDefines(const FrameInputs& inputs, const PackedMedium& medium,
-                                    bool floor) {
-    std::vector<std::string> names = defines(inputs.look, medium);
-    names.push_back(fmt::format("PROFILE {}", inputs.profile && !floor ? 1 : 0));
-    names.push_back(fmt::format("FLOOR {}", floor ? 1 : 0));
-    names.push_back(fmt::format("ADAPTIVE {}", inputs.planes > 0 ? 0 : 1));
-    if (!isNoisy(medium.plan)) return names;
-    const DetailKinds kinds = kindsOf(medium.plan);
-    names.push_back(fmt::format("KINDS {}", kinds.first.size()));
-    names.push_back(fmt::format("KIND_OF_CLASS int[]({})", fmt::join(kinds.of, ", ")));
-    names.push_back(fmt::format("CLASS_OF_KIND int[]({})", fmt::join(kinds.first, ", ")));
-    return names;
 }
 
 double diagonalOf(const BoxM& box) {
@@ -170,7 +136,7 @@ bool MarchEngine::hasNewerLight() const {
 }
 
 void MarchEngine::prepare(const Look& look, RenderContext& context) {
-    const MediumPlan plan = planMedium(look, context.volume.holdings, context.volume.cellM);
+    const MediumPlan plan = planMedium(look, context.volume);
     const gl::Texture* noise = stackedNoise(plan, context);
     context.medium.update<PackedMedium>(plan, [&](PackedMedium& medium) {
         context.timer.pass("bake medium");
@@ -199,34 +165,39 @@ void MarchEngine::render(const FrameRequest& frame, RenderContext& context) {
     repack(inputs.look, detailFor(inputs, context.volume.grid, medium), medium, context);
     phases_.update(shownLook(inputs.look), medium.plan);
     bind(frame, medium, context, {0, lastLayer_});
-    if (frame.sample == 0) measureSunShown(inputs, defines(inputs.look, medium), context);
+    if (frame.sample == 0) measureSunShown(inputs, marchDefines(inputs.look, medium), context);
     if (full_) {
         context.timer.pass("light to eye");
         if (frame.sample == 0) {
-            diffuse_->lookFrom(bound_, context.sky,
-                               context.programs.get(
-                                   "march/source_to_eye.comp",
-                                   {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0),
-                                    fmt::format("PERIODIC {}", sidesRepeat(inputs.look) ? 1 : 0)}));
+            diffuse_->lookFrom(
+                bound_, context.sky,
+                context.programs.get("march/source_to_eye.comp",
+                                     {fmt::format("BALANCED {}", diffuse_->isBalanced() ? 1 : 0),
+                                      fmt::format("PERIODIC {}", plan_.repeats ? 1 : 0)}));
         }
         diffuse_->bind();
     }
     if (bound_.cloudyAir.w > 0.0f) lookThroughAir(frame, context);
     context.timer.pass(kEyePass);
     if (inputs.profile) openCounts(inputs.sizePx);
-    march(frame, context.programs.get("march/eye.comp", eyeDefines(inputs, medium, false)),
+    march(frame, context.programs.get("march/eye.comp", eyeNames(inputs, medium, false)),
           context.progress);
+}
+
+std::vector<std::string> MarchEngine::eyeNames(const FrameInputs& inputs,
+                                               const PackedMedium& medium, bool floor) const {
+    return eyeDefines(inputs, medium, full_ && diffuse_->isBalanced(), floor);
 }
 
 /// What clouds change of the light that air sends to the eye.
 void MarchEngine::lookThroughAir(const FrameRequest& frame, RenderContext& context) {
     context.timer.pass("air among clouds");
+    const std::string periodic = fmt::format("PERIODIC {}", plan_.repeats ? 1 : 0);
     const gl::Program& program = context.programs.get(
-        "march/cloudy_air.comp",
-        {fmt::format("FULL {}", full_ ? 1 : 0), fmt::format("PERIODIC {}", plan_.repeats ? 1 : 0)});
+        "march/cloudy_air.comp", {fmt::format("FULL {}", full_ ? 1 : 0), periodic});
     if (full_) {
         if (frame.sample == 0) {
-            diffuse_->lookAround(context.programs.get("march/light_around.comp"));
+            diffuse_->lookAround(context.programs.get("march/light_around.comp", {periodic}));
         }
         diffuse_->placeAround(program);
     }
@@ -272,8 +243,9 @@ void MarchEngine::takeLightNodes(const FrameRequest& frame, const PackedMedium& 
     context.timer.pass("light voxels");
     if (!diffuse_) diffuse_.emplace(context.wake);
     bind(frame, medium, context, {0, 0});
-    diffuse_->takeMedium(frame.inputs, context.volume.grid, medium,
-                         context.programs.get("march/light_nodes.comp", defines(look, medium)));
+    diffuse_->takeMedium(
+        frame.inputs, context.volume.grid, medium,
+        context.programs.get("march/light_nodes.comp", marchDefines(look, medium)));
     diffuseOf_ = nodesOf;
 }
 
@@ -294,7 +266,7 @@ void MarchEngine::carryLight(const FrameRequest& frame, const PackedMedium& medi
     lastLayer_ = 0;
     cloudyAir_.open(plan_);
     const BlockOrder blocks(volume, plan_);
-    const auto names = defines(inputs.look, medium);
+    const auto names = marchDefines(inputs.look, medium);
     for (int first = 0; first < plan_.count; first += batch) {
         const int slices = std::min(batch, plan_.count - first);
         if (first > 0) light_.open(lastLayer_);
@@ -360,8 +332,7 @@ bool MarchEngine::floor(const FrameRequest& frame, RenderContext& context) {
     }
     floor_.bind(kMarchFloorUnit);
     taken_.bindImage(kMarchTakenImage, GL_READ_ONLY);
-    march(frame, context.programs.get("march/eye.comp", eyeDefines(frame.inputs, medium, true)),
-          {});
+    march(frame, context.programs.get("march/eye.comp", eyeNames(frame.inputs, medium, true)), {});
     return true;
 }
 

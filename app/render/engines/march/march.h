@@ -45,6 +45,8 @@ class MarchEngine final : public Integrator {
     void openCounts(glm::ivec2 sizePx);
     void march(const FrameRequest& frame, const gl::Program& program, const Progress& progress);
     SampleCounts counts() const;
+    std::vector<std::string> eyeNames(const FrameInputs& inputs, const PackedMedium& medium,
+                                      bool floor) const;
 
     SlicePlan plan_;  ///< of the light
     int steps_ = 0;   ///< along the diagonal of what is occupied

@@ -71,11 +71,15 @@ void setSpecies(const VolumeTextures& volume, const MediumPlan& plan, const Visi
     }
 }
 
-std::vector<Detail> detailsOf(const Look& look, const Visible& visible, double cellM) {
+std::vector<Detail> detailsOf(const VolumeTextures& volume, const Look& look,
+                              const Visible& visible) {
     std::vector<Detail> details;
     for (const int s : visible.species) {
         const SpeciesLook& field = look.species[static_cast<std::size_t>(s)];
-        details.push_back({field.noiseAmount, noiseScaleM(field, cellM), field.noiseCharacter});
+        const float scaleM = noiseScaleM(field, volume.cellM);
+        const glm::vec2 fit =
+            sidesRepeat(look) ? fitNoise(scaleM, volume.grid.extentM()) : glm::vec2(1.0f);
+        details.push_back({field.noiseAmount, scaleM, fit, field.noiseCharacter});
     }
     return details;
 }
@@ -88,10 +92,10 @@ void setDetail(const VolumeTextures& volume, const std::vector<Detail>& details,
     }
     for (std::size_t k = 0; k < kinds.first.size(); ++k) {
         const Detail& detail = details[static_cast<std::size_t>(kinds.first[k])];
-        const float tileM = glsl::kDetailFeaturesPerTile * detail.scaleM;
+        const glm::vec2 tileM = glsl::kDetailFeaturesPerTile * detail.scaleM * detail.fit;
+        const glm::vec2 perM = static_cast<float>(kNoiseSize) / tileM;
         const bool billow = detail.character == NoiseCharacter::billow;
-        program.setFloat(kPackTexelsPerMLocation + static_cast<int>(k),
-                         static_cast<float>(kNoiseSize) / tileM);
+        program.setVec3(kPackTexelsPerMLocation + static_cast<int>(k), {perM, perM.x});
         program.setFloat(kPackCharacterLocation + static_cast<int>(k), billow ? 0.0f : 1.0f);
     }
     program.setVec3(kPackVoxelLocation, glm::vec3(volume.grid.spacingM));
@@ -102,7 +106,7 @@ void packExtinction(const VolumeTextures& volume, const Look& look, const gl::Te
                     gl::ProgramCache& programs, PackedMedium& out) {
     const bool detailed = out.detail == PackedDetail::voxels && look.noise && noise != nullptr;
     const Visible visible = visibleIn(out.plan);
-    const std::vector<Detail> details = detailsOf(look, visible, volume.cellM);
+    const std::vector<Detail> details = detailsOf(volume, look, visible);
     const DetailKinds kinds = kindsOf(details);
     std::vector<std::string> names{fmt::format("SPECIES {}", visible.species.size()),
                                    fmt::format("DETAIL {}", detailed ? 1 : 0)};
@@ -130,6 +134,10 @@ void packMixture(const VolumeTextures& volume, gl::ProgramCache& programs, Packe
                       fmt::format("SPECIES {}", visible.species.size()),
                       fmt::format("CLASS_OF_SPECIES int[]({})", fmt::join(visible.classes, ", "))});
     setSpecies(volume, out.plan, visible, program);
+    const glm::vec3 voxels(volume.grid.size);
+    glm::vec3 ofTexture = 2.0f / voxels;
+    if (out.plan.repeats) ofTexture = {1.0f / glm::vec2(out.first.size()), ofTexture.z};
+    program.setVec3(kPackCellLocation, ofTexture);
     program.setFloat(kPackLayerLocation, static_cast<float>(volume.grid.spacingM.z));
     program.setFloat(kPackAsymmetryLocation, kSkylightAsymmetry);
     program.setFloat(kPackGroundLocation, kGroundShare);
@@ -150,10 +158,12 @@ void packMedium(const VolumeTextures& volume, const Look& look, const gl::Textur
     repackMedium(volume, look, PackedDetail::voxels, noise, programs, out);
     out.extinction.bind(kMarchExtinctionUnit);
     const gl::Texture maxima = gl::Texture::make3D(GL_R32F, brickCount(volume.grid.size));
+    const std::vector<std::string> names{fmt::format("PERIODIC {}", out.plan.repeats ? 1 : 0)};
     glClearTexImage(maxima.name(), 0, GL_RED, GL_FLOAT, nullptr);
     maxima.bindImage(kBrickMaximumImage, GL_WRITE_ONLY);
     volume.blockList.bind(GL_SHADER_STORAGE_BUFFER, kMarchBlocksBuffer);
-    programs.get("march/brick_maximum.comp").dispatchGroups(static_cast<int>(volume.blocks.size()));
+    programs.get("march/brick_maximum.comp", names)
+        .dispatchGroups(static_cast<int>(volume.blocks.size()));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     out.bricks = mapBricks(readBack(maxima), volume.grid, kInvisibleDepth);
 }
@@ -162,12 +172,14 @@ void repackMedium(const VolumeTextures& volume, const Look& look, PackedDetail d
                   const gl::Texture* noise, gl::ProgramCache& programs, PackedMedium& out) {
     Look plain = look;
     plain.noise = false;
-    const MediumPlan plan =
-        planMedium(detail == PackedDetail::voxels ? plain : look, volume.holdings, volume.cellM);
+    const MediumPlan plan = planMedium(detail == PackedDetail::voxels ? plain : look, volume);
     makeTextures(volume, plan.classes.size() > kClassesBesideSkylight, out);
-    out.look = planMedium(look, volume.holdings, volume.cellM);
+    out.look = planMedium(look, volume);
     out.plan = plan;
     out.detail = detail;
+    for (gl::Texture* texture : {&out.extinction, &out.first, &out.second}) {
+        if (*texture) texture->setRepeatAcross(plan.repeats);
+    }
     packExtinction(volume, look, noise, programs, out);
     packMixture(volume, programs, out);
 }

@@ -59,9 +59,9 @@ void setDetail(const MediumPlan& plan, const RegularGrid& grid, int texels,
         const MediumClass& c = plan.classes[i];
         const auto at = static_cast<int>(i);
         program.setFloat(kBoundAmountLocation + at, c.noiseAmount);
-        program.setFloat(
-            kBoundTexelsPerMLocation + at,
-            static_cast<float>(texels) / (glsl::kDetailFeaturesPerTile * c.noiseScaleM));
+        const glm::vec2 perM = static_cast<float>(texels) /
+                               (glsl::kDetailFeaturesPerTile * c.noiseScaleM * c.noiseFit);
+        program.setVec3(kBoundTexelsPerMLocation + at, {perM, perM.x});
         program.setFloat(kBoundCharacterLocation + at,
                          c.noiseCharacter == NoiseCharacter::billow ? 0.0f : 1.0f);
     }
@@ -74,7 +74,9 @@ Array3f boundsOf(const MediumTextures& medium, const RegularGrid& grid, int cell
     // Cells begin half a voxel below the first.
     const gl::Texture bounds =
         gl::Texture::make3D(GL_R32F, (medium.first.size() + cellVoxels) / cellVoxels);
-    const gl::Program& program = programs.get("reference/cells.comp", mediumDefines(medium));
+    std::vector<std::string> defines = mediumDefines(medium);
+    defines.push_back(fmt::format("PERIODIC {}", medium.plan.repeats ? 1 : 0));
+    const gl::Program& program = programs.get("reference/cells.comp", defines);
     medium.first.bind(kMedium0Unit);
     if (medium.second) medium.second.bind(kMedium1Unit);
     gl::Texture detail;

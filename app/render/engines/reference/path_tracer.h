@@ -28,7 +28,7 @@ inline constexpr double kSunRadiusRad = 0.004675;
 
 struct TraceSetup {
     FrameBlock block{};                     ///< `image` and `whole` have the size
-    bool periodic = false;                  ///< in x and y, but for what the eye sees first
+    bool periodic = false;                  ///< in x and y
     std::optional<AirBands> air;            ///< that paths meet within the grid
     const gl::Buffer* detectors = nullptr;  ///< where paths begin; none: at the eye
     int seed = 0;

@@ -61,6 +61,10 @@ FrameBlock blockOf(const FrameInputs& inputs, const RegularGrid& grid, const Med
     return block;
 }
 
+std::string periodicDefine(const MediumTextures& medium) {
+    return fmt::format("PERIODIC {}", medium.plan.repeats ? 1 : 0);
+}
+
 float depthStepM(const RegularGrid& grid) {
     const glm::dvec3 voxelM = grid.spacingM;
     return static_cast<float>(kDepthStepVoxels * std::min({voxelM.x, voxelM.y, voxelM.z}));
@@ -69,8 +73,9 @@ float depthStepM(const RegularGrid& grid) {
 void addSunDisc(const FrameRequest& frame, const MediumTextures& medium,
                 const RenderContext& context) {
     if (!context.sky.hasAir() || !frame.inputs.look.sunDisc) return;
-    const gl::Program& program =
-        context.programs.get("reference/sun_disc.comp", mediumDefines(medium));
+    std::vector<std::string> defines = mediumDefines(medium);
+    defines.push_back(periodicDefine(medium));
+    const gl::Program& program = context.programs.get("reference/sun_disc.comp", defines);
     program.setFloat(kSunDiscStepLocation, depthStepM(context.volume.grid));
     frame.linear.bindImage(kSunDiscImage, GL_READ_WRITE);
     program.dispatch({frame.inputs.sizePx, 1});
@@ -111,7 +116,10 @@ void ReferenceEngine::render(const FrameRequest& frame, RenderContext& context) 
     }
     tracer_.pass(medium, paths_, noise, context.programs, frame.linear, context.progress);
     addSunDisc(frame, medium, context);  // reads what the paths read
-    if (frame.sample == 0) measureSunShown(inputs, mediumDefines(medium), context);
+    if (frame.sample > 0) return;
+    std::vector<std::string> defines = mediumDefines(medium);
+    defines.push_back(periodicDefine(medium));
+    measureSunShown(inputs, defines, context);
 }
 
 void ReferenceEngine::describe(const FrameInputs&, RenderContext& context) {
@@ -146,7 +154,8 @@ std::optional<FrameLayers> ReferenceEngine::layers(const FrameInputs& inputs,
     layers.firstScatterM = firstDistances(sums, size);
 
     const gl::Program& program = context.programs.get(
-        "reference/species_depths.comp", {fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0)});
+        "reference/species_depths.comp",
+        {fmt::format("NOISE {}", isNoisy(medium.plan) ? 1 : 0), periodicDefine(medium)});
     const FrameBlock block = blockOf(inputs, volume.grid, medium, context.sky);
     gl::Buffer uniforms, depths;
     uniforms.write(&block, sizeof(block));

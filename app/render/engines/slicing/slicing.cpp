@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "app/render/frame/frame_block.h"
+#include "core/look/sun.h"
 
 namespace neph::render {
 
-#include "core/look/sun.h"
 #include "shaders/shared/display_layout.glsl"
 #include "shaders/shared/slicing_layout.glsl"
 
@@ -78,15 +78,15 @@ void SlicingEngine::prepare(const Look& look, RenderContext& context) {
 
 /// Once for each time that periodic sides are asked for.
 void SlicingEngine::tellOpenSides(const Look& look, RenderContext& context) {
-    const bool wanted = look.lightSides == LightSides::periodic;
+    const bool wanted = look.domainSides == DomainSides::periodic;
     if (wanted && !toldOpenSides_) {
         std::vector<std::string_view> others;
         for (const EngineTraits& engine : kEngines) {
             if (engine.periodicSides) others.push_back(engine.id);
         }
         context.messages.push_back(fmt::format(
-            "light.sides=periodic does not act with {}: its light comes in through open sides; "
-            "choose view.engine={} for light that repeats",
+            "domain.sides=periodic does not act with {}: it draws the domain once, and light comes "
+            "in through open sides; choose view.engine={} for the endless field",
             traitsOf(look.engine).label, fmt::join(others, " or ")));
     }
     toldOpenSides_ = wanted;
