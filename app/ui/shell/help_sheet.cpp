@@ -86,10 +86,23 @@ std::vector<int> columnsOf(const std::vector<Section>& all, std::size_t full) {
     return columns;
 }
 
-/// Sections one below the other, in columns as short as they can be.
-void drawSections(const std::vector<Section>& all, int columns) {
+/// Lines of the tallest of as many columns as short as they can be.
+std::size_t linesOf(const std::vector<Section>& all, int columns) {
     std::size_t full = 1;
     while (columnsOf(all, full).back() >= columns) ++full;
+    return full;
+}
+
+/// Letters are smaller where the sheet would not fit.
+float scaleFor(const std::vector<Section>& all, int columns, float heightPx) {
+    constexpr float kLeast = 0.7f, kAround = 5.0f;  // lines of title, padding and gaps
+    const float lines = static_cast<float>(linesOf(all, columns)) + kAround;
+    return std::clamp(heightPx / (lines * ImGui::GetTextLineHeight()), kLeast, 1.0f);
+}
+
+/// Sections one below the other.
+void drawSections(const std::vector<Section>& all, int columns) {
+    const std::size_t full = linesOf(all, columns);
     const std::vector<int> placed = columnsOf(all, full);
     const float width = kColumnEms * ImGui::GetFontSize();
     const float left = ImGui::GetCursorPosX();
@@ -120,7 +133,12 @@ void drawHelp(bool& shown) {
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, room);
     const auto flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-    if (ImGui::Begin("Mouse and keys", &shown, flags)) drawSections(sections(), columns);
+    const std::vector<Section> all = sections();
+    const float scale = scaleFor(all, columns, room.y);
+    if (ImGui::Begin("Mouse and keys", &shown, flags)) {
+        ImGui::SetWindowFontScale(scale);
+        drawSections(all, columns);
+    }
     ImGui::End();
 }
 

@@ -184,7 +184,7 @@ TEST_CASE("A path is written and read back bit for bit, and nothing is left besi
     CHECK(warnings.empty());
     fixed.target.x = -7.5f;  // the grid has moved on
     CHECK(parseCamera(formatCamera(fixed), "", warnings) == fixed);
-    CHECK_THROWS_AS(parseCamera(R"({"target": [-7.5, 0, 0]})", "", warnings), Error);
+    CHECK_THROWS_AS(parseCamera(R"({"target": [-107.5, 0, 0]})", "", warnings), Error);
     CHECK_THROWS_AS(parseCamera(R"({"fixed_to_ground": 1})", "", warnings), Error);
 }
 
