@@ -97,7 +97,9 @@ std::size_t linesOf(const std::vector<Section>& all, int columns) {
 float scaleFor(const std::vector<Section>& all, int columns, float heightPx) {
     constexpr float kLeast = 0.7f, kAround = 5.0f;  // lines of title, padding and gaps
     const float lines = static_cast<float>(linesOf(all, columns)) + kAround;
-    return std::clamp(heightPx / (lines * ImGui::GetTextLineHeight()), kLeast, 1.0f);
+    const float whole = ImGui::GetTextLineHeight();
+    // Whole pixels, as windows have them.
+    return std::floor(whole * std::clamp(heightPx / (lines * whole), kLeast, 1.0f)) / whole;
 }
 
 /// Sections one below the other.
@@ -116,7 +118,7 @@ void drawSections(const std::vector<Section>& all, int columns) {
             ImGui::BeginGroup();
         }
         for (const Line& line : all[i]) drawLine(line);
-        ImGui::Dummy({width - ImGui::GetFontSize(), 0.3f * ImGui::GetTextLineHeight()});
+        ImGui::Dummy({width - ImGui::GetFontSize(), std::floor(0.3f * ImGui::GetTextLineHeight())});
     }
     ImGui::EndGroup();
     ImGui::PopStyleVar();
