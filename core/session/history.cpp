@@ -98,6 +98,11 @@ std::string describeChange(const Document& before, const Document& after) {
     if (before.camera != after.camera) parts.emplace_back("Camera");
     parts.push_back(describeBookmarks(before.bookmarks, after.bookmarks));
     parts.push_back(describePath(before.path, after.path));
+    if (before.pins.size() < after.pins.size()) {
+        parts.push_back(fmt::format("Pin \"{}\"", after.pins.back().label));
+    } else if (before.pins != after.pins) {
+        parts.emplace_back(before.pins.size() > after.pins.size() ? "Pin removed" : "Pin renamed");
+    }
     std::erase(parts, std::string());
     return joined(parts);
 }

@@ -10,6 +10,7 @@
 #include "core/camera/camera.h"
 #include "core/camera/camera_path.h"
 #include "core/look/parameter.h"
+#include "core/session/pin.h"
 
 namespace neph {
 
@@ -20,6 +21,7 @@ struct Document : ParameterSet {
     int member = 0;  ///< of an ensemble, or kMeanMember
     std::vector<Bookmark> bookmarks;
     CameraPath path;
+    std::vector<Pin> pins;
     bool operator==(const Document&) const = default;
 };
 

@@ -2,8 +2,8 @@
 //
 // A file is {"type": "nephoscope-session", "version": 1, "active", "compare", "split_at",
 // "linked_cameras", "linked_times", "slots": [{"data": [names], "members", "region", "preset",
-// "time", "member", "look", "sampling", "camera", "bookmarks", "path"}, ...]}. "members" is true
-// where each name is a run of an ensemble; "member" is the index of the one that is shown, or
+// "time", "member", "look", "sampling", "camera", "bookmarks", "path", "pins"}, ...]}. "members" is
+// true where each name is a run of an ensemble; "member" is the index of the one that is shown, or
 // "mean". Look, sampling and camera are written as in presets, lengths are in metres, null is an
 // unlimited side. Data below the folder of the file or beside it are named relative to it ("./run",
 // "../run"), so that both can be moved together; a name without a slash is that of a bundled

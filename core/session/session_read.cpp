@@ -25,9 +25,10 @@ constexpr std::size_t kMaxNameLength = 4096;              // PATH_MAX
 constexpr std::size_t kMaxBookmarks = 1000;
 constexpr std::array<std::string_view, 8> kTopKeys{
     "type", "version", "active", "compare", "split_at", "linked_cameras", "linked_times", "slots"};
-constexpr std::array<std::string_view, 11> kSlotKeys{"data",   "members",   "region", "preset",
+constexpr std::array<std::string_view, 12> kSlotKeys{"data",   "members",   "region", "preset",
                                                      "time",   "member",    "look",   "sampling",
-                                                     "camera", "bookmarks", "path"};
+                                                     "camera", "bookmarks", "path",   "pins"};
+constexpr std::array<std::string_view, 2> kPinKeys{"label", "position_m"};
 constexpr std::array<std::string_view, 2> kRegionKeys{"lower_m", "upper_m"};
 constexpr std::array<std::string_view, 2> kBookmarkKeys{"name", "camera"};
 
@@ -154,6 +155,27 @@ std::vector<Bookmark> readBookmarks(const Reader& slot) {
     return bookmarks;
 }
 
+std::vector<Pin> readPins(const Reader& slot) {
+    std::vector<Pin> pins;
+    const Json* list = slot.list("pins", 0, kMaxPins);
+    if (list == nullptr) return pins;
+    for (const Json& item : *list) {
+        const std::string where = fmt::format("{}: pin {}", slot.where, pins.size() + 1);
+        const Reader pin{jsonObject(item, "pins", where), where, slot.warnings};
+        pin.warnOfOthers(kPinKeys);
+        Pin read{readName(pin, "label"), {}};
+        const Json* position = pin.list("position_m", 3, 3);
+        if (position == nullptr) refuseJson(where, "position_m", "nothing", "three lengths in m");
+        for (int i = 0; i < 3; ++i) {
+            const Json& length = position->at(static_cast<std::size_t>(i));
+            if (!length.is_number()) pin.refuse("position_m", "three lengths in m");
+            read.positionM[i] = length.get<double>();
+        }
+        pins.push_back(std::move(read));
+    }
+    return pins;
+}
+
 /// A path in a session lacks the header of a path file, so it is added for the parser.
 CameraPath readPath(const Reader& slot) {
     const Json* json = slot.find("path");
@@ -205,6 +227,7 @@ SlotState readSlot(const Reader& from, const fs::path& folder) {
         slot.document.camera = parseCamera(camera->dump(), from.where, from.warnings);
     }
     slot.document.bookmarks = readBookmarks(from);
+    slot.document.pins = readPins(from);
     slot.document.path = readPath(from);
     return slot;
 }

@@ -91,6 +91,10 @@ Json toJson(const SlotState& slot, const fs::path& folder) {
         json["bookmarks"].push_back({{"name", bookmark.name}, {"camera", toJson(bookmark.pose)}});
     }
     json["path"] = toJson(document.path);
+    json["pins"] = Json::array();
+    for (const Pin& pin : document.pins) {
+        json["pins"].push_back({{"label", pin.label}, {"position_m", toJson(pin.positionM)}});
+    }
     return json;
 }
 

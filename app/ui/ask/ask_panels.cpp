@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "app/ui/ask/ask_window.h"
 #include "app/ui/ask/pointing.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
@@ -20,80 +21,6 @@ namespace {
 constexpr double kKmPerMetre = 1e-3;
 constexpr std::array kParcels{"Surface", "Mixed layer", "Most unstable"};
 constexpr std::array kSeriesNames{"Contents", "Updraft", "Heights", "Masses", "Cover"};
-
-/// A handle for a worker. Throws Error where the data cannot be read beside what is shown.
-std::shared_ptr<Dataset> handleOf(const Dataset& data) {
-    std::shared_ptr<Dataset> handle = data.anotherHandle();
-    if (handle) return handle;
-    throw Error({.where = data.info().reader,
-                 .what = "the reader gives only one handle",
-                 .hint = "ask by the command line: nephoscope probe, section or series"});
-}
-
-bool beginAsk(const char* title, bool& shown, glm::vec2 ems, glm::vec2 pivot,
-              const PanelContext& context) {
-    const float em = ImGui::GetFontSize();
-    const Area image = context.layout().image;
-    const glm::vec2 room = image.size() - em;
-    const glm::vec2 size = glm::min(ems * em, room);
-    const glm::vec2 at = glm::mix(image.lower + 0.5f * em, image.upper - 0.5f * em, pivot);
-    ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Appearing, {pivot.x, pivot.y});
-    ImGui::SetNextWindowSize({size.x, size.y}, ImGuiCond_Appearing);
-    return ImGui::Begin(title, &shown,
-                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-}
-
-/// What a plot may take, with a line of buttons below it.
-ImVec2 plotRoom() {
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    return {room.x, std::max(room.y - ImGui::GetFrameHeightWithSpacing(), 80.0f)};
-}
-
-/// Why nothing can be asked now.
-void drawNoRun(const std::optional<AskedTime>& when) {
-    if (when) return;
-    ImGui::TextWrapped(
-        "Columns, sections and series are of one run: choose a member that has this time.");
-}
-
-/// What goes on, or why there is no answer.
-template <typename Question, typename Value>
-void drawState(const PanelContext& context, Answer<Question, Value>& answer) {
-    if (answer.busy()) {
-        context.next.again(kLookS);
-        ImGui::ProgressBar(static_cast<float>(answer.fraction()), {-1.0f, 0.0f});
-    }
-    if (!answer.fault().empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, errorColour());
-        ImGui::TextWrapped("%s", answer.fault().c_str());
-        ImGui::PopStyleColor();
-    }
-}
-
-void saveButton(const PanelContext& context, const std::string& name,
-                const std::vector<plot::Figure>& figures, const plot::Table& table) {
-    if (!context.services.savePlots) return;
-    for (const char* kind : {"svg", "png", "csv"}) {
-        if (std::string_view(kind) != "svg") ImGui::SameLine();
-        const std::string label = fmt::format("{}##save", kind);
-        const bool pressed = ImGui::SmallButton(kind);
-        place(fmt::format("ask.save.{}", kind));
-        if (!pressed) continue;
-        try {
-            const std::string file =
-                context.services.savePlots(fmt::format("{}.{}", name, kind), figures, table);
-            context.session().say(Message::Kind::note, "Wrote " + file);
-        } catch (const Error& error) {
-            context.session().say(Message::Kind::error, error.message());
-        }
-    }
-    ImGui::SameLine();
-    ImGui::TextDisabled("saves it");
-}
-
-std::string timeOf(const AskedTime& when) {
-    return when.data->info().times.at(static_cast<std::size_t>(when.time)).label;
-}
 
 glm::dvec2 placeOf(AskState& ask, const DatasetInfo& info) {
     const glm::dvec2 extent = info.extentM();
@@ -289,8 +216,8 @@ void drawColumnPanel(const PanelContext& context, AskState& ask, bool& shown) {
         drawState(context, ask.column);
         if (ask.column.value()) {
             drawColumnTabs(ask, *when);
-            saveButton(context, "column", columnFigures(ask, *when),
-                       columnTable(*ask.column.value()));
+            saveButtons(context, "column", columnFigures(ask, *when),
+                        columnTable(*ask.column.value()));
         }
     }
     ImGui::End();
@@ -320,7 +247,7 @@ void drawSectionPanel(const PanelContext& context, AskState& ask, bool& shown) {
         if (ask.cut.value() && !ask.cut.busy() && ask.cut.asked()) {
             const plot::Figure figure = figureOf(*ask.cut.asked(), *ask.cut.value());
             showPlot("ask.section_plot", figure, plotRoom());
-            saveButton(context, "section", {figure}, sectionTable(*ask.cut.value()));
+            saveButtons(context, "section", {figure}, sectionTable(*ask.cut.value()));
         }
     }
     ImGui::End();
@@ -371,8 +298,8 @@ void drawSeriesPanel(const PanelContext& context, AskState& ask, bool& shown) {
                     [at](const SeriesPoint& point) { return std::abs(point.seconds - at); });
                 context.session().document.time = timeShown(context.session(), nearest->time);
             }
-            saveButton(context, "series", {seriesFigure(series->points, ask.kind, "")},
-                       seriesTable(series->points, series->labels));
+            saveButtons(context, "series", {seriesFigure(series->points, ask.kind, "")},
+                        seriesTable(series->points, series->labels));
         }
     }
     ImGui::End();

@@ -7,6 +7,7 @@ namespace neph::ui {
 
 void drawColumnPanel(const PanelContext& context, AskState& ask, bool& shown);
 void drawSectionPanel(const PanelContext& context, AskState& ask, bool& shown);
+void drawPinsPanel(const PanelContext& context, AskState& ask, bool& shown);
 void drawSeriesPanel(const PanelContext& context, AskState& ask, bool& shown);
 
 }  // namespace neph::ui

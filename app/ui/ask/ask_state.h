@@ -52,7 +52,17 @@ struct SeriesSoFar {
     std::vector<std::string> labels;
 };
 
+struct PinsQuestion {
+    AskedTime when;
+    std::vector<glm::dvec3> positionsM;
+    bool operator==(const PinsQuestion&) const = default;
+};
+
 struct AskState {
+    bool pin = false;  ///< what the mouse points at is to be kept
+    bool showPins = false;
+    Answer<PinsQuestion, std::vector<ColumnReport>> pinned;  ///< the column of each
+
     bool probes = false;  ///< the mouse over the image tells what it points at
     Answer<ColumnQuestion, ColumnReport> pointed;  ///< the column where the probe meets cloud
     bool showColumn = false, showSection = false, showSeries = false;

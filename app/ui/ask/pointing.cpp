@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/widgets/places.h"
@@ -181,6 +182,32 @@ void drawPlace(const PanelContext& context, const AskState& ask) {
     drawLine(context, {ask.placeM, std::max(grid.originM.z, 0.0)}, {ask.placeM, grid.upperM().z});
 }
 
+/// A cross and its label, whatever lies before it.
+void drawPins(const PanelContext& context) {
+    constexpr float kArmPx = 5.0f;
+    for (const Pin& pin : context.session().document.pins) {
+        const auto at = onScreen(context, pin.positionM);
+        if (!at) continue;
+        stroke(*at - glm::vec2(kArmPx, 0.0f), *at + glm::vec2(kArmPx, 0.0f));
+        stroke(*at - glm::vec2(0.0f, kArmPx), *at + glm::vec2(0.0f, kArmPx));
+        ImDrawList* list = ImGui::GetBackgroundDrawList();
+        const ImVec2 text{at->x + 2.0f * kArmPx, at->y - 0.5f * ImGui::GetFontSize()};
+        list->AddText({text.x + 1.0f, text.y + 1.0f}, IM_COL32(0, 0, 0, 200), pin.label.c_str());
+        list->AddText(text, IM_COL32(255, 205, 90, 255), pin.label.c_str());
+    }
+}
+
+void pinDown(Session& session, const std::optional<glm::dvec3>& place) {
+    std::vector<Pin>& pins = session.document.pins;
+    if (!place) {
+        session.say(Message::Kind::warning, "There is neither cloud nor ground under the mouse");
+    } else if (pins.size() >= kMaxPins) {
+        session.say(Message::Kind::warning, "There are as many pins as there may be: delete one");
+    } else {
+        pins.push_back({fmt::format("P{}", pins.size() + 1), *place});
+    }
+}
+
 std::optional<glm::dvec3> chosenPlace(const PointedAt& at) {
     return at.ray.metM ? at.ray.metM : at.groundM;
 }
@@ -234,6 +261,11 @@ void drawPointing(const PanelContext& context, AskState& ask) {
     place("image", context.layout().image);
     drawSectionLine(context, ask);
     drawPlace(context, ask);
+    drawPins(context);
+    if (std::exchange(ask.pin, false)) {
+        const auto pointed = pointedAt(context);
+        pinDown(context.session(), pointed ? chosenPlace(*pointed) : std::nullopt);
+    }
     if (!ask.probes && !ask.drawing && !ask.showColumn) return;
     const auto at = pointedAt(context);
     if (ask.drawing) return drawByDrag(ask, at);

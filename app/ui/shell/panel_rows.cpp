@@ -85,6 +85,7 @@ const std::array kPanels{
                   AskState& ask = ui.ask;
                   if (ask.showColumn) drawColumnPanel(context, ask, ask.showColumn);
                   if (ask.showSection) drawSectionPanel(context, ask, ask.showSection);
+                  if (ask.showPins) drawPinsPanel(context, ask, ask.showPins);
                   if (ask.showSeries) drawSeriesPanel(context, ask, ask.showSeries);
               }},
     Panel{.id = "profile",

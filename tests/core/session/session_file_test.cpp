@@ -32,6 +32,7 @@ SessionState full(const fs::path& folder) {
     a.document.camera = {{0.1f, 1.0f / 7.0f, -0.99f}, 0.123456789f, 359.99f, -89.9f, 5.0f};
     a.document.time = 12;
     a.document.bookmarks = {{"Von Süden", {}}, {"", a.document.camera}};
+    a.document.pins = {{"Overshoot", {46875.0, 51875.5, 15150.25}}, {"", {-1.0, 0.0, 2.0}}};
     a.document.path = {{{0.0, {}}, {1.0 / 3.0, a.document.camera}}, false};
     SlotState b;
     b.data = {"cumulus"};
@@ -176,6 +177,10 @@ TEST_CASE("A wrong value in a session is refused with file, key and what is expe
           Case{slot(R"("camera": {"fov_deg": 500})"), "fov_deg", "from"},
           Case{slot(R"("bookmarks": [{"camera": {"fov_deg": 500}}])"), "fov_deg", "from"},
           Case{slot(R"("bookmarks": [{"name": 1}])"), "name", "quotes"},
+          Case{slot(R"("pins": [{"label": "a", "position_m": [1, 2]}])"), "position_m", "3"},
+          Case{slot(R"("pins": [{"label": "a", "position_m": [1, 2, "3"]}])"), "position_m",
+               "three lengths"},
+          Case{slot(R"("pins": [{"label": "a"}])"), "position_m", "three lengths"},
           Case{slot(R"("path": {"keys": [{"at_s": -1, "camera": {}}]})"), "at_s", "0"},
           Case{slot(R"("path": [])"), "path", "braces"}}) {
         CAPTURE(c.text);
