@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -80,8 +81,11 @@ class Workbench {
 
     std::vector<std::string> readers_;
     std::string map_;
+    std::vector<std::string> warnings_;  // of settings, until there is a session to tell them
+    bool firstRun_ = false;
+    Settings remembered_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
-    WorkbenchHost host_{window_};
+    WorkbenchHost host_;
     ImageTextures textures_;  // that panels asked for
     MemoryBudget budget_;
     ui::Ui ui_;
@@ -90,8 +94,7 @@ class Workbench {
     Autosave autosave_{userStateDir()};
     std::optional<ScriptPlayer> script_;
     std::filesystem::path shot_;  // to be written of the next frame
-    Settings remembered_;
-    PixelBox place_;  // of the images, as of the last turn of the panels
+    PixelBox place_;              // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
     bool measuring_ = false;  // the error of what is seen, at once
@@ -100,10 +103,15 @@ class Workbench {
 Workbench::Workbench(const WorkbenchRequest& request)
     : readers_(request.scene.readers),
       map_(request.scene.map),
+      firstRun_(!settingsWereSaved()),
+      remembered_(loadSettings(warnings_)),
+      // A script plays in the same window everywhere.
+      host_(window_, request.script.empty() ? remembered_.window : std::nullopt),
       slots_(ui_.compare, [this] { return makeSlot(); }) {
     const Scene scene = makeScene(request.scene);
     std::vector<std::string> warnings = scene.warnings;
-    ui_.settings = remembered_ = loadSettings(warnings);
+    std::ranges::move(warnings_, std::back_inserter(warnings));
+    ui_.settings = remembered_;
     budget_ = chooseBudget(request.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
     ui_.active = &session();
     ui_.output.readers = readers_;
@@ -122,6 +130,7 @@ Workbench::Workbench(const WorkbenchRequest& request)
                         std::filesystem::path(request.script).filename().string());
         ui::wantPlaces(true);
     }
+    ui_.hintsAtKeys = firstRun_ && !script_;
     openFirst(request.scene, scene.cameraAsked);
 }
 
@@ -291,7 +300,7 @@ void Workbench::noteChanges() {
     if (!ui_.playback.led) {
         session().history.settle(session().document, moving(), slots_.active().restS());
     }
-    if (ui_.settings != remembered_) rememberSettings();
+    if (ui_.settings != remembered_ && !interacting_) rememberSettings();
 }
 
 void Workbench::carryOut() {
@@ -385,6 +394,8 @@ void Workbench::run() {
         keepSession();
     }
     autosave_.finish(slots_.state());
+    if (!script_) ui_.settings.window = host_.place();
+    if (ui_.settings != remembered_) rememberSettings();
 }
 
 }  // namespace

@@ -152,14 +152,12 @@ std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs,
             chosen = recent[i];
         }
         place(fmt::format("recent:{}", i));
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-            ImGui::SetTooltip("%s%s", recent[i].c_str(), there ? "" : "\nNot there any more");
-        }
+        tooltip(recent[i] + (there ? "" : "\nNo longer there"));
         ImGui::SameLine(0.5f * em);
         ImGui::TextColored(ImGui::GetStyle().Colors[there ? ImGuiCol_Text : ImGuiCol_TextDisabled],
                            "%s", label.name.c_str());
         ImGui::SameLine();
-        ImGui::TextDisabled("%s", there ? label.folder.c_str() : "not there any more");
+        ImGui::TextDisabled("%s", there ? label.folder.c_str() : "no longer there");
         ImGui::PopID();
     }
     return chosen;

@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "app/ui/fields/fields_plots.h"
+#include "app/ui/widgets/input.h"
 #include "core/base/number_text.h"
 
 namespace neph::ui {
 namespace {
 
 constexpr float kHeightEms = 3.2f;
-constexpr float kTooltipEms = 7.0f;  // as high as a tooltip gets
 
 /// As people say it: g/m³, or extinction by the kilometre.
 struct ScreenUnit {
@@ -71,7 +71,7 @@ void drawBars(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVe
 }
 
 void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec2 upper) {
-    if (!ImGui::IsItemHovered()) return;
+    if (!wantsTooltip()) return;
     const ScreenUnit unit = unitOf(histogram.holding);
     const float share = (ImGui::GetIO().MousePos.x - lower.x) / (upper.x - lower.x);
     const int bin = std::clamp(
@@ -80,7 +80,7 @@ void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec
     const auto bound = [&](int i) {
         return FieldHistogram::lowerBound(histogram.holding, i) * unit.scale;
     };
-    nextTooltipBeside({lower.x, lower.y}, {upper.x, upper.y});
+    nextTooltipBeside(lastItem());
     ImGui::SetTooltip(
         "%s to %s %s: %llu cells\nCells of the volume that is shown, heights logarithmic; before "
         "the mixing scale.",
@@ -89,13 +89,6 @@ void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec
 }
 
 }  // namespace
-
-void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper) {
-    const float em = ImGui::GetFontSize();
-    const bool below = upper.y + kTooltipEms * em < ImGui::GetIO().DisplaySize.y;
-    const float y = below ? upper.y + 0.3f * em : lower.y - 0.3f * em;
-    ImGui::SetNextWindowPos({lower.x, y}, ImGuiCond_Always, {0.0f, below ? 0.0f : 1.0f});
-}
 
 void drawHistogram(const FieldHistogram& histogram) {
     const Window window = windowOf(histogram);

@@ -18,9 +18,6 @@ const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species sp
 /// none without data.
 const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session& session);
 
-/// The next tooltip is below a plot, or where there is no room above it, and not over it.
-void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper);
-
 void drawPhasePlot(const PanelContext& context, FieldsState& state, Species species);
 void drawHistogram(const FieldHistogram& histogram);
 void drawDepth(FieldsState& state, const Session& session, Species species);

@@ -34,9 +34,7 @@ void choice(const char* text, const char* name, Choice& value, Choice own,
     if (ImGui::RadioButton(text, value == own)) value = own;
     ImGui::EndDisabled();
     place(name);
-    if (!reason.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", reason.c_str());
-    }
+    if (!reason.empty()) tooltip(reason);
 }
 
 void drawWhat(const Session& session, ExportSettings& settings) {

@@ -92,9 +92,7 @@ void drawLoaded(const Session& session) {
     ImGui::TextDisabled(
         "%s", rows.size() == 1 ? "1 change" : fmt::format("{} changes", rows.size()).c_str());
     place("presets.changes");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Since it was loaded or saved:\n%s", linesOf(rows, kTooltipRows).c_str());
-    }
+    tooltip("Since it was loaded or saved:\n" + linesOf(rows, kTooltipRows));
 }
 
 void drawButtons(const ActionLookup& actions) {

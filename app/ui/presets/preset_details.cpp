@@ -9,6 +9,7 @@
 
 #include "app/ui/presets/preset_card.h"
 #include "app/ui/presets/preset_commands.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 
@@ -55,8 +56,8 @@ PresetParts drawButtons(Session& session, PresetBrowser& presets, const PresetCa
         place(fmt::format("preset_details.{}", id));
         if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
             under = parts;
-            ImGui::SetTooltip("%s", std::string(help).c_str());
         }
+        tooltip(std::string(help));
         ImGui::SameLine();
     };
     ImGui::AlignTextToFramePadding();

@@ -19,8 +19,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the mouse
-constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
+constexpr float kMarkEms = 0.18f;  // half the size of the mark on an edge
 
 /// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
 /// where the column is to the left of it.
@@ -36,13 +35,13 @@ void drawEdge(const char* name, const Area& area, float side, bool& open, float&
         const float dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x;
         if (open && ImGui::IsItemActive() && dragged != 0.0f) {
             ems = std::clamp(ems + side * ImGui::GetIO().MouseDelta.x / ImGui::GetFontSize(),
-                             kLeastEms, kMostEms);
+                             kLeastColumnEms, kMostColumnEms);
         }
         if (ImGui::IsItemDeactivated() && dragged == 0.0f) open = !open;
         const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
         if (hot) {
             ImGui::SetMouseCursor(open ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_Hand);
-            ImGui::SetTooltip(open ? "Click to close, drag to resize" : "Click to open");
+            tooltip(open ? "Click to close, drag to resize" : "Click to open");
         }
         const ImU32 colour = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled);
         // A mark that points where a click would move the edge.
@@ -75,8 +74,8 @@ void drawColumns(Ui& ui, const Layout& layout) {
     drawColumn(ui, "##left", layout.left, PanelPlace::left);
     drawColumn(ui, "##right", layout.right, PanelPlace::right);
     bool left = !layout.left.empty(), right = !layout.right.empty();
-    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.columns.leftEms);
-    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
+    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.settings.leftColumnEms);
+    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.settings.rightColumnEms);
     if (left == layout.left.empty()) openColumn(ui.settings, ui.columns, true, left);
     if (right == layout.right.empty()) openColumn(ui.settings, ui.columns, false, right);
 }

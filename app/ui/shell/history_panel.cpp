@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -21,7 +22,7 @@ bool drawStep(std::size_t index, std::size_t now, const std::string& label) {
     ImGui::PopStyleColor(2);
     place(fmt::format("history:{}", index));
     const bool cut = ImGui::CalcTextSize(label.c_str()).x > ImGui::GetItemRectSize().x;
-    if (cut && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", label.c_str());
+    if (cut) tooltip(label);
     ImGui::PopID();
     return chosen;
 }

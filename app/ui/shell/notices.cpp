@@ -177,6 +177,18 @@ void drawNotices(const PanelContext& context, SessionDialogs& dialogs,
     }
 }
 
+void drawKeyHint(const PanelContext& context, bool& shown) {
+    if (context.session().shown() == nullptr) return;  // other notices come first
+    if (beginNotice(context.layout().image, "##keys", NoticeAt::bottom)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("H lists mouse and keys; Ctrl+P finds any command or parameter.");
+        ImGui::SameLine();
+        if (ImGui::Button("Close")) shown = false;
+        place("hint.close");
+    }
+    endNotice();
+}
+
 void drawMessages(const PanelContext& context, bool& shown) {
     const float em = ImGui::GetFontSize();
     const Area image = context.layout().image;

@@ -72,9 +72,7 @@ bool drawRow(Ui& ui, const Command& command, bool chosen) {
     const bool clicked = ImGui::Selectable(command.label().c_str(), chosen, flags);
     ImGui::PopStyleColor();
     place("palette:" + id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", helpOf(command, ui).c_str());
-    }
+    tooltip(helpOf(command, ui));
     parameterMenu(ui, command);
     const std::string note = noteOf(ui, command), where = command.where();
     const float noteAt = start + width - ImGui::CalcTextSize(note.c_str()).x;

@@ -96,9 +96,13 @@ const std::array kPanels{
                      .help = "What the image cost, pass by pass"},
           .before = "view.full_screen",
           .toggled = [](Ui& ui) { ui.requests.redraw = ui.showProfile; }},
-    Panel{
-        .id = "notices",
-        .draw = [](Ui& ui) { drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial); }},
+    Panel{.id = "notices",
+          .draw =
+              [](Ui& ui) {
+                  drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial);
+                  ui.hintsAtKeys &= !ui.showHelp && !ui.palette.open;
+                  if (ui.hintsAtKeys) drawKeyHint(contextOf(ui), ui.hintsAtKeys);
+              }},
     Panel{.id = "messages",
           .draw = [](Ui& ui) { drawMessages(contextOf(ui), ui.showMessages); },
           .shown = &Ui::showMessages,

@@ -3,7 +3,6 @@
 // A drag moves by what the mouse moved, so that it can go on more finely when Shift is pressed on
 // the way. Only one slider has the hand or is typed into at a time: that state is here.
 #include "app/ui/widgets/number_slider.h"
-#include "app/ui/widgets/words.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -12,6 +11,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/words.h"
 
 namespace neph::ui {
 namespace {
@@ -93,7 +95,7 @@ void showFault() {
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddRect(lower, upper, IM_COL32(230, 90, 80, 255),
                                         ImGui::GetStyle().FrameRounding, 0, 1.5f);
-    ImGui::SetNextWindowPos({lower.x, upper.y + 2.0f});
+    nextTooltipBeside(lastItem());
     ImGui::SetTooltip("%s", typing.fault.c_str());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -112,6 +113,7 @@ ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size) {
     if (!hovered || !shown.frame.contains(mousePt)) return shown;
     shown.hoveredAt = shown.frame.toAxes(mousePt);
     if (clicked) shown.clickedAt = shown.hoveredAt;
+    if (!wantsTooltip()) return shown;
     ImGui::SetTooltip("%s", plot::readout(figure, shown.frame, mousePt).c_str());
     return shown;
 }

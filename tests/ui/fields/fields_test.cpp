@@ -96,6 +96,33 @@ TEST_CASE("A field that the data lack has words where the others have a slider, 
     CHECK((panel.look() == Look{}));
 }
 
+TEST_CASE("A double click on a field's name puts its mixing scale back to the preset's") {
+    Panel panel;
+    panel.session.presetLook.of(Species::cloud).mixingScale = 0.25f;
+    panel.look().of(Species::cloud).mixingScale = 40.0f;
+    panel.look().of(Species::cloud).visible = false;
+    panel.click("cloud.mixing_scale:label");
+    CHECK(panel.look().of(Species::cloud).mixingScale == 40.0f);  // one click does nothing
+    for (int i = 0; i < 10; ++i) panel.frame();
+    panel.click("cloud.mixing_scale:label");
+    panel.press(true);
+    panel.press(false);
+    CHECK(panel.look().of(Species::cloud).mixingScale == 0.25f);
+    CHECK_FALSE(panel.look().of(Species::cloud).visible);
+    CHECK(panel.look().of(Species::rain).mixingScale == 1.0f);
+}
+
+TEST_CASE("Several fields are unfolded at once") {
+    Panel panel;
+    panel.click("cloud.fold", 0.02f);
+    panel.frame();
+    CHECK(ui::placeOf("cloud.albedo").has_value());
+    panel.click("snow.fold", 0.02f);
+    panel.frame();
+    CHECK(ui::placeOf("cloud.albedo").has_value());
+    CHECK(ui::placeOf("snow.albedo").has_value());
+}
+
 TEST_CASE("The eye hides a field; solo shows one alone, and again those before, a step each") {
     Panel panel;
     panel.click("snow.visible");

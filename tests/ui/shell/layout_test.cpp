@@ -107,6 +107,7 @@ TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and s
         CAPTURE(window.scale);
         for (const bool columns : {true, false}) {
             CAPTURE(columns);
+            scene.state.settings.dataDetails = columns;
             scene.state.settings.leftColumn = scene.state.settings.rightColumn = columns;
             scene.show(window);
             const ui::Layout layout = scene.state.layout();
@@ -157,6 +158,56 @@ TEST_CASE("A column's edge is dragged to another width, and a click on it closes
     CHECK(scene.state.layout().left.empty());
     drag(5.0f, 5.0f);
     CHECK(scene.state.settings.leftColumn);
+}
+
+TEST_CASE("The width of a column is a setting") {
+    Scene scene;
+    scene.show({{1920.0f, 1080.0f}, 1.0f});
+    const float em = ImGui::GetFontSize();
+    CHECK(scene.state.layout().left.size().x == doctest::Approx(20.0f * em).epsilon(0.01));
+    scene.state.settings.leftColumnEms = 30.0f;
+    CHECK(scene.state.layout().left.size().x == doctest::Approx(30.0f * em).epsilon(0.01));
+    CHECK(scene.state.layout().right.size().x == doctest::Approx(20.0f * em).epsilon(0.01));
+}
+
+TEST_CASE("Fields come first: all six are in sight below one line that says what is open") {
+    Scene scene;
+    ui::wantPlaces(true);
+    const auto draw = [&] {
+        for (int i = 0; i < 4; ++i) {
+            ui::clearPlaces();
+            scene.frames(1);
+        }
+    };
+    const auto click = [&](const char* name) {
+        ImGuiIO& io = ImGui::GetIO();
+        const auto at = ui::placeOf(name);
+        REQUIRE(at.has_value());
+        io.MousePos = {(at->lower.x + at->upper.x) / 2.0f, (at->lower.y + at->upper.y) / 2.0f};
+        for (const bool down : {false, true, false}) {
+            io.MouseDown[0] = down;
+            draw();
+        }
+    };
+    scene.show({{1280.0f, 720.0f}, 1.0f});
+    draw();
+    const float bottom = scene.state.layout().left.upper.y;
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const std::string id(info(static_cast<Species>(s)).id);
+        CAPTURE(id);
+        const auto row = ui::placeOf(id + ".fold");
+        REQUIRE(row.has_value());
+        CHECK(row->lower.y > 0.0f);
+        CHECK(row->upper.y <= bottom);
+    }
+    CHECK_FALSE(ui::placeOf("data.memory").has_value());
+    click("data.header");
+    CHECK(scene.state.settings.dataDetails);
+    CHECK(ui::placeOf("data.memory").has_value());
+    click("data.header");
+    CHECK_FALSE(scene.state.settings.dataDetails);
+    CHECK_FALSE(ui::placeOf("data.memory").has_value());
+    ui::wantPlaces(false);
 }
 
 TEST_CASE("Every action stands in the menu that it names, once, and can be reached by mouse") {

@@ -39,7 +39,7 @@ void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
         for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
         const ui::Area image = state.layout().image;
         for (const char* name : {"##nodata", "##loading", "##nohydrometeors", "##clear", "##off",
-                                 "##error", "##crashed"}) {
+                                 "##error", "##crashed", "##keys"}) {
             CAPTURE(name);
             const ImGuiWindow* window = ImGui::FindWindowByName(name);
             const bool there = window != nullptr && window->WasActive;
@@ -62,6 +62,23 @@ TEST_CASE("Without data the start screen says what to do, with what was opened r
     ui::Ui state(session);
     for (int i = 0; i < 12; ++i) state.settings.recent.push_back("/data/" + std::to_string(i));
     checkNotice(gui, state, "##nodata");
+}
+
+TEST_CASE("A first run hints at the keys until the hint is closed or was followed") {
+    Headless gui;
+    Session session(openFake(std::make_shared<FakeSeries>()));
+    openAndWait(session);
+    ui::Ui state(session);
+    checkNotice(gui, state, "");
+    for (const char* followed : {"help.sheet", "help.commands"}) {
+        CAPTURE(followed);
+        state.hintsAtKeys = true;
+        checkNotice(gui, state, "##keys");
+        CHECK(ui::runAction(state, followed));
+        for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
+        CHECK_FALSE(state.hintsAtKeys);
+        state.showHelp = false;
+    }
 }
 
 TEST_CASE("An error is told over the image until it is closed") {
