@@ -39,7 +39,8 @@ double aspectOf(const Layout& layout) {
 
 void look(Session& session, View view, double aspect) {
     if (!session.shown()) return;
-    session.document.camera = framed(view, session.document.camera, *session.shown(), aspect);
+    session.document.camera =
+        framed(view, session.document.camera, *session.shown(), session.document.look, aspect);
 }
 
 void frameOpened(Session& session, double aspect) {

@@ -26,7 +26,7 @@ const std::array kActions{
            .label = "Fit to the image",
            .menu = Menu::camera,
            .chord = {Key::f},
-           .help = "All clouds in the image, seen from the same direction",
+           .help = "All visible cloud in the image, seen from the same direction",
            .run = [](Ui& ui) { lookFrom(ui, View::fit); },
            .enabled = hasData},
     Action{.id = "camera.north",
