@@ -277,6 +277,10 @@ void WorkbenchHost::close() {
     glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
 }
 
+void WorkbenchHost::stayOpen() {
+    glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+}
+
 void WorkbenchHost::toggleFullScreen() {
     GLFWwindow* handle = window_.handle();
     fullScreen_ = !fullScreen_;

@@ -74,6 +74,7 @@ class WorkbenchHost {
     bool interacting() const;
 
     void close();
+    void stayOpen();  ///< though it was to close
     void toggleFullScreen();
 
     void onKey(int key, int scancode, int action, int mods);

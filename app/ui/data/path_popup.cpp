@@ -278,7 +278,9 @@ void drawPathPopup(const PanelContext& context, SessionDialogs& dialogs) {
                                     ImGuiWindowFlags_NoSavedSettings)) {
         return;
     }
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextDisabled("%s", words.hint);
+    ImGui::PopTextWrapPos();
     bool wanted = drawLine(browser);
     refresh(browser);
     const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;

@@ -9,6 +9,7 @@
 
 #include "app/ui/presets/preset_card.h"
 #include "app/ui/presets/preset_commands.h"
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
@@ -102,7 +103,8 @@ void drawRows(const std::vector<PresetDifference>& rows, PresetParts lit) {
 
 void drawPresetDetails(Session& session, PresetBrowser& presets) {
     if (std::exchange(presets.openDetails, false)) ImGui::OpenPopup("##preset details");
-    ImGui::SetNextWindowSize({(kWidthEms + 2.0f) * ImGui::GetFontSize(), 0.0f});
+    const float width = dialogueWidth(kWidthEms + 2.0f);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, dialogueRoom().y});
     if (!ImGui::BeginPopup("##preset details")) return;
     const auto card = std::ranges::find(presets.cards, presets.subject,
                                         [](const PresetCard& c) { return c.entry.name; });

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
@@ -48,7 +51,9 @@ void drawSteps(Session& session, std::size_t& seen) {
 void drawHistory(Session& session, bool& shown, std::size_t& seen) {
     const float em = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize({kWidthEms * em, kHeightEms * em}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(
+        {dialogueWidth(kWidthEms), std::min(kHeightEms * em, dialogueRoom().y)},
+        ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
                             {0.5f, 0.5f});
     const auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;

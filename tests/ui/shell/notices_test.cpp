@@ -124,6 +124,30 @@ TEST_CASE("A clear sky, fields switched off and data without hydrometeors are to
     checkNotice(gui, state, "##nohydrometeors");
 }
 
+TEST_CASE("An export and the performance are told over the image, and over no column") {
+    Headless gui;
+    Session session(openFake(std::make_shared<FakeSeries>()));
+    openAndWait(session);
+    ui::Ui state(session);
+    state.showProfile = true;
+    state.output.job.emplace("/bin/true", std::vector<std::string>{});
+    ImGui::GetIO().DisplaySize = {960.0f, 600.0f};
+    for (const float columns : {15.0f, 28.0f}) {
+        CAPTURE(columns);
+        state.settings.leftColumnEms = state.settings.rightColumnEms = columns;
+        for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
+        const ui::Area image = state.layout().image;
+        for (const char* name : {"##export", "##profile"}) {
+            CAPTURE(name);
+            const ImGuiWindow* window = ImGui::FindWindowByName(name);
+            REQUIRE(window != nullptr);
+            CHECK(window->WasActive);
+            CHECK(window->Pos.x >= image.lower.x);
+            CHECK(window->Pos.x + window->Size.x <= image.upper.x);
+        }
+    }
+}
+
 TEST_CASE("Opening is told with its progress, and cancelling goes back to the start") {
     Headless gui;
     auto series = std::make_shared<FakeSeries>();
