@@ -63,14 +63,6 @@ std::string typedNow() {
     return typed;
 }
 
-/// Takes what was typed while the line had not the keyboard yet. True when Enter was among it.
-bool takeEarlyKeys(FileBrowser& browser, const std::string& typed) {
-    browser.line += typed;
-    browser.line.erase(0, laterPath(browser.line));
-    browser.narrows |= !typed.empty();
-    return pressed(ImGuiKey_Enter);
-}
-
 void setText(ImGuiInputTextCallbackData& data, const std::string& text) {
     data.DeleteChars(0, data.BufTextLen);
     data.InsertChars(0, text.c_str());
@@ -99,6 +91,7 @@ int onLine(ImGuiInputTextCallbackData* data) {
             const std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
             data->DeleteChars(0, static_cast<int>(laterPath(text)));
             browser.narrows = true;
+            browser.selectsName = false;
             browser.marked = -1;
             browser.chosen.clear();
             browser.replaces = false;
@@ -108,13 +101,21 @@ int onLine(ImGuiInputTextCallbackData* data) {
         default:
             break;
     }
-    if (!browser.early.empty()) {
+    browser.line.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    if (!browser.early.empty() && browser.selectsName) {
+        typeOn(browser, std::exchange(browser.early, {}));
+        setText(*data, browser.line);
+        browser.toEnd = true;
+    } else if (!browser.early.empty()) {  // before what was typed since
         data->InsertChars(std::min(browser.earlyAt, data->BufTextLen), browser.early.c_str());
         browser.early.clear();
         browser.narrows = true;
     }
     if (browser.toEnd) {
-        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        browser.line.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        const NamePart name = namePart(browser);
+        data->CursorPos = data->SelectionEnd = static_cast<int>(name.to);
+        data->SelectionStart = static_cast<int>(browser.selectsName ? name.from : name.to);
         browser.toEnd = false;
     }
     return 0;
@@ -140,10 +141,10 @@ bool drawLine(FileBrowser& browser) {
     place("files.line");
     if (ImGui::IsItemActive() && std::exchange(browser.awaitsKeys, false)) {
         browser.early = typed;  // which ImGui passes over in the frame that gives the keyboard
-        browser.earlyAt = static_cast<int>(edited.size());
+        const NamePart name = namePart(browser);
+        browser.earlyAt = static_cast<int>(browser.selectsName ? name.from : name.to);
         if (!pressed(ImGuiKey_Enter)) return false;
-        browser.line += std::exchange(browser.early, {});
-        browser.line.erase(0, laterPath(browser.line));
+        typeOn(browser, std::exchange(browser.early, {}));
         return true;
     }
     if (entered) browser.focus = browser.toEnd = true;
@@ -151,7 +152,8 @@ bool drawLine(FileBrowser& browser) {
     const bool inList =
         !ImGui::IsWindowFocused() && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     if (inList && pressed(ImGuiKey_Backspace)) goUp(browser);
-    return takeEarlyKeys(browser, typed);
+    typeOn(browser, typed);
+    return pressed(ImGuiKey_Enter);
 }
 
 /// A row of the list. True when it was double-clicked.

@@ -128,6 +128,7 @@ void drawQuality(const Session& session, const ExportScene& scene, ExportSetting
         label("Frame rate");
         ImGui::SetNextItemWidth(width);
         ImGui::InputDouble("##fps", &settings.fps, 1.0, 5.0, "%.3g per second");
+        noteNumberField();
         settings.fps = std::clamp(settings.fps, 0.1, 240.0);
         place("export.fps");
     }

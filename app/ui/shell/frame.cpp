@@ -100,6 +100,7 @@ void closeOnEscape(int popupsBefore) {
 }  // namespace
 
 void draw(Ui& ui) {
+    takeDecimalCommas();
     const int popups = GImGui->OpenPopupStack.Size;
     const PanelContext context = contextOf(ui);
     playOn(context, ui.playback, imageTimeOf(ui));

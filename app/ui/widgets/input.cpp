@@ -17,6 +17,8 @@ glm::vec2 toGlm(ImVec2 v) {
     return {v.x, v.y};
 }
 
+ImGuiID numberField = 0;  // that the keyboard was in
+
 /// From the press of a button until the mouse has moved on. There is one mouse.
 struct AfterClick {
     const ImGuiContext* gui = nullptr;
@@ -132,6 +134,19 @@ std::string shortened(const std::string& text, float width) {
         shown.pop_back();
     }
     return shown + "..";
+}
+
+void takeDecimalCommas() {
+    const ImGuiID active = GImGui->ActiveId;
+    // A slider that is typed into, or a field that said so in the last frame.
+    if (active == 0 || (active != GImGui->TempInputId && active != numberField)) return;
+    for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters) {
+        if (letter == ',') letter = '.';
+    }
+}
+
+void noteNumberField() {
+    if (ImGui::IsItemActive()) numberField = GImGui->ActiveId;
 }
 
 bool inputUnsettled() {

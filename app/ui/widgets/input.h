@@ -35,6 +35,12 @@ Area lastItem();
 /// `text`, or as much of it as goes into `width` pixels with two dots behind it.
 std::string shortened(const std::string& text, float width);
 
+/// Turns a comma that is typed into one of ImGui's own fields for numbers to a point; ImGui would
+/// drop it, and make 5 of "0,5". Once per frame, before what is drawn.
+void takeDecimalCommas();
+/// Says that the last item is such a field; sliders and drags are known.
+void noteNumberField();
+
 /// Whether ImGui needs another frame before it takes keys as what is on the screen suggests: a line
 /// that is about to have the keyboard, or has just given it up.
 bool inputUnsettled();

@@ -72,6 +72,8 @@ std::optional<double> parse(const std::string& typed, const std::string& unit) {
     if (!suffix.empty() && text.ends_with(suffix)) {
         text = trimmed(text.substr(0, text.size() - suffix.size()));
     }
+    const std::string pointed = withDecimalPoint(text);
+    text = pointed;
     const std::size_t plus = text.starts_with('+') ? 1 : 0;
     double value = 0.0;
     const char* end = text.data() + text.size();
@@ -117,6 +119,9 @@ bool typeIn(double& value, const NumberRange& range, const std::string& unit) {
         typing.fault = "\"" + typing.text + "\" is not a number. Enter takes one" +
                        (trimmed(unit).empty() ? "" : " in " + std::string(trimmed(unit))) +
                        ", Esc leaves it.";
+        if (typing.text.find(',') != typing.text.npos) {
+            typing.fault += " Decimals follow a point, and nothing groups thousands.";
+        }
         typing.begun = false;  // Enter took the keyboard away
     } else if (ImGui::IsItemEdited()) {
         typing.fault.clear();
