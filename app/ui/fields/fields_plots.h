@@ -3,6 +3,7 @@
 #pragma once
 #include "app/ui/fields/fields_state.h"
 #include "app/ui/panel/panel_context.h"
+#include "core/plot/figure.h"
 
 namespace neph::ui {
 
@@ -19,6 +20,8 @@ const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species sp
 const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session& session);
 
 void drawPhasePlot(const PanelContext& context, FieldsState& state, Species species);
+/// Cells by what they hold, both logarithmic; empty where there is nothing to count.
+plot::Figure histogramFigure(const FieldHistogram& histogram);
 void drawHistogram(const FieldHistogram& histogram);
 void drawDepth(FieldsState& state, const Session& session, Species species);
 
