@@ -55,6 +55,7 @@ std::string pathsText(const DatasetInfo& info) {
         paths += (i > 0 ? "\n" : "") + files[i].string();
     }
     if (files.size() > kMostPaths) paths += fmt::format("\nand {} more", files.size() - kMostPaths);
+    wantGlyphs(paths);
     return paths;
 }
 

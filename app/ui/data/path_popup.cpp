@@ -16,6 +16,7 @@
 
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 
 namespace neph::ui {
 namespace {
@@ -138,6 +139,7 @@ bool drawLine(FileBrowser& browser) {
             ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo,
         onLine, &browser);
     browser.line = edited;
+    wantGlyphs(browser.line);
     place("files.line");
     if (ImGui::IsItemActive() && std::exchange(browser.awaitsKeys, false)) {
         browser.early = typed;  // which ImGui passes over in the frame that gives the keyboard
@@ -163,6 +165,7 @@ bool drawRow(FileBrowser& browser, int row, FileEntry& entry) {
     const bool good = fits(browser, entry);
     if (!good)
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    wantGlyphs(entry.name);
     const std::string label = entry.name + (entry.folder ? "/" : "");
     const bool on = browser.chosen.contains(entry.name);
     bool opened = false;

@@ -15,6 +15,7 @@
 #include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
 #include "core/session/autosave.h"
 #include "core/session/moved_data.h"
@@ -53,6 +54,7 @@ void drawMissing(const WaitingSession& waiting) {
     ImGui::TextUnformatted((waiting.name + ": these data are no longer where they were:").c_str());
     ImGui::Indent();
     for (std::size_t i = 0; i < std::min(kMissingShown, waiting.missing.size()); ++i) {
+        wantGlyphs(waiting.missing[i]);
         ImGui::TextUnformatted(waiting.missing[i].c_str());
     }
     if (waiting.missing.size() > kMissingShown) {
@@ -142,6 +144,7 @@ std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs,
     for (std::size_t i = 0; i < std::min(count, recent.size()); ++i) {
         const RecentLabel label = labelOf(recent[i]);
         const bool there = recentIsThere(dialogs, recent, i);
+        wantGlyphs(recent[i]);
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable("##entry", false,
                               there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,

@@ -156,6 +156,7 @@ int countOf(const Session& session, const ExportSettings& settings) {
 bool drawFile(const Session& session, const ExportScene& scene, ExportSettings& settings) {
     label("File");
     ImGui::SetNextItemWidth(widthBeside());
+    wantGlyphs(settings.file);
     ImGui::InputText("##file", &settings.file);
     place("export.file");
     if (!ImGui::IsItemActive()) {

@@ -151,6 +151,7 @@ void drawPresetImage(const PresetCard& card, glm::vec2 lower, glm::vec2 upper) {
 std::string describePresetCard(const Session& session, const PresetCard& card, std::size_t most) {
     if (!card.fault.empty()) return card.fault;
     std::string text = card.preset.title.empty() ? card.entry.name : card.preset.title;
+    wantGlyphs(text);
     if (!card.preset.description.empty()) text += "\n" + card.preset.description;
     const std::vector<PresetDifference> rows = differencesTo(session, card.preset);
     if (rows.empty()) return text + "\n\nJust as it is now";

@@ -103,6 +103,7 @@ bool carryOut(Session& session, PresetBrowser& presets) {
 
 /// A line to type in; true when Enter was pressed.
 bool drawLine(const char* label, const char* hint, std::string& text, const char* placeName) {
+    wantGlyphs(text);
     ImGui::TextUnformatted(label);
     ImGui::SetNextItemWidth(itemWidth(kFieldEms));
     ImGui::PushID(label);

@@ -15,6 +15,7 @@
 #include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 
 namespace neph::ui {
 namespace {
@@ -111,6 +112,10 @@ void draw(Ui& ui) {
     if (ui.columns.shown) drawAround(ui);
     drawPlace(ui, PanelPlace::over);
     closeOnEscape(popups);
+    if (lacksGlyphs()) {
+        ui.requests.restyle = true;
+        ui.next.again(0.0);
+    }
     ui.next.animates |= inputUnsettled();
 }
 

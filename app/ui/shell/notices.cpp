@@ -39,6 +39,7 @@ void title(const char* text) {
 
 void drawLoading(const Area& image, Session& session) {
     if (beginNotice(image, "##loading", NoticeAt::middle)) {
+        wantGlyphs(session.loadingLabel());
         ImGui::TextUnformatted(session.loadingLabel().c_str());
         const float em = ImGui::GetFontSize();
         const float width = noticeWidth(image);
@@ -55,6 +56,7 @@ void drawLoading(const Area& image, Session& session) {
 bool drawError(const Area& image, const std::string& text) {
     bool close = false;
     if (beginNotice(image, "##error", NoticeAt::top)) {
+        wantGlyphs(text);
         ImGui::TextColored(errorColour(), "Error");
         ImGui::TextUnformatted(text.c_str());
         close = ImGui::Button("Close");

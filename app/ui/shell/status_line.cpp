@@ -173,6 +173,7 @@ void drawMessage(const Session& session, const Area& area, float end, bool& show
     // The message yields to the frame, not the other way round.
     ImGui::PushClipRect({area.lower.x, area.lower.y}, {end, area.upper.y}, true);
     const Said said = newest(session);
+    wantGlyphs(said.text);
     ImGui::TextColored(said.colour, "%s", said.text.c_str());
     ImGui::PopClipRect();
     place("status.message");
