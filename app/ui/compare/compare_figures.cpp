@@ -53,7 +53,7 @@ void drawState(const CompareErrors& errors) {
         drawRows(errors);
     }
     if (!errors.seen().whole) {
-        ImGui::TextDisabled("Both images have to be there in full first");
+        ImGui::TextDisabled("Both images have to be complete first");
     } else if (!errors.figures() && errors.busy()) {
         ImGui::TextDisabled("Computing ...");
     }

@@ -215,8 +215,7 @@ bool drawList(FileBrowser& browser, float height) {
     if (shown.empty()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextDisabled(browser.entries.empty() ? "Nothing in this folder"
-                                                    : "Nothing of that name");
+        ImGui::TextDisabled(browser.entries.empty() ? "This folder is empty" : "No matching name");
     }
     ImGui::EndTable();
     return opened >= 0;
@@ -229,7 +228,7 @@ bool drawButtons(FileBrowser& browser, const Words& words, bool& left) {
     ImGui::SameLine();
     const bool several = browser.chosen.size() > 1;
     std::string told = browser.fault;
-    if (told.empty() && browser.replaces) told = "There is such a file already.";
+    if (told.empty() && browser.replaces) told = "This file already exists.";
     if (told.empty() && several) told = fmt::format("{} files", browser.chosen.size());
     const char* button = browser.replaces ? "Replace it" : words.button;
     const float em = ImGui::GetFontSize();

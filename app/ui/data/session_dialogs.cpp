@@ -45,8 +45,8 @@ std::string crashText(const LeftSession& left) {
         what = dataText(loadSession(left.file));
     } catch (const Error&) {  // told when it is asked for
     }
-    return fmt::format("The last session ended unexpectedly {} ({}, saved {:%H:%M}).", agoText(ago),
-                       what, fmt::localtime(left.savedAt));
+    return fmt::format("The last session ended unexpectedly {} ({}, saved at {:%H:%M}).",
+                       agoText(ago), what, fmt::localtime(left.savedAt));
 }
 
 void drawMissing(const WaitingSession& waiting) {

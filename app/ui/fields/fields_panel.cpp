@@ -69,7 +69,7 @@ void drawSolo(Session& session, FieldsState& state, Species s) {
     const bool solo = isSolo(session.document.look, s);
     if (letterButton("S", solo, kButtonEms * ImGui::GetFontSize())) toggleSolo(session, state, s);
     place(fmt::format("{}.solo", info(s).id));
-    tooltip(solo ? "Shows again what was visible before"
+    tooltip(solo ? "Shows the fields that were visible before"
                  : fmt::format("Solo: shows {} alone", info(s).id));
 }
 

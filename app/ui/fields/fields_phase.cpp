@@ -193,7 +193,7 @@ void drawPhasePlot(const PanelContext& context, FieldsState& state, Species spec
     const PhaseCurve::Made* curve = curveOf(state, document.look, species);
     if (state.curves[static_cast<std::size_t>(species)].making.valid()) context.next.again(kLookS);
     if (curve == nullptr) {
-        ImGui::TextDisabled("Droplets are being computed ...");
+        ImGui::TextDisabled("Computing the phase function of droplets ...");
         return;
     }
     const float width = std::max(4.0f * em, ImGui::GetContentRegionAvail().x - kTextEms * em);

@@ -70,7 +70,7 @@ void drawFormat(ExportSettings& settings) {
     choice("PNG", "export.png", settings.format, ExportFormat::png);
     radioBeside("EXR");
     choice("EXR", "export.exr", settings.format, ExportFormat::exr);
-    tooltip("Linear light, for further work");
+    tooltip("Linear light, for further processing");
     radioBeside("MP4 video");
     std::string reason;
     if (settings.what == ExportWhat::image) {
@@ -110,7 +110,7 @@ void drawSize(glm::ivec2 window, ExportSettings& settings) {
                      "4 \u00d7 4\0")) {
         settings.supersample = rays + 1;
     }
-    tooltip("More make edges smoother, and take as much longer");
+    tooltip("More rays smooth the edges and take proportionally longer");
     place("export.supersample");
 }
 
@@ -121,7 +121,7 @@ void drawQuality(const Session& session, const ExportScene& scene, ExportSetting
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        tooltip("Images that are averaged: more are smoother");
+        tooltip("Samples averaged per pixel: more give less noise");
         place("export.samples");
     }
     if (settings.format == ExportFormat::mp4 || settings.what == ExportWhat::path) {

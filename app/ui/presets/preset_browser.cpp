@@ -146,8 +146,7 @@ void drawGrid(Session& session, PresetBrowser& presets) {
         if (isFound(card, presets.search)) (card.entry.bundled ? bundled : own).push_back(&card);
     }
     if (own.empty() && bundled.empty()) {
-        ImGui::TextDisabled(presets.cards.empty() ? "There are no presets"
-                                                  : "No preset has these words");
+        ImGui::TextDisabled(presets.cards.empty() ? "There are no presets" : "No preset matches");
         return;
     }
     const float height =

@@ -64,7 +64,7 @@ PresetParts drawButtons(Session& session, PresetBrowser& presets, const PresetCa
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Apply");
     ImGui::SameLine();
-    button("All", "all", "Everything that is listed", kPresetAll);
+    button("All", "all", "Everything listed", kPresetAll);
     for (const PresetPart& part : kPresetParts) button(part.label, part.id, part.help, part.bit);
     ImGui::NewLine();
     return under;
@@ -120,7 +120,7 @@ void drawPresetDetails(Session& session, PresetBrowser& presets) {
         const std::vector<PresetDifference> rows = differencesTo(session, card->preset);
         const PresetParts lit = drawButtons(session, presets, *card, rows);
         if (rows.empty()) {
-            ImGui::TextDisabled("The present look and camera are just those of the preset");
+            ImGui::TextDisabled("The current look and camera are those of the preset");
         } else {
             drawRows(rows, lit);
         }

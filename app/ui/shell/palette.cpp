@@ -104,7 +104,7 @@ void drawList(Ui& ui, bool entered) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float room = 0.7f * ImGui::GetIO().DisplaySize.y;
     if (ImGui::BeginChild("##found", {0.0f, std::min(kRows * row, room)})) {
-        if (found.empty()) ImGui::TextDisabled("Nothing is called that");
+        if (found.empty()) ImGui::TextDisabled("No command or parameter matches");
         for (int i = 0; i < static_cast<int>(found.size()); ++i) {
             const Command& command = found[static_cast<std::size_t>(i)];
             const bool chosen = i == ui.palette.chosen;

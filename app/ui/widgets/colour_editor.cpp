@@ -38,7 +38,7 @@ bool pickOnScreen(glm::vec3& linear) {
         ImGui::ColorPicker3("##picker", &srgb.x,
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs |
                                 ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip);
-    label("sRGB", "As screens and web pages spell it: encoded, 8 bits per channel");
+    label("sRGB", "As on screens and web pages: encoded, 8 bits per channel");
     changed |=
         ImGui::ColorEdit3("##hex", &srgb.x,
                           ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB |

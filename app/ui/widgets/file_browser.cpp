@@ -248,7 +248,7 @@ std::optional<std::vector<std::string>> accept(FileBrowser& browser) {
         return names;
     }
     if (const std::string advice = addressAdvice(browser.line); opens && !advice.empty()) {
-        browser.fault = "An address in the network: " + advice;
+        browser.fault = "This is a network address: " + advice;
         return {};
     }
     std::error_code error;
