@@ -71,7 +71,6 @@ class Workbench {
     void setMemory(const std::string& memory);
     void handOverImages();
     double waitS();
-    bool ends();
     /// In motion paths are traced for what is edited alone, and never while other data come.
     bool putOff(const Slot& slot) {
         const bool waits = slot.session.loading() || (moving() && &slot != &slots_.active());
@@ -338,14 +337,6 @@ void Workbench::playScript() {
     }
 }
 
-/// Whether the window is to close now; an export that runs is asked about first.
-bool Workbench::ends() {
-    if (!window_.shouldClose() || ui::mayQuit(ui_.output)) return window_.shouldClose();
-    host_.stayOpen();
-    eventful_ = Clock::now();  // for the question to be drawn
-    return false;
-}
-
 double Workbench::waitS() {
     if (ui_.next.animates || script_ || measuring_) return 0.0;
     double seconds = std::clamp(ui_.next.againS - secondsSince(panelsDrawn_), 0.0, kIdleWaitS);
@@ -362,8 +353,8 @@ double Workbench::waitS() {
 
 void Workbench::run() {
     drawPanels();  // makes the image's place known
-    // A signal to end is a wish to quit: the session is kept.
-    while (!ends() && interruptSignal() == 0) {
+    // A signal to end is a wish to quit: the session is kept. An export that runs is asked about.
+    while (interruptSignal() == 0 && !(host_.takeClose() && ui::mayQuit(ui_.output))) {
         if (host_.wait(waitS())) eventful_ = Clock::now();
         if (script_) playScript();
         takeInput();

@@ -277,8 +277,10 @@ void WorkbenchHost::close() {
     glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
 }
 
-void WorkbenchHost::stayOpen() {
-    glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+bool WorkbenchHost::takeClose() {
+    const bool closes = window_.shouldClose();
+    if (closes) glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+    return closes;
 }
 
 void WorkbenchHost::toggleFullScreen() {

@@ -74,7 +74,8 @@ class WorkbenchHost {
     bool interacting() const;
 
     void close();
-    void stayOpen();  ///< though it was to close
+    /// Whether the window was to be closed since the last call.
+    bool takeClose();
     void toggleFullScreen();
 
     void onKey(int key, int scancode, int action, int mods);

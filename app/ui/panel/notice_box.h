@@ -5,7 +5,7 @@
 namespace neph::ui {
 
 /// Which part of the image a notice stands in.
-enum class NoticeAt { top, middle, bottom };
+enum class NoticeAt { top, middle };
 
 /// How wide a notice may be.
 float noticeWidth(const Area& image);

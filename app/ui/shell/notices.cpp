@@ -184,9 +184,11 @@ void drawNotices(const PanelContext& context, SessionDialogs& dialogs,
     }
 }
 
-void drawKeyHint(const PanelContext& context, bool& shown) {
-    if (context.session().shown() == nullptr) return;  // other notices come first
-    if (beginNotice(context.layout().image, "##keys", NoticeAt::bottom)) {
+void drawKeyHint(const PanelContext& context, std::uint64_t dismissedSerial, bool& shown) {
+    const Session& session = context.session();
+    // Other notices come first.
+    if (session.shown() == nullptr || newestError(session, dismissedSerial) != nullptr) return;
+    if (beginNotice(context.layout().image, "##keys", NoticeAt::top)) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted("H lists mouse and keys; Ctrl+P finds any command or parameter.");
         beside("Close", noticeWidth(context.layout().image));

@@ -101,7 +101,8 @@ const std::array kPanels{
               [](Ui& ui) {
                   drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial);
                   ui.hintsAtKeys &= !ui.showHelp && !ui.palette.open;
-                  if (ui.hintsAtKeys) drawKeyHint(contextOf(ui), ui.hintsAtKeys);
+                  if (ui.hintsAtKeys)
+                      drawKeyHint(contextOf(ui), ui.dismissedSerial, ui.hintsAtKeys);
               }},
     Panel{.id = "messages",
           .draw = [](Ui& ui) { drawMessages(contextOf(ui), ui.showMessages); },

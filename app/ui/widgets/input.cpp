@@ -80,7 +80,7 @@ std::optional<glm::vec2> besideItem(const Area& item, glm::vec2 size, glm::vec2 
     if (above >= 0.0f) places[1] = {x, above};
     if (right <= most.x) places[2] = {right, y};
     if (left >= 0.0f) places[3] = {left, y};
-    if (sideways) std::ranges::rotate(places, places.begin() + 2);
+    if (sideways) std::rotate(places.begin(), places.begin() + 2, places.end());
     const auto found = std::ranges::find_if(places, [](const auto& at) { return at.has_value(); });
     return found == places.end() ? std::nullopt : *found;
 }
