@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "app/ui/shell/wishes.h"
 #include "app/ui/widgets/places.h"
 #include "app/workbench/image_textures.h"
+#include "app/workbench/kept_settings.h"
 #include "app/workbench/measure_error.h"
 #include "app/workbench/save_plots.h"
 #include "app/workbench/script_player.h"
@@ -67,7 +69,6 @@ class Workbench {
     void noteChanges();
     void playScript();
     void setMemory(const std::string& memory);
-    void rememberSettings();
     void handOverImages();
     double waitS();
     /// In motion paths are traced for what is edited alone, and never while other data come.
@@ -80,8 +81,9 @@ class Workbench {
 
     std::vector<std::string> readers_;
     std::string map_;
+    KeptSettings kept_;
     gl::Window window_{kWidthPx, kHeightPx, "Nephoscope"};
-    WorkbenchHost host_{window_};
+    WorkbenchHost host_;
     ImageTextures textures_;  // that panels asked for
     MemoryBudget budget_;
     ui::Ui ui_;
@@ -90,8 +92,7 @@ class Workbench {
     Autosave autosave_{userStateDir()};
     std::optional<ScriptPlayer> script_;
     std::filesystem::path shot_;  // to be written of the next frame
-    Settings remembered_;
-    PixelBox place_;  // of the images, as of the last turn of the panels
+    PixelBox place_;              // of the images, as of the last turn of the panels
     Clock::time_point panelsDrawn_, eventful_ = Clock::now();
     bool interacting_ = false;
     bool measuring_ = false;  // the error of what is seen, at once
@@ -100,10 +101,13 @@ class Workbench {
 Workbench::Workbench(const WorkbenchRequest& request)
     : readers_(request.scene.readers),
       map_(request.scene.map),
+      // A script plays in the same window everywhere.
+      host_(window_, request.script.empty() ? kept_.get().window : std::nullopt),
       slots_(ui_.compare, [this] { return makeSlot(); }) {
     const Scene scene = makeScene(request.scene);
     std::vector<std::string> warnings = scene.warnings;
-    ui_.settings = remembered_ = loadSettings(warnings);
+    std::ranges::copy(kept_.warnings(), std::back_inserter(warnings));
+    ui_.settings = kept_.get();
     budget_ = chooseBudget(request.scene.memory, rendererBytes(gl::deviceMemory()), warnings);
     ui_.active = &session();
     ui_.output.readers = readers_;
@@ -122,6 +126,7 @@ Workbench::Workbench(const WorkbenchRequest& request)
                         std::filesystem::path(request.script).filename().string());
         ui::wantPlaces(true);
     }
+    ui_.hintsAtKeys = kept_.firstRun() && !script_;
     openFirst(request.scene, scene.cameraAsked);
 }
 
@@ -170,22 +175,17 @@ void Workbench::takeInput() {
     if (host_.takeFocus()) {
         for (Slot* slot : slots_.all()) slot->session.lookForGrowth();
     }
-    const std::vector<std::filesystem::path> files = host_.takeDropped();
-    if (!files.empty()) open(files);
+    if (const auto files = host_.takeDropped(); !files.empty()) open(files);
 }
 
 void Workbench::open(const std::vector<std::filesystem::path>& files) {
-    std::vector<std::string> names;
-    names.reserve(files.size());
-    for (const auto& file : files) names.push_back(file.string());
-    ui::openFiles(ui_, names);
+    ui::openFiles(ui_, std::vector<std::string>(files.begin(), files.end()));
 }
 
 /// What an image in the making is left for: commands, and another place for it. What changes the
 /// document is noticed by the slot.
 bool Workbench::yields() const {
-    const PixelBox now = ui::imageBox(ui_.layout());
-    const bool placed = now == place_;
+    const bool placed = ui::imageBox(ui_.layout()) == place_;
     return host_.commandsWait() || interruptSignal() != 0 || ui_.compare.wanted >= 0 ||
            ui_.compare.close || ui_.compare.trace || !placed;
 }
@@ -297,7 +297,7 @@ void Workbench::noteChanges() {
     if (!ui_.playback.led) {
         session().history.settle(session().document, moving(), slots_.active().restS());
     }
-    if (ui_.settings != remembered_) rememberSettings();
+    if (!interacting_) kept_.keep(ui_.settings, session());
 }
 
 void Workbench::carryOut() {
@@ -326,15 +326,6 @@ void Workbench::setMemory(const std::string& memory) {
     }
 }
 
-void Workbench::rememberSettings() {
-    remembered_ = ui_.settings;  // a place that cannot be written to is told once
-    try {
-        saveSettings(remembered_);
-    } catch (const Error& error) {
-        session().say(Message::Kind::error, error.message());
-    }
-}
-
 /// The next frame's input from the script, which ends the program when it is over.
 void Workbench::playScript() {
     const ScriptWorld world{
@@ -347,14 +338,14 @@ void Workbench::playScript() {
     if (const std::optional<PlayedInput> input = script_->next(world)) {
         host_.play(*input);
     } else {
+        ui_.output.mayQuit = true;
         host_.close();
     }
 }
 
 double Workbench::waitS() {
     if (ui_.next.animates || script_ || measuring_) return 0.0;
-    const double again = std::max(0.0, ui_.next.againS - secondsSince(panelsDrawn_));
-    double seconds = std::min(again, kIdleWaitS);
+    double seconds = std::clamp(ui_.next.againS - secondsSince(panelsDrawn_), 0.0, kIdleWaitS);
     for (Slot* slot : slots_.all()) {
         const Slot::Waiting waiting = putOff(*slot) ? Slot::Waiting::rest : slot->waiting(moving());
         if (waiting == Slot::Waiting::now) return 0.0;
@@ -368,8 +359,8 @@ double Workbench::waitS() {
 
 void Workbench::run() {
     drawPanels();  // makes the image's place known
-    // A signal to end is a wish to quit: the session is kept.
-    while (!window_.shouldClose() && interruptSignal() == 0) {
+    // A signal to end is a wish to quit: the session is kept. An export that runs is asked about.
+    while (interruptSignal() == 0 && !(host_.takeClose() && ui::mayQuit(ui_.output))) {
         if (host_.wait(waitS())) eventful_ = Clock::now();
         if (script_) playScript();
         takeInput();
@@ -391,6 +382,8 @@ void Workbench::run() {
         keepSession();
     }
     autosave_.finish(slots_.state());
+    if (!script_) ui_.settings.window = host_.place();
+    kept_.keep(ui_.settings, session());
 }
 
 }  // namespace

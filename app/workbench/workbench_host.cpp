@@ -67,7 +67,8 @@ WorkbenchHost& hostOf(GLFWwindow* window) {
 
 }  // namespace
 
-WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
+WorkbenchHost::WorkbenchHost(gl::Window& window, const std::optional<WindowPlace>& left)
+    : window_(window) {
     GLFWwindow* handle = window.handle();
     glfwSetWindowUserPointer(handle, this);
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
@@ -94,7 +95,12 @@ WorkbenchHost::WorkbenchHost(gl::Window& window) : window_(window) {
     });
     glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned letter) { hostOf(w).onLetter(letter); });
     ImGui_ImplOpenGL3_Init("#version 450");
-    fitToScreen(false);  // the window system finds a place for a new window, if it is not too large
+    if (left) {
+        glfwSetWindowSize(handle, left->width, left->height);
+        glfwSetWindowPos(handle, left->x, left->y);
+    }
+    // The window system finds a place for a new window, if it is not too large.
+    fitToScreen(left.has_value());
     glfwShowWindow(handle);
     glfwPollEvents();
     fitToScreen(true);
@@ -200,6 +206,11 @@ void WorkbenchHost::resize(glm::ivec2 size) {
     glfwSetWindowSize(window_.handle(), size.x, size.y);
 }
 
+WindowPlace WorkbenchHost::place() const {
+    const ScreenBox at = fullScreen_ ? windowed_ : placeOf(window_.handle());
+    return {at.at.x, at.at.y, at.size.x, at.size.y};
+}
+
 /// ImGui looks at the mouse once per frame, too. After a slow frame it is shown where a button went
 /// down, and in the next frame where it came up, so that no click goes astray.
 void WorkbenchHost::replayPresses() {
@@ -264,6 +275,12 @@ bool WorkbenchHost::interacting() const {
 
 void WorkbenchHost::close() {
     glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+}
+
+bool WorkbenchHost::takeClose() {
+    const bool closes = window_.shouldClose();
+    if (closes) glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+    return closes;
 }
 
 void WorkbenchHost::toggleFullScreen() {

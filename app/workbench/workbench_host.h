@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct HostImage {
 /// Lives as long as the window; not copied, because the window's callbacks point to it.
 class WorkbenchHost {
   public:
-    explicit WorkbenchHost(gl::Window& window);
+    /// Shows the window, where it was left if that is told, and all of it on the screen.
+    WorkbenchHost(gl::Window& window, const std::optional<WindowPlace>& left);
     ~WorkbenchHost();
     WorkbenchHost(const WorkbenchHost&) = delete;
     WorkbenchHost& operator=(const WorkbenchHost&) = delete;
@@ -44,6 +46,8 @@ class WorkbenchHost {
     /// Of the window, in the units of the mouse.
     glm::vec2 sizePx() const;
     void resize(glm::ivec2 size);
+    /// Of the window on the screen; of a full screen where it was before.
+    WindowPlace place() const;
 
     /// Chords pressed and files dropped since the last call.
     std::vector<ui::Chord> takeChords();
@@ -70,6 +74,8 @@ class WorkbenchHost {
     bool interacting() const;
 
     void close();
+    /// Whether the window was to be closed since the last call.
+    bool takeClose();
     void toggleFullScreen();
 
     void onKey(int key, int scancode, int action, int mods);

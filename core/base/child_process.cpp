@@ -66,16 +66,29 @@ struct Ends {
 /// Runs in the child between fork and exec, where only async-signal-safe calls are allowed. Never
 /// returns. A failure of exec is reported through `fault`, as an errno.
 [[noreturn]] void become(const char* program, char* const* arguments, const std::array<int, 3>& io,
-                         int fault, int niceness, pid_t owner) {
+                         int fault, int niceness, std::optional<pid_t> owner) {
     // A group of its own, so that signals also reach what it starts; and it ends with its owner.
     setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != owner) _exit(kExecFailed);  // the owner ended before prctl
+    if (owner) prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (owner && getppid() != *owner) _exit(kExecFailed);  // the owner ended before prctl
     if (niceness != 0 && nice(niceness) == -1) errno = 0;
     for (int i = 0; i < 3; ++i) dup2(io[static_cast<std::size_t>(i)], i);
     execve(program, arguments, environ);
     const int why = errno;
     if (::write(fault, &why, sizeof why) < 0) _exit(kExecFailed);
+    _exit(kExecFailed);
+}
+
+/// Becomes the shell of letGo(); as `become`, between fork and exec.
+[[noreturn]] void keepReading(char* const* arguments, int output, int errors) {
+    setpgid(0, 0);
+    const int nothing = open("/dev/null", O_RDWR);
+    for (int i = 0; i < 3; ++i) dup2(nothing, i);
+    // Away from 3 and 4 first, where the one could be in the place of the other.
+    const int first = fcntl(output, F_DUPFD_CLOEXEC, 5), second = fcntl(errors, F_DUPFD_CLOEXEC, 5);
+    dup2(first, 3);
+    dup2(second, 4);
+    execve("/bin/sh", arguments, environ);
     _exit(kExecFailed);
 }
 
@@ -131,7 +144,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program,
     const bool opened = (options.takesInput ? in.openInput() : in.theirs >= 0) && out.openPipe() &&
                         err.openPipe() && fault.openPipe();
     if (!opened) refuse(program, errno);
-    const pid_t owner = getpid();
+    const std::optional<pid_t> owner = options.mayOutlive ? std::nullopt : std::optional(getpid());
     pid_ = fork();
     if (pid_ < 0) refuse(program, errno);
     if (pid_ == 0) {
@@ -154,6 +167,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program,
 }
 
 ChildProcess::~ChildProcess() {
+    if (gone_) return;
     cancel();
     wait();
     closeAll();
@@ -179,7 +193,7 @@ void ChildProcess::takeEnd() {
 }
 
 bool ChildProcess::poll() {
-    if (status_) return false;
+    if (status_ || gone_) return false;
     if (killAt_ && Clock::now() >= *killAt_) kill(-pid_, SIGKILL);
     takeEnd();
     takeOutput();
@@ -193,7 +207,7 @@ int ChildProcess::wait() {
         std::array<pollfd, 2> both{pollfd{output_, POLLIN, 0}, pollfd{errors_, POLLIN, 0}};
         ::poll(both.data(), both.size(), kWaitMs);
     }
-    return *status_;
+    return status_.value_or(0);
 }
 
 std::vector<std::string> ChildProcess::takeLines() {
@@ -210,7 +224,7 @@ std::string ChildProcess::lastWords() const {
 }
 
 void ChildProcess::cancel() {
-    if (status_ || killAt_) return;
+    if (status_ || killAt_ || gone_) return;
     kill(-pid_, SIGTERM);
     killAt_ = Clock::now() + kGrace;
 }
@@ -235,6 +249,21 @@ bool ChildProcess::write(std::span<const std::byte> bytes) {
         }
     }
     return true;
+}
+
+void ChildProcess::letGo(const std::filesystem::path& file) {
+    if (status_ || gone_) return;
+    std::string name = file.string();
+    std::string shell = "sh", option = "-c";
+    std::string reads = "cat <&3 >/dev/null & cat <&4 >/dev/null; wait; rm -f -- \"$0\"";
+    std::array<char*, 5> argv{shell.data(), option.data(), reads.data(), name.data(), nullptr};
+    // The flag belongs to the pipes, and cat would take an empty one for a failure.
+    for (const int end : {output_, errors_}) fcntl(end, F_SETFL, 0);
+    const pid_t pid = fork();
+    if (pid < 0) refuse("/bin/sh", errno);
+    if (pid == 0) keepReading(argv.data(), output_, errors_);
+    gone_ = true;
+    closeAll();
 }
 
 void ChildProcess::closeInput() {

@@ -3,7 +3,7 @@
 //
 // For work that must neither block the window nor take it down when it fails. Only `write` and
 // `wait` block; `poll`, called regularly, does the rest. The program ends with the thread that
-// started it, and leaves no zombie. POSIX, with PDEATHSIG of Linux.
+// started it unless it was let go, and leaves no zombie. POSIX, with PDEATHSIG of Linux.
 #pragma once
 #include <sys/types.h>
 
@@ -27,6 +27,7 @@ class ChildProcess {
     struct Options {
         int niceness = 0;         ///< added to this program's niceness
         bool takesInput = false;  ///< write() feeds its stdin; otherwise that is empty
+        bool mayOutlive = false;  ///< letGo() may be called; it is not ended with its thread
     };
 
     /// Starts `program`, a path, with `arguments`. Throws Error.
@@ -55,6 +56,11 @@ class ChildProcess {
     /// Ends it at once (SIGKILL).
     void end();
 
+    /// Lets it go on when this program ends. A shell reads what it still says, so that it does not
+    /// fail for want of a reader, and removes `file` when it has ended. This object knows nothing
+    /// of it from then on. Throws Error where no shell can be started.
+    void letGo(const std::filesystem::path& file);
+
     /// Writes all of `bytes` to its stdin, waiting as long as necessary. False when it has ended or
     /// closed its stdin.
     bool write(std::span<const std::byte> bytes);
@@ -72,6 +78,7 @@ class ChildProcess {
     int input_ = -1, output_ = -1, errors_ = -1;
     std::string unread_, words_;  // stdout not yet taken; the end of stderr
     std::optional<int> status_;
+    bool gone_ = false;  // let go
     std::optional<Clock::time_point> killAt_;
 };
 

@@ -25,7 +25,8 @@ std::string durationText(double seconds) {
 
 ExportJob::ExportJob(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments)
-    : child_(program, arguments, {.niceness = kNiceness, .takesInput = false}) {}
+    : child_(program, arguments, {.niceness = kNiceness, .takesInput = false, .mayOutlive = true}) {
+}
 
 /// Takes one line of progress; other output is skipped.
 void ExportJob::take(const std::string& line) {

@@ -25,6 +25,10 @@ class ExportJob {
     /// Asks it to stop; it leaves no incomplete file.
     void cancel();
 
+    /// Lets it go on when this program ends, and has `session`, which it reads, removed when it is
+    /// done. Throws Error.
+    void letGo(const std::filesystem::path& session) { child_.letGo(session); }
+
     State state() const { return state_; }
     /// Completed fraction, 0 to 1.
     double fraction() const;

@@ -79,6 +79,23 @@ bool take(const Json& json, std::vector<std::string>& value) {
     return true;
 }
 
+/// null: none.
+bool take(const Json& json, std::optional<WindowPlace>& value) {
+    if (json.is_null()) value.reset();
+    if (!json.is_array() || json.size() != 4) return json.is_null();
+    constexpr double kMost = 65535.0;  // as far as screens go
+    WindowPlace read;
+    const bool fits =
+        take(json[0], read.x, -kMost, kMost) && take(json[1], read.y, -kMost, kMost) &&
+        take(json[2], read.width, 1.0, kMost) && take(json[3], read.height, 1.0, kMost);
+    if (fits) value = read;
+    return fits;
+}
+Json asJson(const std::optional<WindowPlace>& place) {
+    if (!place) return {};
+    return Json::array({place->x, place->y, place->width, place->height});
+}
+
 /// A setting; the only place where its key is written.
 struct Row {
     const char* key;
@@ -91,6 +108,16 @@ template <bool Settings::*member>
 constexpr Row switchRow(const char* key) {
     return {key, "true or false", [](const Json& j, Settings& s) { return take(j, s.*member); },
             [](const Settings& s) { return Json(s.*member); }};
+}
+
+template <float Settings::*member>
+constexpr Row columnRow(const char* key) {
+    return {key, "a number from 15 to 40",
+            [](const Json& j, Settings& s) {
+                return take(j, s.*member, static_cast<double>(kLeastColumnEms),
+                            static_cast<double>(kMostColumnEms));
+            },
+            [](const Settings& s) { return Json(asWritten(s.*member)); }};
 }
 
 constexpr std::array kRows{
@@ -108,6 +135,12 @@ constexpr std::array kRows{
         [](const Settings& s) { return Json(s.framesPerSecond); }},
     switchRow<&Settings::leftColumn>("left_column"),
     switchRow<&Settings::rightColumn>("right_column"),
+    columnRow<&Settings::leftColumnEms>("left_column_letters"),
+    columnRow<&Settings::rightColumnEms>("right_column_letters"),
+    switchRow<&Settings::dataDetails>("data_details"),
+    Row{"window", "[x, y, width, height] or null",
+        [](const Json& j, Settings& s) { return take(j, s.window); },
+        [](const Settings& s) { return asJson(s.window); }},
     switchRow<&Settings::scaleBar>("scale_bar"),
     switchRow<&Settings::compass>("compass"),
     switchRow<&Settings::heightRuler>("height_ruler"),
@@ -140,6 +173,12 @@ Settings loadSettings(std::vector<std::string>& warnings) {
         warnings.push_back(error.message());
     }
     return settings;
+}
+
+bool settingsWereSaved() {
+    const auto file = settingsFile();
+    std::error_code error;
+    return !file || std::filesystem::exists(*file, error);
 }
 
 void saveSettings(const Settings& settings) {

@@ -44,30 +44,55 @@ class SeenBlocks {
     Array3<CellBox> boxes_;
 };
 
+/// Of the species that count, a box for each block.
+std::vector<BoxM> boxesOf(const std::vector<SeenPart>& parts, auto&& counts) {
+    std::vector<BoxM> boxes;
+    int block = -1;
+    for (const SeenPart& part : parts) {
+        if (!counts(part.species)) continue;
+        if (part.block == block) {
+            boxes.back().lowerM = glm::min(boxes.back().lowerM, part.box.lowerM);
+            boxes.back().upperM = glm::max(boxes.back().upperM, part.box.upperM);
+        } else {
+            boxes.push_back(part.box);
+        }
+        block = part.block;
+    }
+    return boxes;
+}
+
 }  // namespace
 
-std::vector<BoxM> seenParts(const SpeciesVolume& volume) {
+std::vector<SeenPart> seenParts(const SpeciesVolume& volume) {
     const RegularGrid& grid = volume.grid;
-    SeenBlocks blocks(grid);
+    std::vector<SeenPart> parts;
     for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-        const SpeciesInfo& known = info(static_cast<Species>(s));
+        const auto species = static_cast<Species>(s);
+        const SpeciesInfo& known = info(species);
         const float m2PerKg = glsl::massExtinctionM2PerKg(known.radiusM, known.densityKgPerM3);
+        SeenBlocks blocks(grid);
         blocks.add(volume.contentKgPerM3[s], kVisibleExtinctionPerM / m2PerKg);
         blocks.add(volume.extinctionPerM[s], kVisibleExtinctionPerM);
+        int block = 0;
+        for (const CellBox& box : blocks.boxes()) {
+            const BoxM boxM{grid.originM + glm::dvec3(box.lower) * grid.spacingM,
+                            grid.originM + glm::dvec3(box.upper) * grid.spacingM};
+            if (box.upper.x != 0) parts.push_back({block, species, boxM});
+            ++block;
+        }
     }
-    std::vector<BoxM> parts;
-    for (const CellBox& box : blocks.boxes()) {
-        if (box.upper.x == 0) continue;
-        parts.push_back({grid.originM + glm::dvec3(box.lower) * grid.spacingM,
-                         grid.originM + glm::dvec3(box.upper) * grid.spacingM});
-    }
+    std::ranges::stable_sort(parts, {}, &SeenPart::block);
     return parts;
 }
 
-CameraPose framed(View view, const CameraPose& pose, const VolumeSummary& shown, double aspect) {
-    if (!shown.seen.empty()) return viewOf(view, pose, shown.grid, shown.seen, aspect);
-    const BoxM whole{shown.grid.originM, shown.grid.upperM()};
-    return viewOf(view, pose, shown.grid, {&whole, 1}, aspect);
+CameraPose framed(View view, const CameraPose& pose, const VolumeSummary& shown, const Look& look,
+                  double aspect) {
+    std::vector<BoxM> boxes = boxesOf(shown.seen, [&look](Species s) {
+        return look.of(s).visible && look.of(s).mixingScale > 0.0f;
+    });
+    if (boxes.empty()) boxes = boxesOf(shown.seen, [](Species) { return true; });
+    if (boxes.empty()) boxes = {{shown.grid.originM, shown.grid.upperM()}};
+    return viewOf(view, pose, shown.grid, boxes, aspect);
 }
 
 }  // namespace neph

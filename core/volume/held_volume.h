@@ -47,6 +47,13 @@ struct FieldHistogram {
     void add(float value);
 };
 
+/// Bounding box of what can be seen of a species in one block of a volume: framing.h.
+struct SeenPart {
+    int block = 0;
+    Species species{};
+    BoxM box;
+};
+
 /// Facts about a volume that are computed once, when it is read.
 struct VolumeSummary {
     RegularGrid grid;
@@ -57,7 +64,7 @@ struct VolumeSummary {
     std::array<bool, kSpeciesCount> anything{};  ///< ... and some of it is not zero
     std::array<FieldHistogram, kSpeciesCount> histograms{};
     std::optional<BoxM> clouds;  ///< bounding box of what is dense enough to be seen
-    std::vector<BoxM> seen;      ///< as seenParts(); empty: nothing
+    std::vector<SeenPart> seen;  ///< as seenParts(); empty: nothing
     std::string timeLabel;
     Whereabouts where;       ///< the middle of the grid, at this time
     std::string noHumidity;  ///< why it is not known although it was asked for; or empty

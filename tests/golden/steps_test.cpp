@@ -59,7 +59,7 @@ void checkViews(render::Renderer& renderer, const SpeciesVolume& volume, const L
         inputs.sampling.lightVoxels = 10000;
         inputs.sizePx = kStepsPx;
         inputs.camera =
-            placeCamera(framed(view, pose, summarise(volume), aspect), volume.grid, aspect);
+            placeCamera(framed(view, pose, summarise(volume), look, aspect), volume.grid, aspect);
         const std::vector<float> coarse = displayed(renderer, inputs, images[0]);
         inputs.sampling.quality = 4.0f;
         const float difference = nearlyWorst(coarse, displayed(renderer, inputs, images[1]));

@@ -128,7 +128,7 @@ CameraPose poseFor(const bench::BenchRequest& request, const Scene& scene,
                    const SpeciesVolume& volume) {
     const CameraPose& pose = scene.document.camera;
     if (request.scene.files.empty() || scene.cameraAsked) return pose;
-    return framed(View::fit, pose, summarise(volume), 1.0);
+    return framed(View::fit, pose, summarise(volume), scene.document.look, 1.0);
 }
 
 /// Opens the data and draws them once; the scene's camera becomes the one they are seen by.

@@ -71,7 +71,7 @@ class Drawer {
         const double aspect = static_cast<double>(sizePx_.x) / sizePx_.y;
         pose_ = side_->what().scene.document.camera;
         const RenderView from = firstView(render.from, side_->what().scene);
-        pose_ = poseOf(from, pose_, side_->shown(), aspect);
+        pose_ = poseOf(from, pose_, side_->shown(), side_->parameters().look, aspect);
         camera_ = placeCamera(pose_, side_->shown().grid, aspect);
     }
 

@@ -187,7 +187,8 @@ DrawnSide Run::drawn(std::size_t index, const Shot& shot) {
     side.show(timeOf(index, shot), goesOn_);
     const RenderView from = firstView(request_.from, sides_.front()->what().scene);
     if (from.given() && !fromPose_) {
-        fromPose_ = neph::poseOf(from, poseOf(index, shot), side.shown(), aspect());
+        fromPose_ =
+            neph::poseOf(from, poseOf(index, shot), side.shown(), side.parameters().look, aspect());
     }
     printAll("note", side.newNotes());
     DrawnSide drawn;

@@ -79,9 +79,9 @@ RenderView firstView(const RenderView& asked, const Scene& scene) {
 }
 
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
-                  double aspect) {
+                  const Look& look, double aspect) {
     if (from.view) {
-        return framed(*from.view, pose, shown, aspect);
+        return framed(*from.view, pose, shown, look, aspect);
     }
     if (!from.observer) return pose;
     if (const auto stood = poseOf(*from.observer, shown.grid)) {

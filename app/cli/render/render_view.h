@@ -28,6 +28,6 @@ RenderView firstView(const RenderView& asked, const Scene& scene);
 /// The camera to look at `shown` with, in an image of this aspect; `pose` has what is not told.
 /// Throws UsageError where an observer is too far away.
 CameraPose poseOf(const RenderView& from, const CameraPose& pose, const VolumeSummary& shown,
-                  double aspect);
+                  const Look& look, double aspect);
 
 }  // namespace neph

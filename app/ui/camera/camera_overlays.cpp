@@ -14,6 +14,7 @@
 #include "app/ui/camera/camera_view.h"
 #include "app/ui/camera/sun_chart.h"
 #include "app/ui/camera/sun_drag.h"
+#include "app/ui/widgets/input.h"
 #include "core/look/sun.h"
 
 namespace neph::ui {
@@ -306,7 +307,12 @@ void drawCameraOverlays(const PanelContext& context, const CameraTools& tools) {
     }
     const auto disc = lit == SunHandle::disc ? sunInImage(context) : std::nullopt;
     if (disc) overlay.sunInImage(*disc);
-    if (lit != SunHandle::none) ImGui::SetTooltip("%s", sunWords(context.session()).c_str());
+    if (lit != SunHandle::none) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const glm::vec2 at{mouse.x, mouse.y}, ring(ImGui::GetFontSize());
+        nextTooltipBeside({at - ring, at + ring});
+        ImGui::SetTooltip("%s", sunWords(context.session()).c_str());
+    }
     if (tools.flying || tools.fliesHeld) overlay.flight(tools);
 }
 

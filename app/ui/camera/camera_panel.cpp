@@ -81,7 +81,7 @@ void drawPose(CameraPose& pose, const RegularGrid& grid) {
     const NumberRange range{static_cast<double>(kMinDistance) * unitKm,
                             static_cast<double>(kMaxDistance) * unitKm, true};
     if (numberRow({"camera.distance", "Distance", range, " km", distanceKm < 10.0 ? 2 : 1,
-                   "From the eye to the target"},
+                   "Distance from the eye to the target"},
                   distanceKm)) {
         pose.distance =
             std::clamp(static_cast<float>(distanceKm / unitKm), kMinDistance, kMaxDistance);

@@ -39,7 +39,8 @@ double aspectOf(const Layout& layout) {
 
 void look(Session& session, View view, double aspect) {
     if (!session.shown()) return;
-    session.document.camera = framed(view, session.document.camera, *session.shown(), aspect);
+    session.document.camera =
+        framed(view, session.document.camera, *session.shown(), session.document.look, aspect);
 }
 
 void frameOpened(Session& session, double aspect) {
@@ -89,7 +90,8 @@ void addPathKey(Session& session, const Playback& playback) {
     const bool within = playback.led && playback.atS < durationS(path);
     const double atS = within ? playback.atS : path.keys.empty() ? 0.0 : durationS(path) + kStepS;
     if (!insertKey(path, atS, document.camera)) {
-        session.say(Message::Kind::warning, "The path has as many keys as it may: delete one");
+        session.say(Message::Kind::warning,
+                    "The path has the largest number of keys allowed: delete one first");
     }
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include <chrono>
 
 #include "app/ui/compare/error_colours.h"
@@ -51,7 +53,7 @@ void drawState(const CompareErrors& errors) {
         drawRows(errors);
     }
     if (!errors.seen().whole) {
-        ImGui::TextDisabled("Both images have to be there in full first");
+        ImGui::TextDisabled("Both images have to be complete first");
     } else if (!errors.figures() && errors.busy()) {
         ImGui::TextDisabled("Computing ...");
     }
@@ -64,7 +66,8 @@ void drawState(const CompareErrors& errors) {
 void drawFigures(const CompareErrors& errors, const Area& area) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({area.lower.x + kMarginEms * em, area.lower.y + kTopEms * em});
-    ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});
+    const float room = area.size().x - 2.0f * kMarginEms * em;
+    ImGui::SetNextWindowSize({std::clamp(room, 1.0f, kWidthEms * em), 0.0f});
     ImGui::SetNextWindowBgAlpha(kOpacity);
     // Without inputs: the mouse reaches the image through it.
     if (ImGui::Begin("##figures", nullptr,

@@ -40,23 +40,34 @@ void fact(const char* name, const std::string& value) {
     wrapped(value);
 }
 
-/// Names of the series' files, full paths in the tooltip.
-void drawFiles(const DatasetInfo& info, int time) {
+std::vector<std::filesystem::path> filesOf(const DatasetInfo& info) {
     std::vector<std::filesystem::path> files;
     for (const TimeInfo& when : info.times) {
         if (files.empty() || files.back() != when.file) files.push_back(when.file);
     }
-    const auto current = static_cast<std::size_t>(time);
-    if (current >= info.times.size()) return;
-    const std::string more =
-        files.size() > 1 ? fmt::format("  (of {} files)", files.size()) : std::string();
-    fact("File", info.times[current].file.filename().string() + more);
+    return files;
+}
+
+std::string pathsText(const DatasetInfo& info) {
+    const std::vector<std::filesystem::path> files = filesOf(info);
     std::string paths;
     for (std::size_t i = 0; i < std::min(files.size(), kMostPaths); ++i) {
         paths += (i > 0 ? "\n" : "") + files[i].string();
     }
     if (files.size() > kMostPaths) paths += fmt::format("\nand {} more", files.size() - kMostPaths);
-    tooltip(paths.c_str());
+    wantGlyphs(paths);
+    return paths;
+}
+
+/// Names of the series' files, full paths in the tooltip.
+void drawFiles(const DatasetInfo& info, int time) {
+    const std::vector<std::filesystem::path> files = filesOf(info);
+    const auto current = static_cast<std::size_t>(time);
+    if (current >= info.times.size()) return;
+    const std::string more =
+        files.size() > 1 ? fmt::format("  (of {} files)", files.size()) : std::string();
+    fact("File", info.times[current].file.filename().string() + more);
+    tooltip(pathsText(info));
 }
 
 /// What of an ensemble is shown, and from which files.
@@ -183,6 +194,39 @@ void drawCache(const Session& session) {
     tooltip("Times in memory are shown at once; the time bar marks them.");
 }
 
+/// What is open, in a width of so many pixels: "Data: wrfout_d01_2013..., 13 times".
+std::string headline(const DatasetInfo& info, int time, float width) {
+    const std::size_t count = info.times.size();
+    const auto current = std::min(static_cast<std::size_t>(std::max(time, 0)), count - 1);
+    const std::string file = info.times[current].file.filename().string();
+    const std::string times = fmt::format(", {} time{}", count, count == 1 ? "" : "s");
+    const float room = width - ImGui::CalcTextSize(("Data: " + times).c_str()).x;
+    return "Data: " + shortened(file, room) + times;
+}
+
+/// One line, which says what is open and unfolds the rest. True when that is to be drawn.
+bool drawHeader(const PanelContext& context) {
+    const Session& session = context.session();
+    const DatasetInfo* info = session.info();
+    const VolumeSummary* shown = session.shown();
+    const bool open = info != nullptr && shown != nullptr && !info->times.empty();
+    const float em = ImGui::GetFontSize();
+    const std::string words =
+        open ? headline(*info, session.document.time, ImGui::GetContentRegionAvail().x - 2.0f * em)
+             : "Data: none yet";
+    const bool coarse = open && shown->plan.coarsening > 1;
+    if (coarse) ImGui::PushStyleColor(ImGuiCol_Text, warningColour());
+    ImGui::SetNextItemOpen(context.settings.dataDetails);
+    context.settings.dataDetails = ImGui::CollapsingHeader((words + "###data").c_str());
+    if (coarse) ImGui::PopStyleColor();
+    place("data.header");
+    if (open && !context.settings.dataDetails) {
+        tooltip(pathsText(*info) + (coarse ? "\n" + describe(shown->plan, *info) : "") +
+                "\nClick for grid, region and memory");
+    }
+    return context.settings.dataDetails;
+}
+
 }  // namespace
 
 void showAroundClouds(Session& session) {
@@ -196,14 +240,10 @@ void showAroundClouds(Session& session) {
 }
 
 void drawData(const PanelContext& context, DataEdits& edits) {
-    if (!ImGui::CollapsingHeader("Data", ImGuiTreeNodeFlags_DefaultOpen)) return;
     Session& session = context.session();
     const DatasetInfo* info = session.info();
     const VolumeSummary* shown = session.shown();
-    if (info == nullptr || shown == nullptr) {
-        ImGui::TextDisabled("None yet");
-        return;
-    }
+    if (!drawHeader(context) || info == nullptr || shown == nullptr) return;
     if (const Ensemble* ensemble = session.ensemble()) {
         drawMember(*ensemble, session.document.member, session.document.time);
     } else {

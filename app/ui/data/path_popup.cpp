@@ -16,6 +16,7 @@
 
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 
 namespace neph::ui {
 namespace {
@@ -66,14 +67,6 @@ std::string typedNow() {
     return typed;
 }
 
-/// Takes what was typed while the line had not the keyboard yet. True when Enter was among it.
-bool takeEarlyKeys(FileBrowser& browser, const std::string& typed) {
-    browser.line += typed;
-    browser.line.erase(0, laterPath(browser.line));
-    browser.narrows |= !typed.empty();
-    return pressed(ImGuiKey_Enter);
-}
-
 void setText(ImGuiInputTextCallbackData& data, const std::string& text) {
     data.DeleteChars(0, data.BufTextLen);
     data.InsertChars(0, text.c_str());
@@ -102,6 +95,7 @@ int onLine(ImGuiInputTextCallbackData* data) {
             const std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
             data->DeleteChars(0, static_cast<int>(laterPath(text)));
             browser.narrows = true;
+            browser.selectsName = false;
             browser.marked = -1;
             browser.chosen.clear();
             browser.replaces = false;
@@ -111,13 +105,21 @@ int onLine(ImGuiInputTextCallbackData* data) {
         default:
             break;
     }
-    if (!browser.early.empty()) {
+    browser.line.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    if (!browser.early.empty() && browser.selectsName) {
+        typeOn(browser, std::exchange(browser.early, {}));
+        setText(*data, browser.line);
+        browser.toEnd = true;
+    } else if (!browser.early.empty()) {  // before what was typed since
         data->InsertChars(std::min(browser.earlyAt, data->BufTextLen), browser.early.c_str());
         browser.early.clear();
         browser.narrows = true;
     }
     if (browser.toEnd) {
-        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        browser.line.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        const NamePart name = namePart(browser);
+        data->CursorPos = data->SelectionEnd = static_cast<int>(name.to);
+        data->SelectionStart = static_cast<int>(browser.selectsName ? name.from : name.to);
         browser.toEnd = false;
     }
     return 0;
@@ -140,13 +142,14 @@ bool drawLine(FileBrowser& browser) {
             ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo,
         onLine, &browser);
     browser.line = edited;
+    wantGlyphs(browser.line);
     place("files.line");
     if (ImGui::IsItemActive() && std::exchange(browser.awaitsKeys, false)) {
         browser.early = typed;  // which ImGui passes over in the frame that gives the keyboard
-        browser.earlyAt = static_cast<int>(edited.size());
+        const NamePart name = namePart(browser);
+        browser.earlyAt = static_cast<int>(browser.selectsName ? name.from : name.to);
         if (!pressed(ImGuiKey_Enter)) return false;
-        browser.line += std::exchange(browser.early, {});
-        browser.line.erase(0, laterPath(browser.line));
+        typeOn(browser, std::exchange(browser.early, {}));
         return true;
     }
     if (entered) browser.focus = browser.toEnd = true;
@@ -154,7 +157,8 @@ bool drawLine(FileBrowser& browser) {
     const bool inList =
         !ImGui::IsWindowFocused() && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     if (inList && pressed(ImGuiKey_Backspace)) goUp(browser);
-    return takeEarlyKeys(browser, typed);
+    typeOn(browser, typed);
+    return pressed(ImGuiKey_Enter);
 }
 
 /// A row of the list. True when it was double-clicked.
@@ -164,6 +168,7 @@ bool drawRow(FileBrowser& browser, int row, FileEntry& entry) {
     const bool good = fits(browser, entry);
     if (!good)
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    wantGlyphs(entry.name);
     const std::string label = entry.name + (entry.folder ? "/" : "");
     const bool on = browser.chosen.contains(entry.name);
     bool opened = false;
@@ -214,8 +219,7 @@ bool drawList(FileBrowser& browser, float height) {
     if (shown.empty()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextDisabled(browser.entries.empty() ? "Nothing in this folder"
-                                                    : "Nothing of that name");
+        ImGui::TextDisabled(browser.entries.empty() ? "This folder is empty" : "No matching name");
     }
     ImGui::EndTable();
     return opened >= 0;
@@ -228,8 +232,8 @@ bool drawButtons(FileBrowser& browser, const Words& words, bool& left) {
     ImGui::SameLine();
     const bool several = browser.chosen.size() > 1;
     std::string told = browser.fault;
-    if (told.empty() && browser.replaces) told = "There is such a file already.";
-    if (told.empty() && several) told = fmt::format("{} chosen", browser.chosen.size());
+    if (told.empty() && browser.replaces) told = "This file already exists.";
+    if (told.empty() && several) told = fmt::format("{} files", browser.chosen.size());
     const char* button = browser.replaces ? "Replace it" : words.button;
     const float em = ImGui::GetFontSize();
     const float buttons = 13.0f * em;
@@ -285,7 +289,9 @@ void drawPathPopup(const PanelContext& context, SessionDialogs& dialogs) {
                                     ImGuiWindowFlags_NoSavedSettings)) {
         return;
     }
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextDisabled("%s", words.hint);
+    ImGui::PopTextWrapPos();
     bool wanted = drawLine(browser);
     refresh(browser);
     const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;

@@ -12,8 +12,10 @@
 
 #include "app/ui/data/path_popup.h"
 #include "app/ui/panel/notice_box.h"
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
 #include "core/session/autosave.h"
 #include "core/session/moved_data.h"
@@ -26,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMissingShown = 6;
+constexpr float kMovedEms = 36.0f;
 
 std::string dataText(const SessionState& state) {
     const SlotState& slot = state.slots[static_cast<std::size_t>(state.active)];
@@ -42,14 +45,16 @@ std::string crashText(const LeftSession& left) {
         what = dataText(loadSession(left.file));
     } catch (const Error&) {  // told when it is asked for
     }
-    return fmt::format("The last session ended unexpectedly {} ({}, saved {:%H:%M}).", agoText(ago),
-                       what, fmt::localtime(left.savedAt));
+    return fmt::format("The last session ended unexpectedly {} ({}, saved at {:%H:%M}).",
+                       agoText(ago), what, fmt::localtime(left.savedAt));
 }
 
 void drawMissing(const WaitingSession& waiting) {
-    ImGui::Text("%s names data that are not where they were:", waiting.name.c_str());
+    ImGui::PushTextWrapPos(itemWidth(kMovedEms));
+    ImGui::TextUnformatted((waiting.name + ": these data are no longer where they were:").c_str());
     ImGui::Indent();
     for (std::size_t i = 0; i < std::min(kMissingShown, waiting.missing.size()); ++i) {
+        wantGlyphs(waiting.missing[i]);
         ImGui::TextUnformatted(waiting.missing[i].c_str());
     }
     if (waiting.missing.size() > kMissingShown) {
@@ -57,27 +62,29 @@ void drawMissing(const WaitingSession& waiting) {
     }
     ImGui::Unindent();
     ImGui::Spacing();
-    ImGui::TextUnformatted("Where is the first of them now? The others are looked for near it.");
+    ImGui::TextUnformatted(
+        "Where is the first of them now? The others will be looked for near it.");
+    ImGui::PopTextWrapPos();
 }
 
 /// False when the dialogue is done with.
 bool drawQuestion(const PanelContext& context, SessionDialogs& dialogs, WaitingSession& waiting) {
     drawMissing(waiting);
-    ImGui::SetNextItemWidth(30.0f * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(itemWidth(30.0f));
     const bool entered =
         ImGui::InputText("##moved", &waiting.line, ImGuiInputTextFlags_EnterReturnsTrue);
     place("moved.line");
-    ImGui::SameLine();
+    beside("Browse...");
     if (ImGui::Button("Browse...")) browse(context.settings, dialogs, BrowseFor::moved);
     place("moved.browse");
     ImGui::TextDisabled("%s", waiting.told.c_str());
     if (ImGui::Button("Look there") || entered) answer(waiting, waiting.line);
     place("moved.look");
-    ImGui::SameLine();
+    beside("Open without them");
     if (ImGui::Button("Open without them")) leaveOut(context.session(), waiting);
     place("moved.without");
-    tooltip("Look and camera are taken over and shown with the data that are open");
-    ImGui::SameLine();
+    tooltip("Uses the session's look and camera with the data that are open now");
+    beside("Cancel");
     const bool left = ImGui::Button("Cancel");
     place("moved.cancel");
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
@@ -88,15 +95,7 @@ bool drawQuestion(const PanelContext& context, SessionDialogs& dialogs, WaitingS
 /// All that was opened recently.
 void drawRecent(const PanelContext& context, SessionDialogs& dialogs) {
     if (std::exchange(dialogs.showRecent, false)) ImGui::OpenPopup("Recent");
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(44.0f * em, display.x - 2.0f * em), 0.0f});
-    if (!ImGui::BeginPopupModal("Recent", nullptr,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
-        return;
-    }
+    if (!beginModal("Recent", dialogueWidth(44.0f))) return;
     const std::string chosen = drawRecentList(context, dialogs, kMaxRecent);
     ImGui::Spacing();
     if (ImGui::Button("Clear the list")) context.settings.recent.clear();
@@ -145,6 +144,7 @@ std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs,
     for (std::size_t i = 0; i < std::min(count, recent.size()); ++i) {
         const RecentLabel label = labelOf(recent[i]);
         const bool there = recentIsThere(dialogs, recent, i);
+        wantGlyphs(recent[i]);
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable("##entry", false,
                               there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
@@ -152,14 +152,12 @@ std::string drawRecentList(const PanelContext& context, SessionDialogs& dialogs,
             chosen = recent[i];
         }
         place(fmt::format("recent:{}", i));
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-            ImGui::SetTooltip("%s%s", recent[i].c_str(), there ? "" : "\nNot there any more");
-        }
+        tooltip(recent[i] + (there ? "" : "\nNo longer there"));
         ImGui::SameLine(0.5f * em);
         ImGui::TextColored(ImGui::GetStyle().Colors[there ? ImGuiCol_Text : ImGuiCol_TextDisabled],
                            "%s", label.name.c_str());
         ImGui::SameLine();
-        ImGui::TextDisabled("%s", there ? label.folder.c_str() : "not there any more");
+        ImGui::TextDisabled("%s", there ? label.folder.c_str() : "no longer there");
         ImGui::PopID();
     }
     return chosen;
@@ -171,13 +169,7 @@ void drawSessionDialogs(const PanelContext& context, SessionDialogs& dialogs) {
     std::optional<WaitingSession>& waiting = dialogs.waiting;
     const char* title = "Where are the data?";
     if (waiting && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(title, nullptr,
-                                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
-        return;
-    }
+    if (!beginModal(title)) return;
     if (waiting && !drawQuestion(context, dialogs, *waiting)) waiting.reset();
     if (waiting && waiting->missing.empty()) {
         takeOver(context, dialogs, *std::exchange(waiting, std::nullopt));

@@ -53,7 +53,8 @@ void takeOver(const PanelContext& context, SessionDialogs& dialogs, const Waitin
         const std::string name = from.file.string();
         addRecent(context.settings.recent, recentEntry(std::array{name}));
     }
-    context.session().say(Message::Kind::note, "Session " + from.name);
+    context.session().say(Message::Kind::note,
+                          from.file.empty() ? "Reopened the last session" : "Session " + from.name);
 }
 
 void browse(const Settings& settings, SessionDialogs& dialogs, BrowseFor purpose) {
@@ -118,7 +119,8 @@ void saveSessionFile(const PanelContext& context, SessionDialogs& dialogs, const
 void answer(WaitingSession& waiting, const std::string& found) {
     const int count = moveData(waiting.state, waiting.missing.front(), found);
     waiting.missing = missingData(waiting.state);
-    waiting.told = count == 0 ? "There is nothing of that name." : fmt::format("{} found.", count);
+    waiting.told =
+        count == 0 ? "Nothing by that name was found there." : fmt::format("{} found.", count);
     waiting.line = waiting.missing.empty() ? "" : waiting.missing.front();
 }
 
@@ -146,7 +148,7 @@ bool reopenLast(const PanelContext& context, SessionDialogs& dialogs) {
     const bool crashed = autosave.crashed() != nullptr;
     WaitingSession from;
     from.crashed = crashed;
-    from.name = "as it was last";
+    from.name = "The last session";
     openFrom(context, dialogs, crashed ? autosave.crashed()->file : autosave.last()->file,
              std::move(from));
     return true;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/ui/fields/fields_plots.h"
+#include "app/ui/widgets/input.h"
 #include "core/base/number_text.h"
 
 namespace neph::ui {
@@ -35,12 +36,10 @@ void drawDepth(FieldsState& state, const Session& session, Species species) {
     ImGui::Text("%s", numberText(own, 3).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("of %s", numberText(depth->total(), 3).c_str());
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "Along the ray through the middle of the image: this field, and all visible ones.\n"
-            "With the look's radii, densities and mixing scales (Eq. 9), without detail noise.\n"
-            "At 1, light that comes straight through is down to 37 %%.");
-    }
+    tooltip(
+        "Along the ray through the middle of the image: this field, and all visible ones, with "
+        "the look's radii, densities and mixing scales (Eq. 9) and without detail noise. At an "
+        "optical depth of 1, 37 % of the light comes straight through.");
 }
 
 }  // namespace neph::ui

@@ -1,4 +1,4 @@
-// fields_histogram.cpp: cells by how much they hold, over whole decades; heights are logarithmic,
+// fields_histogram.cpp: cells by how much they hold, over whole decades; both axes are logarithmic,
 // because a few dense cells matter as much as many thin ones.
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,13 +7,15 @@
 #include <cmath>
 
 #include "app/ui/fields/fields_plots.h"
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/plot_canvas.h"
 #include "core/base/number_text.h"
 
 namespace neph::ui {
 namespace {
 
-constexpr float kHeightEms = 3.2f;
-constexpr float kTooltipEms = 7.0f;  // as high as a tooltip gets
+constexpr float kHeightEms = 9.0f;
+constexpr double kLeastCells = 0.5;  // where the axis begins, so that one cell is seen
 
 /// As people say it: g/m³, or extinction by the kilometre.
 struct ScreenUnit {
@@ -46,55 +48,57 @@ Window windowOf(const FieldHistogram& histogram) {
     return window;
 }
 
-float heightOf(std::uint64_t cells) {
-    return cells == 0 ? 0.0f : std::log10(static_cast<float>(cells)) + 0.3f;
-}
-
-void drawBars(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec2 upper) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(lower, upper, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.6f));
-    float most = 0.0f;
-    for (const std::uint64_t cells : histogram.cells) most = std::max(most, heightOf(cells));
-    const float width = (upper.x - lower.x) / static_cast<float>(window.to - window.from);
-    for (int i = window.from; i < window.to; ++i) {
-        const float left = lower.x + static_cast<float>(i - window.from) * width;
-        if (i > window.from && i % FieldHistogram::kBinsPerDecade == 0) {
-            list->AddLine({left, lower.y}, {left, upper.y},
-                          ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.35f));
-        }
-        const float share = heightOf(histogram.cells[static_cast<std::size_t>(i)]) / most;
-        if (share <= 0.0f) continue;
-        list->AddRectFilled({left, upper.y - share * (upper.y - lower.y)},
-                            {left + std::max(1.0f, width - 1.0f), upper.y},
-                            ImGui::GetColorU32(ImGuiCol_PlotHistogram));
-    }
-}
-
-void readOut(const FieldHistogram& histogram, Window window, ImVec2 lower, ImVec2 upper) {
-    if (!ImGui::IsItemHovered()) return;
+/// Bin and count under the mouse.
+void readOut(const FieldHistogram& histogram, Window window, const plot::Frame& frame) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::dvec2 at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
+    if (!wantsTooltip() || !frame.contains(at)) return;
     const ScreenUnit unit = unitOf(histogram.holding);
-    const float share = (ImGui::GetIO().MousePos.x - lower.x) / (upper.x - lower.x);
-    const int bin = std::clamp(
-        window.from + static_cast<int>(share * static_cast<float>(window.to - window.from)),
-        window.from, window.to - 1);
+    const double share = plot::axisShare(frame.x, frame.toAxes(at).x);
+    const int bin = std::clamp(window.from + static_cast<int>(share * (window.to - window.from)),
+                               window.from, window.to - 1);
     const auto bound = [&](int i) {
         return FieldHistogram::lowerBound(histogram.holding, i) * unit.scale;
     };
-    nextTooltipBeside({lower.x, lower.y}, {upper.x, upper.y});
+    nextTooltipBeside(lastItem());
     ImGui::SetTooltip(
-        "%s to %s %s: %llu cells\nCells of the volume that is shown, heights logarithmic; before "
-        "the mixing scale.",
+        "%s to %s %s: %llu cells\nCells of the volume that is shown, before the "
+        "mixing scale.",
         numberText(bound(bin), 3).c_str(), numberText(bound(bin + 1), 3).c_str(), unit.name,
         static_cast<unsigned long long>(histogram.cells[static_cast<std::size_t>(bin)]));
 }
 
 }  // namespace
 
-void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper) {
-    const float em = ImGui::GetFontSize();
-    const bool below = upper.y + kTooltipEms * em < ImGui::GetIO().DisplaySize.y;
-    const float y = below ? upper.y + 0.3f * em : lower.y - 0.3f * em;
-    ImGui::SetNextWindowPos({lower.x, y}, ImGuiCond_Always, {0.0f, below ? 0.0f : 1.0f});
+plot::Figure histogramFigure(const FieldHistogram& histogram) {
+    const Window window = windowOf(histogram);
+    plot::Figure figure;
+    if (window.from >= window.to) return figure;
+    const ScreenUnit unit = unitOf(histogram.holding);
+    const auto bound = [&](int i) {
+        return FieldHistogram::lowerBound(histogram.holding, i) * unit.scale;
+    };
+    const bool sized = histogram.holding == Holding::extinction;
+    figure.x.label = fmt::format("{}, {}", sized ? "Extinction" : "Mass content", unit.name);
+    figure.x.from = bound(window.from);
+    figure.x.to = bound(window.to);
+    figure.y.label = "Cells";
+    figure.x.logarithmic = figure.y.logarithmic = true;
+    plot::Curve steps;
+    steps.ink = plot::Ink::blue;
+    steps.filledBelow = true;
+    double most = 1.0;
+    for (int i = window.from; i < window.to; ++i) {
+        const auto cells = static_cast<double>(histogram.cells[static_cast<std::size_t>(i)]);
+        most = std::max(most, cells);
+        for (const int side : {i, i + 1}) {
+            steps.points.emplace_back(bound(side), std::max(cells, kLeastCells));
+        }
+    }
+    figure.y.from = kLeastCells;
+    figure.y.to = std::pow(10.0, std::floor(std::log10(most)) + 1.0);
+    figure.curves.push_back(std::move(steps));
+    return figure;
 }
 
 void drawHistogram(const FieldHistogram& histogram) {
@@ -107,20 +111,10 @@ void drawHistogram(const FieldHistogram& histogram) {
     ImGui::Text("%s to %s",
                 numberText(static_cast<double>(histogram.least) * unit.scale, 3).c_str(),
                 amount(static_cast<double>(histogram.most), unit).c_str());
-    const ImVec2 lower = ImGui::GetCursorScreenPos();
     const ImVec2 size{std::max(1.0f, ImGui::GetContentRegionAvail().x),
                       kHeightEms * ImGui::GetFontSize()};
-    const ImVec2 upper{lower.x + size.x, lower.y + size.y};
-    ImGui::InvisibleButton("##histogram", size);
-    drawBars(histogram, window, lower, upper);
-    readOut(histogram, window, lower, upper);
-    const std::string from =
-        numberText(FieldHistogram::lowerBound(histogram.holding, window.from) * unit.scale, 3);
-    const std::string to = amount(FieldHistogram::lowerBound(histogram.holding, window.to), unit);
-    const float left = ImGui::GetCursorPosX();
-    ImGui::TextDisabled("%s", from.c_str());
-    ImGui::SameLine(left + size.x - ImGui::CalcTextSize(to.c_str()).x);
-    ImGui::TextDisabled("%s", to.c_str());
+    const ShownPlot shown = showPlot("fields.histogram", histogramFigure(histogram), size, false);
+    readOut(histogram, window, shown.frame);
 }
 
 }  // namespace neph::ui

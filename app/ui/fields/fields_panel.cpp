@@ -69,7 +69,7 @@ void drawSolo(Session& session, FieldsState& state, Species s) {
     const bool solo = isSolo(session.document.look, s);
     if (letterButton("S", solo, kButtonEms * ImGui::GetFontSize())) toggleSolo(session, state, s);
     place(fmt::format("{}.solo", info(s).id));
-    tooltip(solo ? "Shows again what was visible before"
+    tooltip(solo ? "Shows the fields that were visible before"
                  : fmt::format("Solo: shows {} alone", info(s).id));
 }
 
@@ -100,6 +100,18 @@ void drawScale(Session& session, Species s) {
     parameterEditor(row(s, "mixing_scale"), session.document, session.presetLook);
 }
 
+/// The label of the mixing scale.
+void drawName(Session& session, Species s, const Absence& absent) {
+    const std::string name(info(s).label);
+    if (absent.brief.empty()) {
+        parameterLabel(row(s, "mixing_scale"), name, session.document, session.presetLook);
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(name.c_str());
+    tooltip(absent.full);
+}
+
 /// The row of a field; true when it is unfolded.
 bool header(Session& session, FieldsState& state, Species s, const Absence& absent) {
     const float start = ImGui::GetCursorPosX();
@@ -117,9 +129,7 @@ bool header(Session& session, FieldsState& state, Species s, const Absence& abse
     column(start, kSwatchEms);
     drawSwatch(session, s);
     column(start, kNameEms);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(info(s).label.data(), info(s).label.data() + info(s).label.size());
-    if (!present) tooltip(absent.full);
+    drawName(session, s, absent);
     column(start, kScaleEms);
     if (present || session.shown() == nullptr) {
         drawScale(session, s);

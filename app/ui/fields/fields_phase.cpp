@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/ui/fields/fields_plots.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/number_text.h"
 #include "core/look/sun.h"
@@ -143,10 +144,10 @@ void drawNumbers(const PhaseCurve::Made& curve, const Frame& frame, float theta)
 }
 
 void readOut(const PhaseCurve::Made& curve, const Frame& frame) {
-    if (!ImGui::IsItemHovered()) return;
+    if (!wantsTooltip()) return;
     const float theta = frame.angleAt(ImGui::GetIO().MousePos);
     const std::string lines = isGrey(curve.table) ? "" : "\nRed, green, blue: 650, 550, 450 nm.";
-    nextTooltipBeside({frame.lower.x, frame.lower.y}, {frame.upper.x, frame.upper.y});
+    nextTooltipBeside({{frame.lower.x, frame.lower.y}, {frame.upper.x, frame.upper.y}});
     ImGui::SetTooltip(
         "%.1f°: %s%s\nPhase function, logarithmic, %s to %s 1/sr; 0° is forward. The dot is "
         "where\nsunlight scatters to the eye at the middle of the image. A click shows it %s.",
@@ -192,7 +193,7 @@ void drawPhasePlot(const PanelContext& context, FieldsState& state, Species spec
     const PhaseCurve::Made* curve = curveOf(state, document.look, species);
     if (state.curves[static_cast<std::size_t>(species)].making.valid()) context.next.again(kLookS);
     if (curve == nullptr) {
-        ImGui::TextDisabled("Droplets are being computed ...");
+        ImGui::TextDisabled("Computing the phase function of droplets ...");
         return;
     }
     const float width = std::max(4.0f * em, ImGui::GetContentRegionAvail().x - kTextEms * em);

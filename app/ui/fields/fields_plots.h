@@ -3,6 +3,7 @@
 #pragma once
 #include "app/ui/fields/fields_state.h"
 #include "app/ui/panel/panel_context.h"
+#include "core/plot/figure.h"
 
 namespace neph::ui {
 
@@ -18,10 +19,9 @@ const PhaseCurve::Made* curveOf(FieldsState& state, const Look& look, Species sp
 /// none without data.
 const std::optional<OpticalDepth>& probeDepth(FieldsState& state, const Session& session);
 
-/// The next tooltip is below a plot, or where there is no room above it, and not over it.
-void nextTooltipBeside(glm::vec2 lower, glm::vec2 upper);
-
 void drawPhasePlot(const PanelContext& context, FieldsState& state, Species species);
+/// Cells by what they hold, both logarithmic; empty where there is nothing to count.
+plot::Figure histogramFigure(const FieldHistogram& histogram);
 void drawHistogram(const FieldHistogram& histogram);
 void drawDepth(FieldsState& state, const Session& session, Species species);
 

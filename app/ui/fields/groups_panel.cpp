@@ -50,7 +50,7 @@ void drawFound(Session& session, const FieldsState& state) {
         }
     }
     ImGui::PopID();
-    if (group.empty()) ImGui::TextDisabled("No parameter has that in its name or help");
+    if (group.empty()) ImGui::TextDisabled("No parameter matches");
     ImGui::Separator();
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "app/ui/output/output_run.h"
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
@@ -26,6 +27,18 @@ void label(const char* text) {
     ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
 }
 
+/// Width of the dialogue, and of what stands beside a label.
+float widthOfDialogue() {
+    return dialogueWidth(kDialogueEms);
+}
+float widthBeside() {
+    return widthOfDialogue() - (kLabelEms + 2.0f) * ImGui::GetFontSize();
+}
+
+void radioBeside(const char* text) {
+    beside(text, widthOfDialogue(), ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
 /// One of several, greyed with a reason where it cannot be.
 template <typename Choice>
 void choice(const char* text, const char* name, Choice& value, Choice own,
@@ -34,9 +47,7 @@ void choice(const char* text, const char* name, Choice& value, Choice own,
     if (ImGui::RadioButton(text, value == own)) value = own;
     ImGui::EndDisabled();
     place(name);
-    if (!reason.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", reason.c_str());
-    }
+    if (!reason.empty()) tooltip(reason);
 }
 
 void drawWhat(const Session& session, ExportSettings& settings) {
@@ -45,10 +56,11 @@ void drawWhat(const Session& session, ExportSettings& settings) {
     const CameraPath& path = session.document.path;
     label("Export");
     choice("This image", "export.image", settings.what, ExportWhat::image);
-    ImGui::SameLine();
-    choice(times > 1 ? fmt::format("All {} times", times).c_str() : "All times", "export.times",
-           settings.what, ExportWhat::times, times > 1 ? "" : "The data have but one time");
-    ImGui::SameLine();
+    const std::string all = times > 1 ? fmt::format("All {} times", times) : "All times";
+    radioBeside(all.c_str());
+    choice(all.c_str(), "export.times", settings.what, ExportWhat::times,
+           times > 1 ? "" : "The data have only one time");
+    radioBeside("Camera path");
     choice("Camera path", "export.path", settings.what, ExportWhat::path,
            path.keys.empty() ? "There is no camera path: set its keys in the camera panel" : "");
 }
@@ -56,10 +68,10 @@ void drawWhat(const Session& session, ExportSettings& settings) {
 void drawFormat(ExportSettings& settings) {
     label("Format");
     choice("PNG", "export.png", settings.format, ExportFormat::png);
-    ImGui::SameLine();
+    radioBeside("EXR");
     choice("EXR", "export.exr", settings.format, ExportFormat::exr);
-    tooltip("Linear light, for further work");
-    ImGui::SameLine();
+    tooltip("Linear light, for further processing");
+    radioBeside("MP4 video");
     std::string reason;
     if (settings.what == ExportWhat::image) {
         reason = "A video is made of all times, or of images along the path";
@@ -73,7 +85,7 @@ void drawSize(glm::ivec2 window, ExportSettings& settings) {
     const std::string own = fmt::format("As in the window, {} \u00d7 {}", window.x, window.y);
     const std::array<const char*, 4> names{own.c_str(), "1920 \u00d7 1080", "3840 \u00d7 2160",
                                            "Other"};
-    const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
+    const float width = widthBeside();
     label("Size");
     ImGui::SetNextItemWidth(width);
     int index = static_cast<int>(settings.size);
@@ -98,24 +110,25 @@ void drawSize(glm::ivec2 window, ExportSettings& settings) {
                      "4 \u00d7 4\0")) {
         settings.supersample = rays + 1;
     }
-    tooltip("More make edges smoother, and take as much longer");
+    tooltip("More rays smooth the edges and take proportionally longer");
     place("export.supersample");
 }
 
 void drawQuality(const Session& session, const ExportScene& scene, ExportSettings& settings) {
-    const float width = (kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize();
+    const float width = widthBeside();
     if (traitsOf(session.document.look.engine).refinement == Refinement::averages) {
         label("Samples");
         ImGui::SetNextItemWidth(width);
         ImGui::SliderInt("##samples", &settings.samples, 1, 64, "%d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        tooltip("Images that are averaged: more are smoother");
+        tooltip("Samples averaged per pixel: more give less noise");
         place("export.samples");
     }
     if (settings.format == ExportFormat::mp4 || settings.what == ExportWhat::path) {
         label("Frame rate");
         ImGui::SetNextItemWidth(width);
         ImGui::InputDouble("##fps", &settings.fps, 1.0, 5.0, "%.3g per second");
+        noteNumberField();
         settings.fps = std::clamp(settings.fps, 0.1, 240.0);
         place("export.fps");
     }
@@ -142,13 +155,14 @@ int countOf(const Session& session, const ExportSettings& settings) {
 /// Name, what will be made, or why it cannot be.
 bool drawFile(const Session& session, const ExportScene& scene, ExportSettings& settings) {
     label("File");
-    ImGui::SetNextItemWidth((kDialogueEms - kLabelEms - 2.0f) * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(widthBeside());
+    wantGlyphs(settings.file);
     ImGui::InputText("##file", &settings.file);
     place("export.file");
     if (!ImGui::IsItemActive()) {
         settings.file = withEnding(settings.file, settings.format).string();
     }
-    ImGui::PushTextWrapPos((kDialogueEms - 1.0f) * ImGui::GetFontSize());
+    ImGui::PushTextWrapPos(widthOfDialogue() - ImGui::GetFontSize());
     const std::string fault = exportFault(settings, session);
     if (!fault.empty()) {
         ImGui::TextColored(warningColour(), "%s", fault.c_str());
@@ -169,9 +183,10 @@ bool drawFile(const Session& session, const ExportScene& scene, ExportSettings& 
 
 /// The bar of the export that runs, with a button to stop it.
 void drawProgress(ExportJob& job) {
-    const float button = 6.0f * ImGui::GetFontSize();
-    ImGui::ProgressBar(static_cast<float>(job.fraction()),
-                       {ImGui::GetContentRegionAvail().x - button, 0.0f}, job.text().c_str());
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float button = std::min(6.0f * ImGui::GetFontSize(), room / 2.0f);
+    ImGui::ProgressBar(static_cast<float>(job.fraction()), {room - button, 0.0f},
+                       job.text().c_str());
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {-1.0f, 0.0f})) job.cancel();
     place("export.cancel");
@@ -215,9 +230,10 @@ void drawDialogue(const PanelContext& context, OutputState& output, const Export
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
                             {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({kDialogueEms * ImGui::GetFontSize(), 0.0f});
+    ImGui::SetNextWindowSizeConstraints({widthOfDialogue(), 0.0f},
+                                        {widthOfDialogue(), dialogueRoom().y});
     if (ImGui::Begin("Export", &output.open,
-                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings)) {
         const bool running = exports(output);
         ImGui::BeginDisabled(running);
@@ -255,11 +271,13 @@ void drawDialogue(const PanelContext& context, OutputState& output, const Export
 void drawNotice(OutputState& output, const PixelBox& image) {
     const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
+    const float room =
+        static_cast<float>(image.size().x) / io.DisplayFramebufferScale.x - 2.0f * em;
     const ImVec2 corner{
         static_cast<float>(image.upper.x) / io.DisplayFramebufferScale.x - em,
         io.DisplaySize.y - static_cast<float>(image.upper.y) / io.DisplayFramebufferScale.y + em};
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0f, 0.0f});
-    ImGui::SetNextWindowSize({kNoticeEms * em, 0.0f});
+    ImGui::SetNextWindowSize({std::clamp(room, 1.0f, kNoticeEms * em), 0.0f});
     if (ImGui::Begin("##export", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -273,10 +291,37 @@ void drawNotice(OutputState& output, const PixelBox& image) {
     ImGui::End();
 }
 
+/// Asked when the window is to close while an export runs.
+void drawQuitQuestion(const PanelContext& context, OutputState& output) {
+    const char* title = "An export is running";
+    if (output.asksToQuit && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    if (!beginModal(title)) return;
+    const std::string how = output.job ? output.job->text() + ". " : std::string();
+    ImGui::TextUnformatted((how + "What should become of it?").c_str());
+    ImGui::TextDisabled("Finished images stay in any case.");
+    ImGui::Spacing();
+    if (ImGui::Button("Quit when it is done")) quitAfterExport(context, output);
+    place("quit.after");
+    beside("Stop it and quit");
+    if (ImGui::Button("Stop it and quit")) quitAndStopExport(context, output);
+    place("quit.stop");
+    beside("Quit and let it go on");
+    if (ImGui::Button("Quit and let it go on")) quitAndLeaveExport(context, output);
+    place("quit.leave");
+    tooltip("It goes on in the background, without a window, and stops by itself when it is done");
+    beside("Cancel");
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (ImGui::Button("Cancel") || escape) output.asksToQuit = false;
+    place("quit.cancel");
+    if (!output.asksToQuit) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
 void drawOutput(const PanelContext& context, OutputState& output, const ExportScene& scene) {
     updateExport(context, output);
+    drawQuitQuestion(context, output);
     if (output.open) {
         drawDialogue(context, output, scene);
     } else if (output.job) {

@@ -79,7 +79,7 @@ std::vector<std::string> exportArguments(const ExportSettings& settings, const E
 }
 
 std::string exportFault(const ExportSettings& settings, const Session& session) {
-    if (session.info() == nullptr) return "There is no data yet.";
+    if (session.info() == nullptr) return "There are no data yet.";
     if (settings.format == ExportFormat::mp4) {
         if (!findProgram("ffmpeg")) {
             return "A video needs the program ffmpeg, which is not on the PATH (apt install "

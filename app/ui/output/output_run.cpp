@@ -60,6 +60,36 @@ void startExport(const PanelContext& context, OutputState& output, const ExportS
     }
 }
 
+bool mayQuit(OutputState& output) {
+    if (!exports(output) || output.mayQuit) return true;
+    output.asksToQuit = true;
+    return false;
+}
+
+void quitAfterExport(const PanelContext& context, OutputState& output) {
+    output.asksToQuit = false;
+    output.quitsAfter = true;
+    context.session().say(Message::Kind::note, "Nephoscope will quit when the export is done");
+}
+
+void quitAndStopExport(const PanelContext& context, OutputState& output) {
+    output.asksToQuit = false;
+    if (output.job) output.job->cancel();
+    removeSession(output);
+    output.mayQuit = context.requests.quit = true;
+}
+
+void quitAndLeaveExport(const PanelContext& context, OutputState& output) {
+    output.asksToQuit = false;
+    try {
+        if (exports(output)) output.job->letGo(output.session);
+        output.session.clear();  // removed by what reads its end
+        output.mayQuit = context.requests.quit = true;
+    } catch (const Error& error) {
+        context.session().say(Message::Kind::error, error.message());
+    }
+}
+
 void exportImage(const PanelContext& context, OutputState& output, const ExportScene& scene) {
     ExportSettings settings = output.settings;
     settings.what = ExportWhat::image;
@@ -75,6 +105,9 @@ void updateExport(const PanelContext& context, OutputState& output) {
     const ExportJob::State state = output.job->poll();
     if (state == ExportJob::State::running) return;
     removeSession(output);
+    output.asksToQuit = false;
+    const bool quits = std::exchange(output.quitsAfter, false);
+    if (quits && state == ExportJob::State::done) context.requests.quit = true;
     if (state == ExportJob::State::done) {
         context.session().say(Message::Kind::note, "Wrote " + output.job->file().string());
     } else if (state == ExportJob::State::cancelled) {

@@ -18,6 +18,15 @@ void exportImage(const PanelContext& context, OutputState& output, const ExportS
 /// Takes in what it said, and tells its end. To be called in every frame.
 void updateExport(const PanelContext& context, OutputState& output);
 
+/// Whether the window may close: no export runs, or it was said what is to become of it. Asks
+/// otherwise.
+bool mayQuit(OutputState& output);
+
+/// Answers to that: the window closes in any case, unless a fault is to be told.
+void quitAfterExport(const PanelContext& context, OutputState& output);
+void quitAndStopExport(const PanelContext& context, OutputState& output);
+void quitAndLeaveExport(const PanelContext& context, OutputState& output);
+
 /// What is left of one that was stopped.
 std::string stoppedText(const ExportJob& job);
 

@@ -34,6 +34,9 @@ struct OutputState {
     std::optional<ExportJob> job;      ///< runs, or has ended and was not yet closed
     std::filesystem::path session;     ///< what the job reads; removed with it
     std::filesystem::path program;     ///< that exports; empty: this one
+    bool asksToQuit = false;           ///< what becomes of the job when the window closes
+    bool quitsAfter = false;           ///< the window closes when the job is done
+    bool mayQuit = false;              ///< that was answered
     std::vector<std::string> readers;  ///< that this program was told of
 };
 

@@ -8,8 +8,7 @@
 namespace neph::ui {
 namespace {
 
-constexpr float kLeastColumnEms = 15.0f;  // a label, a slider and its value
-constexpr float kLeastImageEms = 12.0f;   // else there is nothing to look at
+constexpr float kLeastImageEms = 12.0f;  // else there is nothing to look at
 constexpr float kEdgeEms = 0.75f;
 constexpr float kTimeEms = 4.1f;  // two rows
 constexpr float kStatusEms = 1.75f;
@@ -20,8 +19,8 @@ struct Widths {
 
 /// In letters, in a window so many letters wide.
 Widths widthsIn(float window, const Settings& settings, const Columns& columns) {
-    Widths widths{settings.leftColumn ? columns.leftEms : 0.0f,
-                  settings.rightColumn ? columns.rightEms : 0.0f};
+    Widths widths{settings.leftColumn ? settings.leftColumnEms : 0.0f,
+                  settings.rightColumn ? settings.rightColumnEms : 0.0f};
     const float room = window - 2.0f * kEdgeEms - kLeastImageEms;
     if (widths.left > 0.0f && widths.right > 0.0f && room < 2.0f * kLeastColumnEms) {
         (columns.leftLast ? widths.right : widths.left) = 0.0f;

@@ -12,10 +12,9 @@
 
 namespace neph::ui {
 
-/// How wide the columns are; whether each is open is in the settings.
+/// What of the columns is not kept in the settings.
 struct Columns {
     bool shown = true;  ///< with menus, time bar and status line; else the image has all the window
-    float leftEms = 20.0f, rightEms = 20.0f;
     bool leftLast = false;  ///< the left one was opened after the right one
 };
 

@@ -92,9 +92,7 @@ void drawLoaded(const Session& session) {
     ImGui::TextDisabled(
         "%s", rows.size() == 1 ? "1 change" : fmt::format("{} changes", rows.size()).c_str());
     place("presets.changes");
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Since it was loaded or saved:\n%s", linesOf(rows, kTooltipRows).c_str());
-    }
+    tooltip("Since it was loaded or saved:\n" + linesOf(rows, kTooltipRows));
 }
 
 void drawButtons(const ActionLookup& actions) {
@@ -148,8 +146,7 @@ void drawGrid(Session& session, PresetBrowser& presets) {
         if (isFound(card, presets.search)) (card.entry.bundled ? bundled : own).push_back(&card);
     }
     if (own.empty() && bundled.empty()) {
-        ImGui::TextDisabled(presets.cards.empty() ? "There are no presets"
-                                                  : "No preset has these words");
+        ImGui::TextDisabled(presets.cards.empty() ? "There are no presets" : "No preset matches");
         return;
     }
     const float height =

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/ui/presets/preset_commands.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
@@ -25,20 +26,9 @@ float dotsWidth() {
     return ImGui::CalcTextSize("...").x + 0.6f * ImGui::GetFontSize();
 }
 
-/// `text` with what does not fit into `width` replaced by dots.
-std::string shortened(const std::string& text, float width) {
-    std::string shown = text;
-    while (!shown.empty() && ImGui::CalcTextSize((shown + "..").c_str()).x > width) {
-        do {
-            shown.pop_back();
-        } while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80);
-    }
-    return shown + "..";
-}
-
 /// Whether the mouse has rested on the last item for a while.
 bool restsOn(PresetBrowser& presets, const std::string& name) {
-    if (!ImGui::IsItemHovered()) {
+    if (!wantsTooltip()) {
         if (presets.rested == name) presets.rested.clear();
         return false;
     }
@@ -161,6 +151,7 @@ void drawPresetImage(const PresetCard& card, glm::vec2 lower, glm::vec2 upper) {
 std::string describePresetCard(const Session& session, const PresetCard& card, std::size_t most) {
     if (!card.fault.empty()) return card.fault;
     std::string text = card.preset.title.empty() ? card.entry.name : card.preset.title;
+    wantGlyphs(text);
     if (!card.preset.description.empty()) text += "\n" + card.preset.description;
     const std::vector<PresetDifference> rows = differencesTo(session, card.preset);
     if (rows.empty()) return text + "\n\nJust as it is now";
@@ -190,7 +181,7 @@ void drawPresetCard(Session& session, PresetBrowser& presets, const PresetCard& 
     }
     place("preset:" + card.entry.name + ".details");
     const bool hot = ImGui::IsItemHovered();
-    if (hot) ImGui::SetTooltip("What it would change, and parts of it");
+    tooltip("What it would change, and parts of it");
     ImGui::GetWindowDrawList()->AddText(
         {at.x + width - ImGui::CalcTextSize("...").x, at.y + width / kThumbnailAspect + 2.0f},
         ImGui::GetColorU32(hot ? ImGuiCol_Text : ImGuiCol_TextDisabled), "...");

@@ -73,7 +73,7 @@ void openPresetDialog(Session& session, PresetBrowser& presets, PresetDialog dia
 
 void copyPreset(Session& session, const Preset& preset) {
     ImGui::SetClipboardText(formatPreset(preset).c_str());
-    session.say(Message::Kind::note, "The clipboard holds the preset as JSON");
+    session.say(Message::Kind::note, "The preset was copied to the clipboard as JSON");
 }
 
 void pastePreset(Session& session, PresetBrowser& presets) {

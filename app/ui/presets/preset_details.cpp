@@ -9,6 +9,8 @@
 
 #include "app/ui/presets/preset_card.h"
 #include "app/ui/presets/preset_commands.h"
+#include "app/ui/widgets/dialogue.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 
@@ -55,14 +57,14 @@ PresetParts drawButtons(Session& session, PresetBrowser& presets, const PresetCa
         place(fmt::format("preset_details.{}", id));
         if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
             under = parts;
-            ImGui::SetTooltip("%s", std::string(help).c_str());
         }
+        tooltip(std::string(help));
         ImGui::SameLine();
     };
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Apply");
     ImGui::SameLine();
-    button("All", "all", "Everything that is listed", kPresetAll);
+    button("All", "all", "Everything listed", kPresetAll);
     for (const PresetPart& part : kPresetParts) button(part.label, part.id, part.help, part.bit);
     ImGui::NewLine();
     return under;
@@ -101,7 +103,8 @@ void drawRows(const std::vector<PresetDifference>& rows, PresetParts lit) {
 
 void drawPresetDetails(Session& session, PresetBrowser& presets) {
     if (std::exchange(presets.openDetails, false)) ImGui::OpenPopup("##preset details");
-    ImGui::SetNextWindowSize({(kWidthEms + 2.0f) * ImGui::GetFontSize(), 0.0f});
+    const float width = dialogueWidth(kWidthEms + 2.0f);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, dialogueRoom().y});
     if (!ImGui::BeginPopup("##preset details")) return;
     const auto card = std::ranges::find(presets.cards, presets.subject,
                                         [](const PresetCard& c) { return c.entry.name; });
@@ -117,7 +120,7 @@ void drawPresetDetails(Session& session, PresetBrowser& presets) {
         const std::vector<PresetDifference> rows = differencesTo(session, card->preset);
         const PresetParts lit = drawButtons(session, presets, *card, rows);
         if (rows.empty()) {
-            ImGui::TextDisabled("The present look and camera are just those of the preset");
+            ImGui::TextDisabled("The current look and camera are those of the preset");
         } else {
             drawRows(rows, lit);
         }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ui/presets/preset_commands.h"
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/error.h"
@@ -102,8 +103,9 @@ bool carryOut(Session& session, PresetBrowser& presets) {
 
 /// A line to type in; true when Enter was pressed.
 bool drawLine(const char* label, const char* hint, std::string& text, const char* placeName) {
+    wantGlyphs(text);
     ImGui::TextUnformatted(label);
-    ImGui::SetNextItemWidth(kFieldEms * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(itemWidth(kFieldEms));
     ImGui::PushID(label);
     const bool entered =
         ImGui::InputTextWithHint("##line", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -116,7 +118,7 @@ void drawVerdict(const Verdict& verdict) {
     const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
     const ImVec4 colour = !verdict.warns ? plain : (verdict.fits ? warningColour() : errorColour());
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kFieldEms * ImGui::GetFontSize());
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + itemWidth(kFieldEms));
     ImGui::TextUnformatted(verdict.text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -126,8 +128,8 @@ bool drawWords(PresetText& text) {
     const bool entered =
         drawLine("Title", "one line, shown with the card", text.title, "preset_dialog.title");
     ImGui::TextUnformatted("Description");
-    const float em = ImGui::GetFontSize();
-    ImGui::InputTextMultiline("##description", &text.description, {kFieldEms * em, 4.5f * em});
+    ImGui::InputTextMultiline("##description", &text.description,
+                              {itemWidth(kFieldEms), 4.5f * ImGui::GetFontSize()});
     place("preset_dialog.description");
     return entered;
 }
@@ -169,9 +171,7 @@ void drawPresetDialogs(const PanelContext& context, PresetBrowser& presets) {
     const bool opening = std::exchange(presets.openDialog, false);
     const std::string title = std::string(titleOf(presets.dialog)) + "###preset dialog";
     if (opening) ImGui::OpenPopup("###preset dialog");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing,
-                            {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!beginModal(title.c_str())) return;
     Verdict verdict;
     const bool entered = drawFieldsOf(presets, opening, verdict);
     ImGui::Spacing();

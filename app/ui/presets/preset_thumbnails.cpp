@@ -67,8 +67,9 @@ void updateThumbnails(const PanelContext& context, PresetBrowser& presets) {
     context.next.again(kLookS);
     if (presets.thumbnails->poll()) return;
     if (presets.thumbnails->status() != 0) {
-        context.session().say(Message::Kind::warning, "The presets' images could not be made: " +
-                                                          presets.thumbnails->lastWords());
+        context.session().say(
+            Message::Kind::warning,
+            "The thumbnails of presets could not be made: " + presets.thumbnails->lastWords());
     }
     presets.thumbnails.reset();
 }

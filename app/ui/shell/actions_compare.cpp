@@ -139,7 +139,7 @@ const std::array kActions{
            .label = "Close slot B",
            .menu = Menu::compare,
            .chord = {},
-           .help = "Gives up the second slot and its memory",
+           .help = "Closes the second slot and frees its memory",
            .run = [](Ui& ui) { ui.compare.close = true; },
            .enabled = hasSecond,
            .needs = "slot B",

@@ -33,7 +33,7 @@ const std::array kActions{
            .label = "Undo",
            .menu = Menu::edit,
            .chord = {Key::z, true},
-           .help = "Takes the last step back",
+           .help = "Undoes the last step",
            .run = [](Ui& ui) { ui.session().undo(); },
            .enabled = [](const Ui& ui) { return ui.session().history.canUndo(); }},
     Action{.id = "edit.redo",
@@ -41,7 +41,7 @@ const std::array kActions{
            .menu = Menu::edit,
            .chord = {Key::y, true},
            .other = {Key::z, true, true},
-           .help = "Does the step again that was undone",
+           .help = "Redoes the step that was undone last",
            .run = [](Ui& ui) { ui.session().redo(); },
            .enabled = [](const Ui& ui) { return ui.session().history.canRedo(); }},
     Action{.id = "edit.show_all",
@@ -53,7 +53,8 @@ const std::array kActions{
     Action{.id = "edit.accessible_colours",
            .label = "Colour-blind-safe field colours",
            .menu = Menu::edit,
-           .help = "Field colours after Okabe and Ito, in the image too; and back to table 2",
+           .help = "Switches to field colours after Okabe and Ito, also in the image, or back to "
+                   "those of table 2",
            .run = toggleColours,
            .checked = isAccessible},
 };

@@ -11,13 +11,13 @@ const std::array kActions{
            .label = "Find a command...",
            .menu = Menu::help,
            .chord = {Key::p, true},
-           .help = "Or a parameter, by part of its name",
+           .help = "Finds a command or a parameter by part of its name",
            .run = [](Ui& ui) { ui.palette.open = true; }},
     Action{.id = "help.close",
            .label = "Close what is open",
            .menu = Menu::help,
            .chord = {Key::escape},
-           .help = "Help, messages, an error",
+           .help = "Closes help, messages or an error",
            .run =
                [](Ui& ui) {
                    ui.showHelp = ui.showMessages = false;

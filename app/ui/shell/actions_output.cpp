@@ -17,23 +17,25 @@ bool canExport(const Ui& ui) {
 }
 
 const std::array kActions{
-    Action{.id = "output.export",
-           .label = "Export...",
-           .menu = Menu::output,
-           .chord = {Key::e, true},
-           .help = "Images of any size, series over time or along the camera path, videos",
-           .run = [](Ui& ui) { ui.output.open = true; }},
+    Action{
+        .id = "output.export",
+        .label = "Export...",
+        .menu = Menu::output,
+        .chord = {Key::e, true},
+        .help = "Exports images of any size, series over time or along the camera path, or videos",
+        .run = [](Ui& ui) { ui.output.open = true; }},
     Action{.id = "output.image",
            .label = "Save the image",
            .menu = Menu::output,
            .chord = {Key::f12},
-           .help = "As large as in the window, with the other settings of the last export",
+           .help = "Saves the image at the size of the window, otherwise with the settings of the "
+                   "last export",
            .run = [](Ui& ui) { exportImage(contextOf(ui), ui.output, exportSceneOf(ui)); },
            .enabled = canExport},
     Action{.id = "output.cancel",
            .label = "Stop the export",
            .menu = Menu::output,
-           .help = "Whole images that were written are kept",
+           .help = "Stops the export; finished images are kept",
            .run = [](Ui& ui) { ui.output.job->cancel(); },
            .enabled = isRunning,
            .separated = true},

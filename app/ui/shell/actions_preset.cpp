@@ -13,31 +13,30 @@ void openDialog(Ui& ui, PresetDialog dialog) {
 }
 
 const std::array kActions{
-    Action{
-        .id = "preset.save",
-        .label = "Save preset",
-        .menu = Menu::presets,
-        .chord = {Key::s, true},
-        .help = "Look and camera under the name of your preset; asks for one where there is none",
-        .run = [](Ui& ui) { savePreset(ui.session(), ui.presets); }},
+    Action{.id = "preset.save",
+           .label = "Save preset",
+           .menu = Menu::presets,
+           .chord = {Key::s, true},
+           .help = "Saves look and camera under the name of your preset, or asks for a name",
+           .run = [](Ui& ui) { savePreset(ui.session(), ui.presets); }},
     Action{.id = "preset.save_as",
            .label = "Save preset as...",
            .menu = Menu::presets,
            .chord = {Key::s, true, true},
-           .help = "Look and camera as a preset of your own",
+           .help = "Saves look and camera as a new preset",
            .run = [](Ui& ui) { openDialog(ui, PresetDialog::saveAs); }},
     Action{.id = "preset.open",
            .label = "Preset from file...",
            .menu = Menu::presets,
            .chord = {},
-           .help = "Takes over look and camera of a preset that lies elsewhere",
+           .help = "Loads look and camera from a preset file",
            .run = [](Ui& ui) { openDialog(ui, PresetDialog::open); },
            .separated = true},
     Action{.id = "preset.again",
-           .label = "Load the preset again",
+           .label = "Reload preset",
            .menu = Menu::presets,
            .chord = {},
-           .help = "Gives up what was changed since it was loaded",
+           .help = "Discards the changes made since it was loaded",
            .run =
                [](Ui& ui) {
                    applyPreset(ui.session(), ui.presets, std::string(ui.session().presetName));
@@ -50,7 +49,7 @@ const std::array kActions{
            .label = "Copy preset",
            .menu = Menu::presets,
            .chord = {Key::c, true, true},
-           .help = "Look and camera as JSON to the clipboard",
+           .help = "Copies look and camera to the clipboard as JSON",
            .run =
                [](Ui& ui) {
                    Preset preset = presetOf(ui.session());
@@ -62,7 +61,7 @@ const std::array kActions{
            .label = "Paste preset",
            .menu = Menu::presets,
            .chord = {Key::v, true, true},
-           .help = "Look and camera from JSON in the clipboard",
+           .help = "Pastes look and camera from JSON in the clipboard",
            .run = [](Ui& ui) { pastePreset(ui.session(), ui.presets); }},
 };
 

@@ -15,12 +15,12 @@
 #include "app/ui/widgets/fixed_window.h"
 #include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/theme.h"
 
 namespace neph::ui {
 namespace {
 
-constexpr float kLeastEms = 15.0f, kMostEms = 40.0f;  // of a column under the mouse
-constexpr float kMarkEms = 0.18f;                     // half the size of the mark on an edge
+constexpr float kMarkEms = 0.18f;  // half the size of the mark on an edge
 
 /// A column's edge: a drag makes it wider or narrower, a click opens or closes it. `side` is 1
 /// where the column is to the left of it.
@@ -36,13 +36,13 @@ void drawEdge(const char* name, const Area& area, float side, bool& open, float&
         const float dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x;
         if (open && ImGui::IsItemActive() && dragged != 0.0f) {
             ems = std::clamp(ems + side * ImGui::GetIO().MouseDelta.x / ImGui::GetFontSize(),
-                             kLeastEms, kMostEms);
+                             kLeastColumnEms, kMostColumnEms);
         }
         if (ImGui::IsItemDeactivated() && dragged == 0.0f) open = !open;
         const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
         if (hot) {
             ImGui::SetMouseCursor(open ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_Hand);
-            ImGui::SetTooltip(open ? "Click to close, drag to resize" : "Click to open");
+            tooltip(open ? "Click to close, drag to resize" : "Click to open");
         }
         const ImU32 colour = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled);
         // A mark that points where a click would move the edge.
@@ -75,8 +75,8 @@ void drawColumns(Ui& ui, const Layout& layout) {
     drawColumn(ui, "##left", layout.left, PanelPlace::left);
     drawColumn(ui, "##right", layout.right, PanelPlace::right);
     bool left = !layout.left.empty(), right = !layout.right.empty();
-    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.columns.leftEms);
-    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.columns.rightEms);
+    drawEdge("##left edge", layout.leftEdge, 1.0f, left, ui.settings.leftColumnEms);
+    drawEdge("##right edge", layout.rightEdge, -1.0f, right, ui.settings.rightColumnEms);
     if (left == layout.left.empty()) openColumn(ui.settings, ui.columns, true, left);
     if (right == layout.right.empty()) openColumn(ui.settings, ui.columns, false, right);
 }
@@ -101,6 +101,7 @@ void closeOnEscape(int popupsBefore) {
 }  // namespace
 
 void draw(Ui& ui) {
+    takeDecimalCommas();
     const int popups = GImGui->OpenPopupStack.Size;
     const PanelContext context = contextOf(ui);
     playOn(context, ui.playback, imageTimeOf(ui));
@@ -111,6 +112,10 @@ void draw(Ui& ui) {
     if (ui.columns.shown) drawAround(ui);
     drawPlace(ui, PanelPlace::over);
     closeOnEscape(popups);
+    if (lacksGlyphs()) {
+        ui.requests.restyle = true;
+        ui.next.again(0.0);
+    }
     ui.next.animates |= inputUnsettled();
 }
 

@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/ui/widgets/dialogue.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -21,7 +25,7 @@ bool drawStep(std::size_t index, std::size_t now, const std::string& label) {
     ImGui::PopStyleColor(2);
     place(fmt::format("history:{}", index));
     const bool cut = ImGui::CalcTextSize(label.c_str()).x > ImGui::GetItemRectSize().x;
-    if (cut && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", label.c_str());
+    if (cut) tooltip(label);
     ImGui::PopID();
     return chosen;
 }
@@ -47,7 +51,9 @@ void drawSteps(Session& session, std::size_t& seen) {
 void drawHistory(Session& session, bool& shown, std::size_t& seen) {
     const float em = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize({kWidthEms * em, kHeightEms * em}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(
+        {dialogueWidth(kWidthEms), std::min(kHeightEms * em, dialogueRoom().y)},
+        ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({display.x / 2.0f, display.y / 2.0f}, ImGuiCond_Appearing,
                             {0.5f, 0.5f});
     const auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;

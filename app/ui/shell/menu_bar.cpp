@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/ui/shell/actions.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -18,9 +19,7 @@ void drawItem(Ui& ui, const Action& action) {
         action.run(ui);
     }
     place(action.id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", helpOf(action, ui).c_str());
-    }
+    tooltip(helpOf(action, ui));
 }
 
 void drawMenus(Ui& ui) {

@@ -8,6 +8,7 @@
 
 #include "app/ui/data/session_dialogs.h"
 #include "app/ui/panel/notice_box.h"
+#include "app/ui/widgets/dialogue.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/theme.h"
 #include "core/session/autosave.h"
@@ -38,10 +39,13 @@ void title(const char* text) {
 
 void drawLoading(const Area& image, Session& session) {
     if (beginNotice(image, "##loading", NoticeAt::middle)) {
+        wantGlyphs(session.loadingLabel());
         ImGui::TextUnformatted(session.loadingLabel().c_str());
         const float em = ImGui::GetFontSize();
-        ImGui::ProgressBar(static_cast<float>(session.loadingFraction()), {16.0f * em, 0.0f});
-        ImGui::SameLine();
+        const float width = noticeWidth(image);
+        ImGui::ProgressBar(static_cast<float>(session.loadingFraction()),
+                           {std::min(16.0f * em, width - 2.0f * em), 0.0f});
+        beside("Cancel", width);
         if (ImGui::Button("Cancel")) session.cancelLoading();
         place("loading.cancel");
     }
@@ -52,6 +56,7 @@ void drawLoading(const Area& image, Session& session) {
 bool drawError(const Area& image, const std::string& text) {
     bool close = false;
     if (beginNotice(image, "##error", NoticeAt::top)) {
+        wantGlyphs(text);
         ImGui::TextColored(errorColour(), "Error");
         ImGui::TextUnformatted(text.c_str());
         close = ImGui::Button("Close");
@@ -67,17 +72,19 @@ bool drawError(const Area& image, const std::string& text) {
 /// What there is to do when nothing is open.
 void drawStart(const PanelContext& context, SessionDialogs& dialogs) {
     std::string wanted;
-    if (beginNotice(context.layout().image, "##nodata", NoticeAt::middle)) {
+    const Area image = context.layout().image;
+    const float width = noticeWidth(image);
+    if (beginNotice(image, "##nodata", NoticeAt::middle)) {
         title("No data");
         ImGui::TextUnformatted("Drop model output on the window: files, or the folder of a run.");
         ImGui::Spacing();
         if (ImGui::Button("Open data...")) browse(context.settings, dialogs, BrowseFor::data);
         place("start.open");
-        ImGui::SameLine();
+        beside("Open the bundled storm", width);
         if (ImGui::Button("Open the bundled storm")) context.session().open({});
         place("start.bundled");
         if (canReopenLast(dialogs)) {
-            ImGui::SameLine();
+            beside("Reopen last session", width);
             if (ImGui::Button("Reopen last session")) reopenLast(context, dialogs);
             place("start.reopen");
         }
@@ -177,11 +184,26 @@ void drawNotices(const PanelContext& context, SessionDialogs& dialogs,
     }
 }
 
+void drawKeyHint(const PanelContext& context, std::uint64_t dismissedSerial, bool& shown) {
+    const Session& session = context.session();
+    // Other notices come first.
+    if (session.shown() == nullptr || newestError(session, dismissedSerial) != nullptr) return;
+    if (beginNotice(context.layout().image, "##keys", NoticeAt::top)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("H lists mouse and keys; Ctrl+P finds any command or parameter.");
+        beside("Close", noticeWidth(context.layout().image));
+        if (ImGui::Button("Close")) shown = false;
+        place("hint.close");
+    }
+    endNotice();
+}
+
 void drawMessages(const PanelContext& context, bool& shown) {
     const float em = ImGui::GetFontSize();
     const Area image = context.layout().image;
     const glm::vec2 corner = image.lower;
-    ImGui::SetNextWindowSize({std::min(kMessagesEms * em, image.size().x - 2.0f * em), 18.0f * em},
+    const glm::vec2 room = image.size() - 2.0f * em;
+    ImGui::SetNextWindowSize({std::min(kMessagesEms * em, room.x), std::min(18.0f * em, room.y)},
                              ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({corner.x + em, corner.y + em}, ImGuiCond_Appearing);
     if (ImGui::Begin("Messages", &shown,

@@ -15,4 +15,7 @@ void drawNotices(const PanelContext& context, SessionDialogs& dialogs,
 /// `shown` becomes false when the list is closed.
 void drawMessages(const PanelContext& context, bool& shown);
 
+/// How to find what there is, for whoever opens the window for the first time.
+void drawKeyHint(const PanelContext& context, std::uint64_t dismissedSerial, bool& shown);
+
 }  // namespace neph::ui

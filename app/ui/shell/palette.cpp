@@ -72,9 +72,7 @@ bool drawRow(Ui& ui, const Command& command, bool chosen) {
     const bool clicked = ImGui::Selectable(command.label().c_str(), chosen, flags);
     ImGui::PopStyleColor();
     place("palette:" + id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", helpOf(command, ui).c_str());
-    }
+    tooltip(helpOf(command, ui));
     parameterMenu(ui, command);
     const std::string note = noteOf(ui, command), where = command.where();
     const float noteAt = start + width - ImGui::CalcTextSize(note.c_str()).x;
@@ -106,7 +104,7 @@ void drawList(Ui& ui, bool entered) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float room = 0.7f * ImGui::GetIO().DisplaySize.y;
     if (ImGui::BeginChild("##found", {0.0f, std::min(kRows * row, room)})) {
-        if (found.empty()) ImGui::TextDisabled("Nothing is called that");
+        if (found.empty()) ImGui::TextDisabled("No command or parameter matches");
         for (int i = 0; i < static_cast<int>(found.size()); ++i) {
             const Command& command = found[static_cast<std::size_t>(i)];
             const bool chosen = i == ui.palette.chosen;

@@ -95,12 +95,17 @@ const std::array kPanels{
                      .label = "Performance",
                      .menu = Menu::view,
                      .chord = {Key::f3},
-                     .help = "What the image cost, pass by pass"},
+                     .help = "Shows what the image cost, pass by pass"},
           .before = "view.full_screen",
           .toggled = [](Ui& ui) { ui.requests.redraw = ui.showProfile; }},
-    Panel{
-        .id = "notices",
-        .draw = [](Ui& ui) { drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial); }},
+    Panel{.id = "notices",
+          .draw =
+              [](Ui& ui) {
+                  drawNotices(contextOf(ui), ui.sessionDialogs, ui.dismissedSerial);
+                  ui.hintsAtKeys &= !ui.showHelp && !ui.palette.open;
+                  if (ui.hintsAtKeys)
+                      drawKeyHint(contextOf(ui), ui.dismissedSerial, ui.hintsAtKeys);
+              }},
     Panel{.id = "messages",
           .draw = [](Ui& ui) { drawMessages(contextOf(ui), ui.showMessages); },
           .shown = &Ui::showMessages,
@@ -108,7 +113,7 @@ const std::array kPanels{
                      .label = "Messages",
                      .menu = Menu::view,
                      .chord = {Key::m},
-                     .help = "The list of all that was said",
+                     .help = "Lists all messages so far",
                      .separated = true},
           .before = "view.profile"},
     Panel{.id = "ensemble",
@@ -135,7 +140,7 @@ const std::array kPanels{
                      .label = "History",
                      .menu = Menu::edit,
                      .chord = {Key::h, true},
-                     .help = "The list of steps; a click goes to one"},
+                     .help = "Lists all steps; click one to go there"},
           .before = "edit.show_all"},
     Panel{.id = "help_sheet",
           .draw = [](Ui& ui) { drawHelp(ui.showHelp); },
@@ -145,7 +150,7 @@ const std::array kPanels{
                      .menu = Menu::help,
                      .chord = {Key::h},
                      .other = {Key::question},
-                     .help = "What they do"},
+                     .help = "Lists what the mouse and the keys do"},
           .before = "help.close"},
     Panel{.id = "palette", .draw = drawPalette},
 };

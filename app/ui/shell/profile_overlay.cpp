@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace neph::ui {
 namespace {
 
@@ -73,9 +75,10 @@ void drawContent(const Profile& profile) {
 
 void drawProfile(const Area& image, const Profile& profile) {
     const float em = ImGui::GetFontSize();
+    const float width = std::min(kWidthEms * em, image.size().x - 2.0f * kMarginEms * em);
     ImGui::SetNextWindowPos(
-        {image.upper.x - (kWidthEms + kMarginEms) * em, image.lower.y + kMarginEms * em});
-    ImGui::SetNextWindowSize({kWidthEms * em, 0.0f});  // as high as the rows
+        {image.upper.x - width - kMarginEms * em, image.lower.y + kMarginEms * em});
+    ImGui::SetNextWindowSize({std::max(1.0f, width), 0.0f});  // as high as the rows
     ImGui::SetNextWindowBgAlpha(kOpacity);
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, labelColour());
     // Without inputs: the mouse reaches the image through it.

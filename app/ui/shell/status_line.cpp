@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/ui/widgets/fixed_window.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 #include "app/ui/widgets/reference_text.h"
 #include "app/ui/widgets/theme.h"
@@ -172,14 +173,13 @@ void drawMessage(const Session& session, const Area& area, float end, bool& show
     // The message yields to the frame, not the other way round.
     ImGui::PushClipRect({area.lower.x, area.lower.y}, {end, area.upper.y}, true);
     const Said said = newest(session);
+    wantGlyphs(said.text);
     ImGui::TextColored(said.colour, "%s", said.text.c_str());
     ImGui::PopClipRect();
     place("status.message");
     if (ImGui::IsItemClicked()) showMessages = !showMessages;
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        ImGui::SetTooltip("%s\n\nClick for the list of messages", said.text.c_str());
-    }
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(said.text + "\n\nClick for the list of messages");
 }
 
 }  // namespace
@@ -203,16 +203,12 @@ void drawStatus(const PanelContext& context, const FrameReport& report, bool& sh
         for (const Standing& one : words) {
             ImGui::TextColored(one.colour, "%s", one.text.c_str());
             place(one.place);
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.tooltip.c_str());
+            tooltip(one.tooltip);
             ImGui::SameLine(0.0f, em);
         }
         ImGui::TextDisabled("%s", frame.c_str());
         place("status.frame");
-        if (ImGui::IsItemHovered()) {
-            std::string all;
-            for (const std::string& text : texts) all += (all.empty() ? "" : "\n") + text;
-            ImGui::SetTooltip("%s", all.c_str());
-        }
+        tooltip(fmt::format("{}", fmt::join(texts, "\n")));
     }
     ImGui::End();
 }

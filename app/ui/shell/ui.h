@@ -63,6 +63,7 @@ struct Ui {
     bool showMessages = false;
     bool showProfile = false;
     bool showEnsemble = false;
+    bool hintsAtKeys = false;           ///< of a first run: until it is closed or one was used
     std::size_t historySeen = 0;        ///< position that the list was last scrolled to
     std::uint64_t dismissedSerial = 0;  ///< errors up to here were closed
 };

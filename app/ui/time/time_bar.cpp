@@ -65,13 +65,13 @@ void drawSpeed(Playback& playback, int last, float width) {
         playback.timesPerSecond = static_cast<double>(speed);
     }
     place("time.speed");
-    tooltip("How fast playing goes; drag, or Ctrl+click to type");
+    tooltip("Playback speed; drag, or Ctrl+click to type");
     ImGui::SameLine(0.0f, inner);
     ImGui::SetNextItemWidth(width - speedWidth - inner);
     ImGui::DragInt("##step", &playback.step, 0.05f, 1, std::max(1, last), "step %d",
                    ImGuiSliderFlags_AlwaysClamp);
     place("time.step");
-    tooltip("How many times on with each step of playing");
+    tooltip("Number of times to advance with each step of playback");
 }
 
 /// A '%' in a model's own label must not be read as a format.

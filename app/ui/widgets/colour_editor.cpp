@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/number_slider.h"
 #include "core/base/number_text.h"
 #include "core/look/colours.h"
@@ -25,7 +26,7 @@ ImU32 onScreen(const glm::vec3& linear) {
 void label(const char* text, const char* help) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", text);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    tooltip(help);
     ImGui::SameLine(kLabelEms * ImGui::GetFontSize());
     ImGui::SetNextItemWidth((kPickerEms - kLabelEms + 1.5f) * ImGui::GetFontSize());
 }
@@ -37,7 +38,7 @@ bool pickOnScreen(glm::vec3& linear) {
         ImGui::ColorPicker3("##picker", &srgb.x,
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs |
                                 ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip);
-    label("sRGB", "As screens and web pages spell it: encoded, 8 bits per channel");
+    label("sRGB", "As on screens and web pages: encoded, 8 bits per channel");
     changed |=
         ImGui::ColorEdit3("##hex", &srgb.x,
                           ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB |

@@ -104,7 +104,8 @@ void begin(FileBrowser& browser, BrowseFor purpose, const fs::path& start) {
     const bool known = !browser.folder.empty() && fs::is_directory(browser.folder, error);
     goTo(browser, known ? browser.folder : start);
     refresh(browser, true);
-    if (purpose == BrowseFor::saveSession) browser.line += "session" + std::string(kSessionEnding);
+    browser.selectsName = purpose == BrowseFor::saveSession;
+    if (browser.selectsName) browser.line += "session" + std::string(kSessionEnding);
 }
 
 fs::path pathOf(const FileBrowser& browser) {
@@ -146,6 +147,23 @@ std::size_t laterPath(const std::string& line) {
     if (slashes != line.npos) at = slashes + 1;
     if (home != line.npos) at = std::max(at, home + 1);
     return at;
+}
+
+NamePart namePart(const FileBrowser& browser) {
+    const std::string& line = browser.line;
+    const std::size_t from = headOf(line).size();
+    const bool ends = browser.purpose == BrowseFor::saveSession && line.ends_with(kSessionEnding);
+    return {from, std::max(from, line.size() - (ends ? kSessionEnding.size() : 0))};
+}
+
+void typeOn(FileBrowser& browser, const std::string& typed) {
+    if (typed.empty()) return;
+    const NamePart name = namePart(browser);
+    const std::size_t from = browser.selectsName ? name.from : name.to;
+    browser.line.replace(from, name.to - from, typed);
+    browser.line.erase(0, laterPath(browser.line));
+    browser.selectsName = false;
+    browser.narrows = true;
 }
 
 std::string completed(const FileBrowser& browser) {
@@ -208,6 +226,7 @@ void choose(FileBrowser& browser, int shown, bool add, bool range) {
         browser.anchor = shown;
     }
     browser.marked = shown;
+    browser.selectsName = false;
     browser.line = headOf(browser.line) + nameAt(shown);
     browser.fault.clear();
     browser.replaces = false;
@@ -230,7 +249,7 @@ std::optional<std::vector<std::string>> accept(FileBrowser& browser) {
         return names;
     }
     if (const std::string advice = addressAdvice(browser.line); opens && !advice.empty()) {
-        browser.fault = "An address in the network: " + advice;
+        browser.fault = "This is a network address: " + advice;
         return {};
     }
     std::error_code error;

@@ -34,6 +34,7 @@ struct FileBrowser {
     int anchor = -1;                    ///< where a range begins
     bool narrows = false;               ///< the line was typed: the list shows what agrees with it
     bool replaces = false;              ///< the file is there, and replacing it was asked for
+    bool selectsName = false;           ///< what is typed next replaces the file's name
     bool focus = false, toEnd = false;  ///< of the line, in the next frame
     bool awaitsKeys = false;            ///< the line has asked for the keyboard
     std::string early;                  ///< typed as the line got the keyboard
@@ -56,6 +57,16 @@ std::vector<int> shownEntries(const FileBrowser& browser);
 
 /// Where a path that was typed behind another begins in the line; 0 where none was.
 std::size_t laterPath(const std::string& line);
+
+/// The part of the line that names the file, as places in it: behind the last slash; without the
+/// ending of a session that is saved. The end is where typing goes on.
+struct NamePart {
+    std::size_t from = 0, to = 0;
+};
+NamePart namePart(const FileBrowser& browser);
+
+/// Takes what was typed while the line had not the keyboard.
+void typeOn(FileBrowser& browser, const std::string& typed);
 
 /// The line, as far as all entries that go on from it agree.
 std::string completed(const FileBrowser& browser);

@@ -43,7 +43,9 @@ ParameterValue pastedValue(const Parameter& row, std::string_view text) {
     if (!unit.empty() && text.ends_with(unit)) {
         text = trimmed(text.substr(0, text.size() - unit.size()));
     }
-    return parseScreenValue(row, text, "The clipboard");
+    const bool number = row.kind == ParameterKind::number || row.kind == ParameterKind::integer;
+    return parseScreenValue(row, number ? withDecimalPoint(text) : std::string(text),
+                            "The clipboard");
 }
 
 }  // namespace neph::ui

@@ -3,7 +3,6 @@
 // A drag moves by what the mouse moved, so that it can go on more finely when Shift is pressed on
 // the way. Only one slider has the hand or is typed into at a time: that state is here.
 #include "app/ui/widgets/number_slider.h"
-#include "app/ui/widgets/words.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -12,6 +11,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "app/ui/widgets/input.h"
+#include "app/ui/widgets/words.h"
 
 namespace neph::ui {
 namespace {
@@ -70,6 +72,8 @@ std::optional<double> parse(const std::string& typed, const std::string& unit) {
     if (!suffix.empty() && text.ends_with(suffix)) {
         text = trimmed(text.substr(0, text.size() - suffix.size()));
     }
+    const std::string pointed = withDecimalPoint(text);
+    text = pointed;
     const std::size_t plus = text.starts_with('+') ? 1 : 0;
     double value = 0.0;
     const char* end = text.data() + text.size();
@@ -93,7 +97,7 @@ void showFault() {
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddRect(lower, upper, IM_COL32(230, 90, 80, 255),
                                         ImGui::GetStyle().FrameRounding, 0, 1.5f);
-    ImGui::SetNextWindowPos({lower.x, upper.y + 2.0f});
+    nextTooltipBeside(lastItem());
     ImGui::SetTooltip("%s", typing.fault.c_str());
 }
 
@@ -115,6 +119,9 @@ bool typeIn(double& value, const NumberRange& range, const std::string& unit) {
         typing.fault = "\"" + typing.text + "\" is not a number. Enter takes one" +
                        (trimmed(unit).empty() ? "" : " in " + std::string(trimmed(unit))) +
                        ", Esc leaves it.";
+        if (typing.text.find(',') != typing.text.npos) {
+            typing.fault += " Decimals follow a point, and nothing groups thousands.";
+        }
         typing.begun = false;  // Enter took the keyboard away
     } else if (ImGui::IsItemEdited()) {
         typing.fault.clear();

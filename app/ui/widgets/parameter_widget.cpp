@@ -8,6 +8,7 @@
 
 #include "app/ui/widgets/colour_editor.h"
 #include "app/ui/widgets/format.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/number_slider.h"
 #include "app/ui/widgets/places.h"
 #include "core/base/error.h"
@@ -16,7 +17,6 @@ namespace neph::ui {
 namespace {
 
 constexpr float kLabelShare = 0.42f;  // of the line
-constexpr float kTooltipEms = 26.0f;  // width of a tooltip in letters
 constexpr double kTooltipDelayS = 0.35;
 constexpr std::size_t kMaxButtons = 3;  // choices shown side by side; more make a list
 constexpr float kMarkEms = 0.14f, kMarkGapEms = 0.28f;
@@ -25,7 +25,7 @@ constexpr float kMarkEms = 0.14f, kMarkGapEms = 0.28f;
 bool rested(const Parameter& row) {
     static const Parameter* last = nullptr;
     static double since = 0.0;
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
+    if (!wantsTooltip()) return false;
     const bool moved = ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f;
     if (last != &row || moved || ImGui::IsAnyItemActive()) {
         last = &row;
@@ -47,10 +47,8 @@ void listChoices(const Parameter& row, const ParameterSet& values) {
     }
 }
 
-void tooltip(const Parameter& row, const ParameterSet& values, const Look& preset) {
-    if (!rested(row)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipEms);
+void explain(const Parameter& row, const ParameterSet& values, const Look& preset) {
+    if (!rested(row) || !beginTooltip()) return;
     ImGui::Text("%s: %s", row.group.c_str(), row.label.c_str());
     ImGui::Separator();
     ImGui::TextUnformatted(row.help.c_str());
@@ -60,8 +58,7 @@ void tooltip(const Parameter& row, const ParameterSet& values, const Look& prese
     ImGui::TextUnformatted(factsOf(row, preset).c_str());
     ImGui::TextUnformatted(row.id.c_str());
     ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    endTooltip();
 }
 
 bool assign(const Parameter& row, ParameterSet& values, const ParameterValue& value) {
@@ -87,9 +84,7 @@ bool pasteItem(const Parameter& row, ParameterSet& values) {
         }
     } catch (const Error& error) {
         ImGui::MenuItem("Paste value", nullptr, false, false);
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-            ImGui::SetTooltip("%s", error.message().c_str());
-        }
+        tooltip(error.message());
     }
     return changed;
 }
@@ -131,8 +126,7 @@ bool editNumber(const Parameter& row, ParameterSet& values) {
 }
 
 void choiceTooltip(const Choice& choice) {
-    const std::string help(choice.help);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help.c_str());
+    tooltip(std::string(choice.help));
 }
 
 /// Buttons side by side, the chosen one lit.
@@ -222,7 +216,7 @@ bool edit(const Parameter& row, ParameterSet& values) {
 bool parameterExtras(const Parameter& row, ParameterSet& values, const Look& preset) {
     ImGui::PushID(row.id.c_str());
     const bool changed = menu(row, values, preset);
-    tooltip(row, values, preset);
+    explain(row, values, preset);
     ImGui::PopID();
     return changed;
 }
@@ -244,14 +238,12 @@ void changedMark(const Parameter& row, const ParameterSet& values, const Look& p
         ImGui::GetColorU32(ImGuiCol_CheckMark));
 }
 
-bool parameterWidget(const Parameter& row, ParameterSet& values, const Look& preset) {
-    const float line = ImGui::GetContentRegionAvail().x;
-    const float start = ImGui::GetCursorPosX();
+bool parameterLabel(const Parameter& row, const std::string& text, ParameterSet& values,
+                    const Look& preset) {
     ImGui::PushID(row.id.c_str());
     ImGui::PushID("label");
-    changedMark(row, values, preset);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(row.label.c_str());
+    ImGui::TextUnformatted(text.c_str());
     place(row.id + ":label");
     bool changed = false;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -260,6 +252,14 @@ bool parameterWidget(const Parameter& row, ParameterSet& values, const Look& pre
     changed |= parameterExtras(row, values, preset);
     ImGui::PopID();
     ImGui::PopID();
+    return changed;
+}
+
+bool parameterWidget(const Parameter& row, ParameterSet& values, const Look& preset) {
+    const float line = ImGui::GetContentRegionAvail().x;
+    const float start = ImGui::GetCursorPosX();
+    changedMark(row, values, preset);
+    bool changed = parameterLabel(row, row.label, values, preset);
     ImGui::SameLine(start + line * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);
     changed |= parameterEditor(row, values, preset);

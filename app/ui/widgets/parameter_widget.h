@@ -4,6 +4,8 @@
 // `preset` is the look of the preset that was loaded last: what differs from it is marked, and a
 // double click on the label goes back to it; sampling, which presets do not hold, to the default.
 #pragma once
+#include <string>
+
 #include "core/look/parameter.h"
 
 namespace neph::ui {
@@ -11,6 +13,11 @@ namespace neph::ui {
 /// Label and editor on one line, with a mark, a tooltip and a menu to reset, copy and paste. True
 /// when the value changed.
 bool parameterWidget(const Parameter& row, ParameterSet& values, const Look& preset);
+
+/// The label alone, in the panel's own words: a double click resets the value; with tooltip and
+/// menu.
+bool parameterLabel(const Parameter& row, const std::string& text, ParameterSet& values,
+                    const Look& preset);
 
 /// The editor alone, as wide as ImGui's next item: slider, switch, choice or swatch; with tooltip
 /// and menu.

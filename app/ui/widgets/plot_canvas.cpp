@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
 
 namespace neph::ui {
@@ -95,7 +96,7 @@ void PlotCanvas::endClip() {
     list_.PopClipRect();
 }
 
-ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size) {
+ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size, bool tells) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, size);
     place(id);
@@ -112,6 +113,7 @@ ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size) {
     if (!hovered || !shown.frame.contains(mousePt)) return shown;
     shown.hoveredAt = shown.frame.toAxes(mousePt);
     if (clicked) shown.clickedAt = shown.hoveredAt;
+    if (!tells || !wantsTooltip()) return shown;
     ImGui::SetTooltip("%s", plot::readout(figure, shown.frame, mousePt).c_str());
     return shown;
 }

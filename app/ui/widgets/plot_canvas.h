@@ -32,7 +32,7 @@ struct ShownPlot {
     std::optional<glm::dvec2> clickedAt;
 };
 
-/// An item of `size` pixels; says what is under the mouse.
-ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size);
+/// An item of `size` pixels, which says what is under the mouse unless the caller does.
+ShownPlot showPlot(const char* id, const plot::Figure& figure, ImVec2 size, bool tells = true);
 
 }  // namespace neph::ui

@@ -4,9 +4,14 @@
 // Text and what it stands on differ by 4.5 : 1 or more (WCAG 2.1, 1.4.3); a test holds that.
 #include "app/ui/widgets/theme.h"
 
+#include <imgui_internal.h>  // letters of UTF-8
+
 #include <algorithm>
 #include <array>
-#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "core/base/resources.h"
 
 namespace neph::ui {
 namespace {
@@ -22,12 +27,41 @@ constexpr std::array kFonts{
     FontFile{"/usr/share/fonts/TTF/Roboto-Regular.ttf", 16.0f},
     FontFile{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 15.0f},
     FontFile{"/usr/share/fonts/TTF/DejaVuSans.ttf", 15.0f}};
-constexpr float kOwnFontPx = 13.0f;  // ImGui's, drawn for this size
+constexpr float kOwnFontPx = 13.0f;        // ImGui's, drawn for this size
+constexpr ImWchar kFirstEastern = 0x2e80;  // of the Unicode block of CJK radicals
 
 /// Latin, Greek, punctuation, super- and subscripts, arrows, signs of mathematics, shapes.
 constexpr std::array<ImWchar, 15> kGlyphs{0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010,
                                           0x205e, 0x2070, 0x209c, 0x2190, 0x21ff,
                                           0x2200, 0x2265, 0x25a0, 0x25ff, 0};
+
+/// Debian's fonts-noto-cjk, fonts-droid-fallback, fonts-wqy-*, fonts-ipafont-gothic and
+/// fonts-nanum; Fedora's and Arch's Noto.
+constexpr std::array kWholeEast{
+    "opentype/noto/NotoSansCJK-Regular.ttc",
+    "noto-cjk/NotoSansCJK-Regular.ttc",
+    "google-noto-cjk/NotoSansCJK-Regular.ttc",
+    "google-noto-sans-cjk-fonts/NotoSansCJK-Regular.ttc",
+    "NotoSansCJK-Regular.ttc",
+};
+constexpr std::array kPartsOfEast{
+    "truetype/droid/DroidSansFallbackFull.ttf",
+    "droid/DroidSansFallbackFull.ttf",
+    "DroidSansFallbackFull.ttf",
+    "truetype/wqy/wqy-microhei.ttc",
+    "truetype/wqy/wqy-zenhei.ttc",
+    "wenquanyi/wqy-microhei/wqy-microhei.ttc",
+    "opentype/ipafont-gothic/ipag.ttf",
+    "truetype/nanum/NanumGothic.ttf",
+};
+
+/// Letters beyond kGlyphs that texts have. There is one font.
+struct AskedGlyphs {
+    std::set<ImWchar> letters;
+    std::vector<ImWchar> ranges;  // of them, as ImGui wants them while it makes the font
+    bool more = false;            // since the font was loaded
+};
+AskedGlyphs asked;
 
 struct Tint {
     ImGuiCol_ which;
@@ -115,14 +149,57 @@ bool isLight() {
     return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].y > 0.5f;
 }
 
-bool addFont(const char* path, float sizePx, bool merged) {
+bool addFont(const std::filesystem::path& file, float sizePx, bool merged,
+             const ImWchar* glyphs = kGlyphs.data()) {
     std::error_code error;
-    if (!std::filesystem::exists(path, error)) return false;
+    if (!std::filesystem::exists(file, error)) return false;
     ImFontConfig config;
     config.MergeMode = merged;
     config.OversampleH = 2;
-    return ImGui::GetIO().Fonts->AddFontFromFileTTF(path, sizePx, &config, kGlyphs.data()) !=
+    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), sizePx, &config, glyphs) !=
            nullptr;
+}
+
+bool isOwnGlyph(ImWchar letter) {
+    for (std::size_t i = 0; i + 1 < kGlyphs.size(); i += 2) {
+        if (letter >= kGlyphs[i] && letter <= kGlyphs[i + 1]) return true;
+    }
+    return false;
+}
+
+void makeRanges() {
+    asked.ranges.clear();
+    for (const ImWchar letter : asked.letters) {
+        if (!asked.ranges.empty() && asked.ranges.back() + 1 == letter) {
+            asked.ranges.back() = letter;
+        } else {
+            asked.ranges.insert(asked.ranges.end(), {letter, letter});
+        }
+    }
+    asked.ranges.push_back(0);
+    asked.more = false;
+}
+
+/// Of the system and of the user.
+std::vector<std::filesystem::path> fontFolders() {
+    std::vector<std::filesystem::path> folders;
+    if (const auto data = userDataDir()) folders.push_back(data->parent_path() / "fonts");
+    folders.insert(folders.end(), {"/usr/share/fonts", "/usr/local/share/fonts"});
+    return folders;
+}
+
+/// To the fonts that are there already: from those first, then from one of the East.
+void addAskedGlyphs(float sizePx, bool merged) {
+    makeRanges();
+    if (asked.letters.empty()) return;
+    for (const FontFile& font : kFonts) {
+        merged |= addFont(font.path, sizePx, merged, asked.ranges.data());
+    }
+    const bool eastern = *asked.letters.rbegin() >= kFirstEastern;
+    if (!eastern) return;
+    for (const std::filesystem::path& file : eastAsianFonts(fontFolders())) {
+        merged |= addFont(file, sizePx, merged, asked.ranges.data());
+    }
 }
 
 }  // namespace
@@ -141,10 +218,46 @@ void loadFont(float scale) {
         if (!found) sizePx = font.sizePx * scale;
         found |= addFont(font.path, sizePx, found);
     }
-    if (found) return;
+    if (found) return addAskedGlyphs(sizePx, true);
     ImFontConfig config;
     config.SizePixels = kOwnFontPx * scale;
     ImGui::GetIO().Fonts->AddFontDefault(&config);
+}
+
+std::vector<std::filesystem::path> eastAsianFonts(std::span<const std::filesystem::path> folders) {
+    std::vector<std::filesystem::path> found;
+    const auto look = [&](std::span<const char* const> names) {
+        std::error_code error;
+        for (const char* name : names) {
+            for (const auto& folder : folders) {
+                if (std::filesystem::is_regular_file(folder / name, error)) {
+                    found.push_back(folder / name);
+                }
+            }
+        }
+    };
+    look(kWholeEast);
+    if (!found.empty()) return {found.front()};
+    look(kPartsOfEast);
+    return found;
+}
+
+void wantGlyphs(std::string_view text) {
+    for (const char* at = text.data(); at < text.data() + text.size();) {
+        if (static_cast<unsigned char>(*at) < 0x80U) {
+            ++at;
+            continue;
+        }
+        unsigned letter = 0;
+        at += std::max(1, ImTextCharFromUtf8(&letter, at, text.data() + text.size()));
+        if (letter > IM_UNICODE_CODEPOINT_MAX || letter == IM_UNICODE_CODEPOINT_INVALID) continue;
+        const auto glyph = static_cast<ImWchar>(letter);
+        if (!isOwnGlyph(glyph)) asked.more |= asked.letters.insert(glyph).second;
+    }
+}
+
+bool lacksGlyphs() {
+    return asked.more;
 }
 
 void restyle(float scale, const Settings& settings) {

@@ -18,6 +18,18 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
 }
 
+std::string withDecimalPoint(std::string_view number) {
+    std::string text(number);
+    const std::size_t comma = text.find(',');
+    if (comma == text.npos || text.find_first_of(",.", comma + 1) != text.npos) return text;
+    const std::size_t first = text.find_first_of("0123456789.,");
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t before = comma - first, after = end - comma - 1;
+    const bool thousands = after == 3 && before >= 1 && before <= 3 && text[first] != '0';
+    if (!thousands && text.find('.') == text.npos) text[comma] = '.';
+    return text;
+}
+
 bool holdsWords(std::string_view text, std::string_view wanted) {
     const std::string known = lower(text), words = lower(wanted);
     for (std::size_t from = 0; from < words.size();) {

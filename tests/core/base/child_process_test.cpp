@@ -1,8 +1,12 @@
 // child_process_test.cpp: programs of the shell, run beside the test.
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -109,6 +113,37 @@ TEST_CASE("A program ends with the thread that started it") {
     });
     starter.join();
     CHECK(child->wait() == 128 + SIGTERM);
+}
+
+TEST_CASE(
+    "A program that was let go ends by itself, whatever it has to say, and its file goes then") {
+    const TemporaryFolder folder;
+    const auto held = folder / "held by \"it\" $HOME", done = folder / "done";
+    std::ofstream(held) << "x";
+    const auto waitFor = [](const auto& condition) {
+        for (int i = 0; i < 5000 && !condition(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return condition();
+    };
+    REQUIRE(mkfifo((folder / "go").c_str(), 0600) == 0);
+    std::thread starter([&] {
+        // More than pipes hold, on both; without a reader the first of them would stop it.
+        const std::string talk = "dd if=/dev/zero bs=1024 count=200 2>/dev/null";
+        ChildProcess child("/bin/sh",
+                           script("trap '' PIPE; set -e; read x < " + (folder / "go").string() +
+                                  "; " + talk + "; " + talk + " >&2; touch " + done.string()),
+                           {.mayOutlive = true});
+        child.poll();
+        child.letGo(held);
+        CHECK_FALSE(child.poll());
+    });
+    starter.join();  // neither the object nor its thread are there any more
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    CHECK(std::filesystem::exists(held));
+    std::ofstream(folder / "go") << "now\n";
+    CHECK(waitFor([&] { return std::filesystem::exists(done); }));
+    CHECK(waitFor([&] { return !std::filesystem::exists(held); }));
 }
 
 TEST_CASE("Input is given whole, and one who no longer reads is no crash") {

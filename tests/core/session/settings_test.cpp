@@ -70,12 +70,18 @@ TEST_CASE("Every setting reads back as it was saved") {
     settings.textScale = 1.1f;
     settings.framesPerSecond = 60.5;
     settings.leftColumn = settings.rightColumn = false;
+    settings.leftColumnEms = 22.5f;
+    settings.rightColumnEms = 30.1f;
+    settings.dataDetails = true;
+    settings.window = WindowPlace{-40, 12, 1400, 800};  // on a screen to the left of the first
     settings.scaleBar = settings.compass = false;
     settings.heightRuler = true;
     settings.measureAtRest = false;
     settings.denoisedPreview = true;
     settings.recent = {"/data/a\n/data/b", "/data/Größe"};
+    CHECK_FALSE(settingsWereSaved());
     saveSettings(settings);
+    CHECK(settingsWereSaved());
     std::vector<std::string> warnings;
     CHECK(loadSettings(warnings) == settings);
     CHECK(warnings.empty());
@@ -98,7 +104,11 @@ TEST_CASE("A wrong setting is told with what is expected, and the others are use
           Case{"text_scale", "\"1\"", "0.5 to 4"}, Case{"compass", "1", "true or false"},
           Case{"frames_per_second", "0", "1 to 240"}, Case{"recent", "[1]", "names"},
           Case{"denoised_preview", "\"on\"", "true or false"},
-          Case{"measure_at_rest", "1", "or null"}, Case{"recent", "{}", "names"}}) {
+          Case{"left_column_letters", "4", "15 to 40"},
+          Case{"right_column_letters", "true", "15 to 40"},
+          Case{"window", "[0, 0, 1280]", "height"}, Case{"window", "[0, 0, 0, 720]", "height"},
+          Case{"window", "\"large\"", "height"}, Case{"measure_at_rest", "1", "or null"},
+          Case{"recent", "{}", "names"}}) {
         CAPTURE(c.key);
         CAPTURE(c.value);
         std::ofstream(folder / "nephoscope/settings.json")

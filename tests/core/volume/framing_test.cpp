@@ -59,7 +59,7 @@ TEST_CASE("All cloud is in the image and reaches its margin, from any side and i
             CAPTURE(azimuthDeg);
             CameraPose pose;
             pose.azimuthDeg = azimuthDeg;
-            pose = framed(View::fit, pose, shown, aspect);
+            pose = framed(View::fit, pose, shown, Look{}, aspect);
             const Camera camera = placeCamera(pose, shown.grid, aspect);
             double most = 0.0;
             for (const glm::ivec3 c : cells) {
@@ -76,9 +76,9 @@ TEST_CASE("A domain of 6 km is seen from as near, for its size, as one of 600 km
     SpeciesVolume volume = emptySky();
     for (int x = 10; x < 14; ++x) fieldOf(volume, Species::cloud).at(x, 12, 5) = 1e-3f;
     volume.grid.spacingM = {150.0, 150.0, 50.0};
-    const CameraPose small = framed(View::fit, {}, summarise(volume), 1.5);
+    const CameraPose small = framed(View::fit, {}, summarise(volume), Look{}, 1.5);
     volume.grid.spacingM *= 100.0;
-    const CameraPose large = framed(View::fit, {}, summarise(volume), 1.5);
+    const CameraPose large = framed(View::fit, {}, summarise(volume), Look{}, 1.5);
     CHECK(small.distance == doctest::Approx(large.distance).epsilon(1e-4));
     CHECK(glm::length(small.target - large.target) < 1e-4f);
 }
@@ -89,14 +89,39 @@ TEST_CASE("Drizzle too thin to be seen is not framed; a cloud of as much water i
     fieldOf(volume, Species::rain).at(30, 20, 2) = 1e-5f;  // 1.5 m²/kg: a path of 67 km
     const VolumeSummary shown = summarise(volume);
     REQUIRE(shown.seen.size() == 1);
-    CHECK(shown.seen[0].lowerM == glm::dvec3(4500.0, 6000.0, 2500.0));
-    CHECK(shown.seen[0].upperM == glm::dvec3(6000.0, 7500.0, 3000.0));
+    CHECK(shown.seen[0].box.lowerM == glm::dvec3(4500.0, 6000.0, 2500.0));
+    CHECK(shown.seen[0].box.upperM == glm::dvec3(6000.0, 7500.0, 3000.0));
+}
+
+TEST_CASE("What the look hides is not framed, unless there is nothing else") {
+    SpeciesVolume volume = emptySky();
+    // In one block, and rain far away as well.
+    fieldOf(volume, Species::cloud).at(6, 4, 5) = 1e-3f;
+    fieldOf(volume, Species::rain).at(7, 5, 4) = 1e-2f;
+    fieldOf(volume, Species::rain).at(30, 20, 2) = 1e-2f;
+    const VolumeSummary shown = summarise(volume);
+    const auto reached = [&](const Look& look, glm::ivec3 cell) {
+        const CameraPose pose = framed(View::south, {}, shown, look, 1.5);
+        return reach(placeCamera(pose, shown.grid, 1.5), cellM(shown.grid, cell));
+    };
+    const glm::ivec3 cloud(6, 4, 5), far(30, 20, 2);
+    Look look;
+    CHECK(reached(look, far) == doctest::Approx(0.95).epsilon(0.02));
+    const CameraPose all = framed(View::south, {}, shown, look, 1.5);
+    look.of(Species::rain).visible = false;
+    CHECK(reached(look, cloud) == doctest::Approx(0.95).epsilon(0.02));
+    CHECK(reached(look, far) > 2.0);
+    look.of(Species::rain).visible = true;
+    look.of(Species::rain).mixingScale = 0.0f;
+    CHECK(reached(look, cloud) == doctest::Approx(0.95).epsilon(0.02));
+    look.of(Species::cloud).visible = false;
+    CHECK(framed(View::south, {}, shown, look, 1.5) == all);
 }
 
 TEST_CASE("Where there is no cloud the whole domain is framed") {
     const VolumeSummary shown = summarise(emptySky());
     CHECK(shown.seen.empty());
-    const CameraPose pose = framed(View::south, {}, shown, 2.0);
+    const CameraPose pose = framed(View::south, {}, shown, Look{}, 2.0);
     const Camera camera = placeCamera(pose, shown.grid, 2.0);
     CHECK(reach(camera, {shown.grid.originM, shown.grid.upperM()}) ==
           doctest::Approx(0.95).epsilon(1e-4));

@@ -96,6 +96,33 @@ TEST_CASE("A field that the data lack has words where the others have a slider, 
     CHECK((panel.look() == Look{}));
 }
 
+TEST_CASE("A double click on a field's name puts its mixing scale back to the preset's") {
+    Panel panel;
+    panel.session.presetLook.of(Species::cloud).mixingScale = 0.25f;
+    panel.look().of(Species::cloud).mixingScale = 40.0f;
+    panel.look().of(Species::cloud).visible = false;
+    panel.click("cloud.mixing_scale:label");
+    CHECK(panel.look().of(Species::cloud).mixingScale == 40.0f);  // one click does nothing
+    for (int i = 0; i < 10; ++i) panel.frame();
+    panel.click("cloud.mixing_scale:label");
+    panel.press(true);
+    panel.press(false);
+    CHECK(panel.look().of(Species::cloud).mixingScale == 0.25f);
+    CHECK_FALSE(panel.look().of(Species::cloud).visible);
+    CHECK(panel.look().of(Species::rain).mixingScale == 1.0f);
+}
+
+TEST_CASE("Several fields are unfolded at once") {
+    Panel panel;
+    panel.click("rain.fold", 0.02f);
+    panel.frame();
+    CHECK(ui::placeOf("rain.albedo").has_value());
+    panel.click("cloud.fold", 0.02f);  // above it
+    panel.frame();
+    CHECK(ui::placeOf("cloud.albedo").has_value());
+    CHECK(ui::placeOf("rain.albedo").has_value());
+}
+
 TEST_CASE("The eye hides a field; solo shows one alone, and again those before, a step each") {
     Panel panel;
     panel.click("snow.visible");
@@ -210,6 +237,33 @@ TEST_CASE("The depth along the view is that of what is shown, and follows look a
     CHECK(total() == Approx(2.0 * one));
     panel.session.document.camera.target.x = 0.05f;  // beside it
     CHECK(total() == Approx(0.0));
+}
+
+TEST_CASE("A histogram has both axes labelled, with units, and counts every cell in its range") {
+    FieldHistogram histogram;
+    CHECK(ui::histogramFigure(histogram).curves.empty());
+    histogram.holding = Holding::content;
+    for (int i = 0; i < 1000; ++i) histogram.add(2e-4f);
+    histogram.add(3e-3f);
+    const plot::Figure figure = ui::histogramFigure(histogram);
+    CHECK(figure.x.label == "Mass content, g/m\u00b3");
+    CHECK(figure.y.label == "Cells");
+    CHECK(figure.x.logarithmic);
+    CHECK(figure.y.logarithmic);
+    CHECK(figure.x.from == Approx(0.1));  // whole decades around 0.2 and 3 g/m³
+    CHECK(figure.x.to == Approx(10.0));
+    CHECK(figure.y.to == Approx(1e4));
+    REQUIRE(figure.curves.size() == 1);
+    const auto countAt = [&](double gPerM3) {
+        const auto& points = figure.curves.front().points;
+        for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+            if (points[i].x <= gPerM3 && gPerM3 < points[i + 1].x) return points[i].y;
+        }
+        return -1.0;
+    };
+    CHECK(countAt(0.2) == 1000.0);
+    CHECK(countAt(3.0) == 1.0);
+    CHECK(countAt(1.0) < 1.0);  // none, below the first tick
 }
 
 TEST_CASE("Field colours change to those that the colour-blind can tell, and back to table 2") {

@@ -9,6 +9,7 @@
 #include "app/ui/output/output_run.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/shell/context.h"
+#include "app/ui/widgets/places.h"
 #include "core/session/session_file.h"
 #include "tests/environment.h"
 #include "tests/temporary_folder.h"
@@ -147,6 +148,82 @@ TEST_CASE("An export reads what the window holds, is told when it is there, and 
         CHECK(contains(session.messages.back().text, "program"));
     }
     CHECK(std::filesystem::is_empty(folder / "nephoscope" / "exports"));
+}
+
+TEST_CASE("The window asks before it closes on an export: wait, stop it, or let it go on") {
+    const TemporaryFolder folder;
+    const Environment cache("XDG_CACHE_HOME", folder.path().string());
+    const auto held = folder / "nephoscope" / "exports", done = folder / "done";
+    Headless gui;
+    wantPlaces(true);
+    Session session(noReaders());
+    Ui ui(session);
+    ui.services.state = [] { return SessionState{.slots = std::vector<SlotState>(1)}; };
+    ui.output.program = folder / "program";
+    ui.output.settings.file = (folder / "p.png").string();
+    makeProgram(ui.output.program, "while [ ! -e " + (folder / "go").string() +
+                                       " ]; do sleep 0.01; done; echo 'wrote p.png' >&2; touch " +
+                                       done.string());
+    const auto draw = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            clearPlaces();
+            gui.frame([&] { drawOutput(contextOf(ui), ui.output, exportSceneOf(ui)); });
+        }
+    };
+    const auto click = [&](const char* name) {
+        const auto at = placeOf(name);
+        REQUIRE_MESSAGE(at.has_value(), name);
+        ImGui::GetIO().MousePos = {at->lower.x + 5.0f, at->lower.y + 5.0f};
+        for (const bool down : {false, true, false}) {
+            ImGui::GetIO().MouseDown[0] = down;
+            draw(1);
+        }
+    };
+    const auto waitFor = [&](const auto& condition) {
+        for (int i = 0; i < 5000 && !condition(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            draw(1);
+        }
+        return condition();
+    };
+    CHECK(mayQuit(ui.output));  // nothing is running
+    exportImage(contextOf(ui), ui.output, exportSceneOf(ui));
+    CHECK_FALSE(mayQuit(ui.output));
+    draw(4);
+    SUBCASE("no answer") {
+        click("quit.cancel");
+        CHECK_FALSE(ui.output.asksToQuit);
+        CHECK_FALSE(ui.requests.quit);
+        CHECK(exports(ui.output));
+        std::ofstream(folder / "go") << "x";
+        CHECK(waitFor([&] { return !exports(ui.output); }));
+        CHECK_FALSE(ui.requests.quit);
+    }
+    SUBCASE("wait") {
+        click("quit.after");
+        CHECK_FALSE(ui.requests.quit);
+        std::ofstream(folder / "go") << "x";
+        CHECK(waitFor([&] { return ui.requests.quit; }));
+        CHECK(mayQuit(ui.output));
+    }
+    SUBCASE("stop") {
+        click("quit.stop");
+        CHECK(ui.requests.quit);
+        CHECK(mayQuit(ui.output));
+        CHECK(std::filesystem::is_empty(held));
+        CHECK_FALSE(std::filesystem::exists(done));
+    }
+    SUBCASE("let it go on") {
+        click("quit.leave");
+        CHECK(ui.requests.quit);
+        CHECK(mayQuit(ui.output));
+        ui.output.job.reset();  // as when the window has gone
+        CHECK_FALSE(std::filesystem::is_empty(held));
+        std::ofstream(folder / "go") << "x";
+        CHECK(waitFor([&] { return std::filesystem::exists(done); }));
+        CHECK(waitFor([&] { return std::filesystem::is_empty(held); }));
+    }
+    wantPlaces(false);
 }
 
 TEST_CASE("A video without ffmpeg, and a path without keys, say what to do") {

@@ -98,6 +98,30 @@ void checkWindows(glm::vec2 size) {
     }
 }
 
+/// Nothing is outside the display, and what is taller than its window scrolls.
+void checkShown(glm::vec2 size) {
+    int shown = 0;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        if (!window->WasActive || window->Hidden || window->RootWindow != window) continue;
+        const std::string name = window->Name;
+        if (name.starts_with("Debug")) continue;
+        CAPTURE(name);
+        CHECK(window->Pos.x >= 0.0f);
+        CHECK(window->Pos.y >= 0.0f);
+        CHECK(window->Pos.x + window->Size.x <= size.x);
+        CHECK(window->Pos.y + window->Size.y <= size.y);
+        // Columns and bars are what other tests are about.
+        const bool popup = (window->Flags & ImGuiWindowFlags_Popup) != 0;
+        if (name.starts_with("##") && !popup) continue;
+        ++shown;
+        const ImVec2 room = window->InnerRect.GetSize();
+        CHECK(window->ContentSize.x <= room.x - 2.0f * window->WindowPadding.x + 1.0f);
+        const bool scrolls = window->ScrollbarY || window->ChildId != 0;
+        CHECK((scrolls || window->ContentSize.y <= room.y));
+    }
+    CHECK(shown > 0);
+}
+
 }  // namespace
 
 TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and scale") {
@@ -107,6 +131,7 @@ TEST_CASE("Nothing overlaps and nothing is cut, whatever the window's size and s
         CAPTURE(window.scale);
         for (const bool columns : {true, false}) {
             CAPTURE(columns);
+            scene.state.settings.dataDetails = columns;
             scene.state.settings.leftColumn = scene.state.settings.rightColumn = columns;
             scene.show(window);
             const ui::Layout layout = scene.state.layout();
@@ -157,6 +182,109 @@ TEST_CASE("A column's edge is dragged to another width, and a click on it closes
     CHECK(scene.state.layout().left.empty());
     drag(5.0f, 5.0f);
     CHECK(scene.state.settings.leftColumn);
+}
+
+TEST_CASE("Dialogues stay within the window at the largest text") {
+    Scene scene;
+    const Window large{{1280.0f, 720.0f}, 2.5f};
+    const auto within = [&] {
+        scene.show(large);
+        scene.frames(3);
+        checkShown(large.size);
+    };
+    ui::Ui& ui = scene.state;
+    SUBCASE("export") {
+        ui.output.open = true;
+        within();
+    }
+    SUBCASE("save a preset") {
+        CHECK(ui::runAction(ui, "preset.save_as"));
+        within();
+    }
+    SUBCASE("file browser") {
+        ui::browse(ui.settings, ui.sessionDialogs, ui::BrowseFor::data);
+        within();
+    }
+    SUBCASE("recent data") {
+        for (int i = 0; i < 12; ++i) ui.settings.recent.push_back("/data/" + std::to_string(i));
+        ui.sessionDialogs.showRecent = true;
+        within();
+    }
+    SUBCASE("data that have moved") {
+        ui.sessionDialogs.waiting.emplace();
+        ui.sessionDialogs.waiting->name = "storm.nephoscope.json";
+        for (int i = 0; i < 9; ++i) {
+            ui.sessionDialogs.waiting->missing.push_back("/data/of/a/run/wrfout_d01_" +
+                                                         std::to_string(i));
+        }
+        within();
+    }
+    SUBCASE("an export when the window closes") {
+        ui.output.asksToQuit = true;
+        within();
+    }
+    SUBCASE("palette") {
+        ui.palette.open = true;
+        within();
+    }
+    SUBCASE("help") {
+        ui.showHelp = true;
+        within();
+    }
+    SUBCASE("history and messages") {
+        ui.showHistory = ui.showMessages = true;
+        within();
+    }
+}
+
+TEST_CASE("The width of a column is a setting") {
+    Scene scene;
+    scene.show({{1920.0f, 1080.0f}, 1.0f});
+    const float em = ImGui::GetFontSize();
+    CHECK(scene.state.layout().left.size().x == doctest::Approx(20.0f * em).epsilon(0.01));
+    scene.state.settings.leftColumnEms = 30.0f;
+    CHECK(scene.state.layout().left.size().x == doctest::Approx(30.0f * em).epsilon(0.01));
+    CHECK(scene.state.layout().right.size().x == doctest::Approx(20.0f * em).epsilon(0.01));
+}
+
+TEST_CASE("Fields come first: all six are in sight below one line that says what is open") {
+    Scene scene;
+    ui::wantPlaces(true);
+    const auto draw = [&] {
+        for (int i = 0; i < 4; ++i) {
+            ui::clearPlaces();
+            scene.frames(1);
+        }
+    };
+    const auto click = [&](const char* name) {
+        ImGuiIO& io = ImGui::GetIO();
+        const auto at = ui::placeOf(name);
+        REQUIRE(at.has_value());
+        io.MousePos = {(at->lower.x + at->upper.x) / 2.0f, (at->lower.y + at->upper.y) / 2.0f};
+        for (const bool down : {false, true, false}) {
+            io.MouseDown[0] = down;
+            draw();
+        }
+    };
+    scene.show({{1280.0f, 720.0f}, 1.0f});
+    draw();
+    const float bottom = scene.state.layout().left.upper.y;
+    for (int s = 0; s < kSpeciesCount; ++s) {
+        const std::string id(info(static_cast<Species>(s)).id);
+        CAPTURE(id);
+        const auto row = ui::placeOf(id + ".fold");
+        REQUIRE(row.has_value());
+        CHECK(row->lower.y > 0.0f);
+        CHECK(row->upper.y <= bottom);
+    }
+    CHECK_FALSE(ui::placeOf("data.memory").has_value());
+    click("data.header");
+    CHECK(scene.state.settings.dataDetails);
+    CHECK(ui::placeOf("data.memory").has_value());
+    click("data.header");
+    CHECK_FALSE(scene.state.settings.dataDetails);
+    CHECK_FALSE(ui::placeOf("data.memory").has_value());
+    ui::wantPlaces(false);
 }
 
 TEST_CASE("Every action stands in the menu that it names, once, and can be reached by mouse") {

@@ -39,7 +39,7 @@ void checkNotice(Headless& gui, ui::Ui& state, const std::string& wanted) {
         for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
         const ui::Area image = state.layout().image;
         for (const char* name : {"##nodata", "##loading", "##nohydrometeors", "##clear", "##off",
-                                 "##error", "##crashed"}) {
+                                 "##error", "##crashed", "##keys"}) {
             CAPTURE(name);
             const ImGuiWindow* window = ImGui::FindWindowByName(name);
             const bool there = window != nullptr && window->WasActive;
@@ -62,6 +62,23 @@ TEST_CASE("Without data the start screen says what to do, with what was opened r
     ui::Ui state(session);
     for (int i = 0; i < 12; ++i) state.settings.recent.push_back("/data/" + std::to_string(i));
     checkNotice(gui, state, "##nodata");
+}
+
+TEST_CASE("A first run hints at the keys until the hint is closed or was followed") {
+    Headless gui;
+    Session session(openFake(std::make_shared<FakeSeries>()));
+    openAndWait(session);
+    ui::Ui state(session);
+    checkNotice(gui, state, "");
+    for (const char* followed : {"help.sheet", "help.commands"}) {
+        CAPTURE(followed);
+        state.hintsAtKeys = true;
+        checkNotice(gui, state, "##keys");
+        CHECK(ui::runAction(state, followed));
+        for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
+        CHECK_FALSE(state.hintsAtKeys);
+        state.showHelp = false;
+    }
 }
 
 TEST_CASE("An error is told over the image until it is closed") {
@@ -105,6 +122,30 @@ TEST_CASE("A clear sky, fields switched off and data without hydrometeors are to
     openAndWait(session);
     ui::Ui state(session);
     checkNotice(gui, state, "##nohydrometeors");
+}
+
+TEST_CASE("An export and the performance are told over the image, and over no column") {
+    Headless gui;
+    Session session(openFake(std::make_shared<FakeSeries>()));
+    openAndWait(session);
+    ui::Ui state(session);
+    state.showProfile = true;
+    state.output.job.emplace("/bin/true", std::vector<std::string>{});
+    ImGui::GetIO().DisplaySize = {960.0f, 600.0f};
+    for (const float columns : {15.0f, 28.0f}) {
+        CAPTURE(columns);
+        state.settings.leftColumnEms = state.settings.rightColumnEms = columns;
+        for (int i = 0; i < 4; ++i) gui.frame([&] { ui::draw(state); });
+        const ui::Area image = state.layout().image;
+        for (const char* name : {"##export", "##profile"}) {
+            CAPTURE(name);
+            const ImGuiWindow* window = ImGui::FindWindowByName(name);
+            REQUIRE(window != nullptr);
+            CHECK(window->WasActive);
+            CHECK(window->Pos.x >= image.lower.x);
+            CHECK(window->Pos.x + window->Size.x <= image.upper.x);
+        }
+    }
 }
 
 TEST_CASE("Opening is told with its progress, and cancelling goes back to the start") {

@@ -102,6 +102,7 @@ TEST_CASE("The data panel is laid out, and its buttons choose the part of the do
     session.open(std::array<std::string, 1>{NEPH_TEST_SOURCE_DIR}, 0);
     REQUIRE(waitUntilShown(session));
     ui::Ui state(session);
+    state.settings.dataDetails = true;
     const Document before = session.document;
     for (int i = 0; i < 3; ++i) gui.frame([&] { ui::draw(state); });
     CHECK(session.document == before);

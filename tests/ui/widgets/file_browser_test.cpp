@@ -178,3 +178,54 @@ TEST_CASE("No key that is typed after Ctrl+O is lost, however slow the frames ar
         CHECK(state.sessionDialogs.browser.line == wanted);
     }
 }
+
+TEST_CASE("The name of a session that is saved is replaced by typing; its folder and ending stay") {
+    const TemporaryFolder folder;
+    const std::string wanted = "anvil";
+    for (const std::size_t perFrame : {1U, 2U, 9U}) {
+        CAPTURE(perFrame);
+        Headless gui;
+        Session session(noReaders());
+        ui::Ui state(session);
+        ui::FileBrowser& browser = state.sessionDialogs.browser;
+        browser.folder = folder.path();
+        ui::browse(state.settings, state.sessionDialogs, BrowseFor::saveSession);
+        const std::string before = folder.path().string() + "/";
+        CHECK(browser.line == before + "session.nephoscope.json");
+        for (std::size_t i = 0; i < wanted.size() + 4 * perFrame; i += perFrame) {
+            if (i < wanted.size()) {
+                ImGui::GetIO().AddInputCharactersUTF8(wanted.substr(i, perFrame).c_str());
+            }
+            gui.frame([&] { ui::draw(state); });
+        }
+        CHECK(browser.line == before + "anvil.nephoscope.json");
+    }
+    SUBCASE("also when the keyboard is there first") {
+        Headless gui;
+        Session session(noReaders());
+        ui::Ui state(session);
+        ui::FileBrowser& browser = state.sessionDialogs.browser;
+        browser.folder = folder.path();
+        ui::browse(state.settings, state.sessionDialogs, BrowseFor::saveSession);
+        for (int i = 0; i < 6; ++i) gui.frame([&] { ui::draw(state); });
+        for (const char letter : wanted) {
+            ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(letter));
+            gui.frame([&] { ui::draw(state); });
+        }
+        CHECK(browser.line == folder.path().string() + "/anvil.nephoscope.json");
+    }
+}
+
+TEST_CASE("What names the file ends before a session's ending, and behind all else") {
+    ui::FileBrowser browser;
+    const auto partOf = [&](BrowseFor purpose, const std::string& line) {
+        browser.purpose = purpose;
+        browser.line = line;
+        const ui::NamePart part = ui::namePart(browser);
+        return line.substr(part.from, part.to - part.from);
+    };
+    CHECK(partOf(BrowseFor::saveSession, "/a/storm.nephoscope.json") == "storm");
+    CHECK(partOf(BrowseFor::saveSession, "/a/storm.json") == "storm.json");
+    CHECK(partOf(BrowseFor::saveSession, "/a/").empty());
+    CHECK(partOf(BrowseFor::session, "/a/storm.nephoscope.json") == "storm.nephoscope.json");
+}

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <array>
 #include <cmath>
@@ -10,7 +11,9 @@
 #include <utility>
 
 #include "app/ui/widgets/format.h"
+#include "app/ui/widgets/input.h"
 #include "app/ui/widgets/places.h"
+#include "app/ui/widgets/words.h"
 #include "core/base/error.h"
 #include "tests/ui/headless.h"
 
@@ -159,6 +162,63 @@ TEST_CASE("A typed number beyond the range becomes its bound") {
     CHECK(bench.value() == 90.0);
 }
 
+TEST_CASE("A decimal comma is a point, and what may be thousands is no number") {
+    CHECK(ui::withDecimalPoint("0,5") == "0.5");
+    CHECK(ui::withDecimalPoint("-12,25") == "-12.25");
+    CHECK(ui::withDecimalPoint("0,125") == "0.125");
+    CHECK(ui::withDecimalPoint("1500,125") == "1500.125");
+    CHECK(ui::withDecimalPoint(",5") == ".5");
+    CHECK(ui::withDecimalPoint("2,5e-3") == "2.5e-3");
+    for (const char* kept : {"1,000", "12,500", "1,000,000", "1.000,5", "1,000.5", "high", ""}) {
+        CHECK(ui::withDecimalPoint(kept) == kept);
+    }
+    Bench bench("cloud.mixing_scale");
+    bench.beginTyping();
+    bench.type("0,5");
+    bench.tap(Bench::kEnter);
+    CHECK(bench.value() == 0.5);
+    bench.beginTyping();
+    bench.type("1,000");
+    bench.tap(Bench::kEnter);
+    CHECK(bench.value() == 0.5);
+    bench.tap(Bench::kEscape);
+    CHECK(bench.value() == 0.5);
+}
+
+TEST_CASE("ImGui's own fields for numbers take a decimal comma, and lines of text keep theirs") {
+    for (const bool number : {true, false}) {
+        CAPTURE(number);
+        Headless gui;
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyMap[ImGuiKey_Enter] = Bench::kEnter;
+        double value = 7.0;
+        std::string text;
+        const auto frame = [&] {
+            gui.frame([&] {
+                ui::takeDecimalCommas();
+                ImGui::Begin("test");
+                if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+                if (number) {
+                    ImGui::InputDouble("##number", &value);
+                    ui::noteNumberField();
+                } else {
+                    ImGui::InputText("##text", &text);
+                }
+                ImGui::End();
+            });
+        };
+        for (int i = 0; i < 4; ++i) frame();
+        for (const char c : {'0', ',', '5'}) io.AddInputCharacter(static_cast<unsigned>(c));
+        frame();
+        for (const bool down : {true, false}) {
+            io.KeysDown[Bench::kEnter] = down;
+            frame();
+        }
+        CHECK(value == (number ? 0.5 : 7.0));
+        CHECK(text == (number ? "" : "0,5"));
+    }
+}
+
 TEST_CASE("What is not a number changes nothing, and can be corrected at once; Esc leaves it") {
     Bench bench("sun.elevation");
     bench.beginTyping();
@@ -214,6 +274,8 @@ TEST_CASE("Values are pasted as screens and as --set spell them, and refused wit
     CHECK(number("rain.effective_radius=0.0005\n") == Approx(5e-4));
     CHECK(number("500") == Approx(5e-4));
     CHECK(number("500 \xC2\xB5m") == Approx(5e-4));
+    CHECK(number("500,5 \xC2\xB5m") == Approx(5.005e-4));
+    CHECK_THROWS_AS(number("1,000"), Error);
     CHECK_THROWS_AS(number("red"), Error);
     CHECK_THROWS_AS(number("1e9"), Error);
     CHECK(std::get<glm::vec3>(ui::pastedValue(parameter("sun.colour"), "1,0.5,0")) ==

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string_view>
 
+#include "tests/temporary_folder.h"
 #include "tests/ui/headless.h"
 
 using namespace neph;
@@ -98,5 +101,67 @@ TEST_CASE("The font follows the scale of the text and has the signs that panels 
          std::u16string_view(u"\u00b0\u00b5\u03b8\u00b3\u207b\u2192\u00d7\u2264")) {
         CAPTURE(static_cast<int>(sign));
         CHECK(font->FindGlyphNoFallback(static_cast<ImWchar>(sign)) != nullptr);
+    }
+}
+
+TEST_CASE("Letters that names have are loaded when they are asked for, and no others") {
+    Headless gui;
+    const Settings settings;
+    const auto has = [](ImWchar letter) {
+        ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+        fonts.Build();
+        return fonts.Fonts[0]->FindGlyphNoFallback(letter) != nullptr;
+    };
+    ui::restyle(1.0f, settings);
+    constexpr ImWchar kAlpha = 0x03b1, kZhe = 0x0416, kSha = 0x0428;
+    if (!has(kAlpha)) {
+        MESSAGE("no font is installed: there is nothing to test");
+        return;
+    }
+    CHECK_FALSE(has(kZhe));
+    CHECK_FALSE(ui::lacksGlyphs());
+    ui::wantGlyphs("wrfout_d01 \u03b1 \u00b5m");  // of those that are always there
+    CHECK_FALSE(ui::lacksGlyphs());
+    ui::wantGlyphs("\u0416_d01.nc\xff");
+    CHECK(ui::lacksGlyphs());
+    ui::restyle(1.0f, settings);
+    CHECK_FALSE(ui::lacksGlyphs());
+    CHECK(has(kZhe));
+    CHECK_FALSE(has(kSha));
+    ui::wantGlyphs("\u0416\u0416");
+    CHECK_FALSE(ui::lacksGlyphs());
+}
+
+TEST_CASE("Fonts for the East are looked for where systems and users put them") {
+    const TemporaryFolder system, user;
+    const std::array folders{user.path(), system.path()};
+    using Files = std::vector<std::filesystem::path>;
+    CHECK(ui::eastAsianFonts(folders).empty());
+    const auto put = [](const std::filesystem::path& file) {
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << "font";
+        return file;
+    };
+    const auto hangul = put(system / "truetype/nanum/NanumGothic.ttf");
+    CHECK(ui::eastAsianFonts(folders) == Files{hangul});
+    const auto han = put(user / "DroidSansFallbackFull.ttf");
+    CHECK(ui::eastAsianFonts(folders) == Files{han, hangul});
+    const auto all = put(system / "opentype/noto/NotoSansCJK-Regular.ttc");
+    CHECK(ui::eastAsianFonts(folders) == Files{all});
+}
+
+TEST_CASE("Names in Chinese, Japanese and Korean are shown where the system has a font for them") {
+    const std::array<std::filesystem::path, 1> system{"/usr/share/fonts"};
+    if (ui::eastAsianFonts(system).empty()) {
+        MESSAGE("no such font is installed: there is nothing to test");
+        return;
+    }
+    Headless gui;
+    ui::wantGlyphs("\u53f0\u98ce");
+    ui::restyle(1.0f, {});
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    fonts.Build();
+    for (const ImWchar letter : {ImWchar{0x53f0}, ImWchar{0x98ce}}) {
+        CHECK(fonts.Fonts[0]->FindGlyphNoFallback(letter) != nullptr);
     }
 }
