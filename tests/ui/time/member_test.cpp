@@ -87,10 +87,10 @@ TEST_CASE("The ensemble map is read in the background, and follows the time that
     };
     REQUIRE(read(2));
     CHECK(state.ensemble.depths->without == std::vector<std::string>{"mem02"});
-    CHECK(state.ensemble.values.size() == 64);
+    CHECK(state.ensemble.figure.field->values.size() == 64);
     // Columns 2 to 4 of FakeDataset have cloud.
-    CHECK(state.ensemble.values[3] == 1.0f);
-    CHECK(state.ensemble.values[6] == 0.0f);
+    CHECK(state.ensemble.figure.field->values[3] == 1.0f);
+    CHECK(state.ensemble.figure.field->values[6] == 0.0f);
     members.session.document.time = 0;
     CHECK(read(3));
 }
