@@ -144,10 +144,12 @@ Ascent ascentOf(const Sounding& sounding, const Parcel& parcel) {
         condensationPressurePa(parcel.pressurePa, parcel.temperatureK, parcel.vapourRatio);
     const std::vector<Step> steps = stepsOf(sounding, parcel, condensationPa);
     for (const Step& step : steps) ascent.way.push_back(step.point);
-    const SoundingLevel air = levelAt(sounding, condensationPa);
-    ascent.condensation = {
-        condensationPa, air.heightM - sounding.groundM,
-        condensationTemperatureK(parcel.pressurePa, parcel.temperatureK, parcel.vapourRatio)};
+    if (condensationPa >= sounding.levels.back().pressurePa) {
+        const SoundingLevel air = levelAt(sounding, condensationPa);
+        ascent.condensation = {
+            condensationPa, air.heightM - sounding.groundM,
+            condensationTemperatureK(parcel.pressurePa, parcel.temperatureK, parcel.vapourRatio)};
+    }
     // Free convection begins above condensation: a warm surface alone is no cloud.
     for (const Layer& layer : layersOf(steps)) {
         const bool moist = layer.to.pressurePa < condensationPa;

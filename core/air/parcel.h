@@ -37,7 +37,7 @@ struct Ascent {
     std::vector<ParcelPoint> way;  ///< from the start up, every 5 hPa or finer
     double capeJPerKg = 0.0;       ///< all that is positive above the level of free convection
     double cinJPerKg = 0.0;        ///< all that is negative below it; 0 or less
-    ParcelPoint condensation;      ///< LCL
+    std::optional<ParcelPoint> condensation;    ///< LCL; none below the top of the sounding
     std::optional<ParcelPoint> freeConvection;  ///< LFC; none where the parcel is never buoyant
     std::optional<ParcelPoint> equilibrium;     ///< EL: the highest, of positive energy
 };

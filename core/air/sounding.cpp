@@ -33,15 +33,29 @@ SoundingLevel levelAt(const Sounding& sounding, double pressurePa) {
 }
 
 glm::dvec2 windAt(const Sounding& sounding, double aboveGroundM) {
-    const auto& levels = sounding.levels;
     const double heightM = sounding.groundM + aboveGroundM;
-    const auto above = std::ranges::find_if(
-        levels, [&](const SoundingLevel& level) { return level.heightM >= heightM; });
-    if (above == levels.begin()) return levels.front().windMPerS.value_or(glm::dvec2(0.0));
-    if (above == levels.end()) return levels.back().windMPerS.value_or(glm::dvec2(0.0));
-    const SoundingLevel& below = *(above - 1);
-    const double share = (heightM - below.heightM) / (above->heightM - below.heightM);
-    return between(below, *above, share).windMPerS.value_or(glm::dvec2(0.0));
+    const SoundingLevel* below = nullptr;
+    for (const SoundingLevel& level : sounding.levels) {
+        if (!level.windMPerS) continue;
+        if (level.heightM < heightM) {
+            below = &level;
+            continue;
+        }
+        if (below == nullptr) return *level.windMPerS;
+        const double share = (heightM - below->heightM) / (level.heightM - below->heightM);
+        return glm::mix(*below->windMPerS, *level.windMPerS, share);
+    }
+    return below == nullptr ? glm::dvec2(0.0) : *below->windMPerS;
+}
+
+double windTopM(const Sounding& sounding) {
+    const auto& levels = sounding.levels;
+    std::size_t last = levels.size();
+    while (last > 0 && !levels[last - 1].windMPerS) --last;
+    if (last == 0) return 0.0;
+    const double height = levels[last - 1].heightM;
+    const double below = last > 1 ? levels[last - 2].heightM : sounding.groundM;
+    return height + 0.5 * (height - below) - sounding.groundM;
 }
 
 }  // namespace neph

@@ -32,7 +32,9 @@ std::optional<Sounding> soundingOf(const ColumnReport& report) {
         const bool falls =
             sounding.levels.empty() || level.pressurePa < sounding.levels.back().pressurePa;
         if (!known || !falls) continue;
-        if (x != nullptr && y != nullptr) level.windMPerS = {x->values[i], y->values[i]};
+        if (x != nullptr && y != nullptr && std::isfinite(x->values[i] + y->values[i])) {
+            level.windMPerS = {x->values[i], y->values[i]};
+        }
         sounding.levels.push_back(level);
     }
     if (sounding.levels.size() < 2) return {};
@@ -40,12 +42,14 @@ std::optional<Sounding> soundingOf(const ColumnReport& report) {
 }
 
 WindIndices windOf(const Sounding& sounding) {
+    const double top = windTopM(sounding);
     WindIndices wind;
-    wind.shear1MPerS = bulkShearMPerS(sounding, 1000.0);
+    if (top >= 1000.0) wind.shear1MPerS = bulkShearMPerS(sounding, 1000.0);
+    if (top < 6000.0) return wind;
     wind.shear6MPerS = bulkShearMPerS(sounding, 6000.0);
     wind.motion = stormMotionOf(sounding);
-    wind.helicity1 = stormRelativeHelicity(sounding, 1000.0, wind.motion.rightMPerS);
-    wind.helicity3 = stormRelativeHelicity(sounding, 3000.0, wind.motion.rightMPerS);
+    wind.helicity1 = stormRelativeHelicity(sounding, 1000.0, wind.motion->rightMPerS);
+    wind.helicity3 = stormRelativeHelicity(sounding, 3000.0, wind.motion->rightMPerS);
     return wind;
 }
 
@@ -107,7 +111,14 @@ ColumnReport readColumn(Dataset& dataset, int time, glm::dvec2 positionM) {
     report.convection =
         ConvectionIndices{lifted(ParcelSource::surface), lifted(ParcelSource::mixedLayer),
                           lifted(ParcelSource::mostUnstable)};
-    if (report.sounding->hasWind()) report.wind = windOf(*report.sounding);
+    if (report.sounding->hasWind()) {
+        report.wind = windOf(*report.sounding);
+        if (!report.wind->motion) {
+            report.lacks.push_back(fmt::format(
+                "shear and storm motion to 6 km: their wind ends {:.1f} km above the ground",
+                1e-3 * windTopM(*report.sounding)));
+        }
+    }
     return report;
 }
 

@@ -23,10 +23,12 @@ struct Profile {
 struct ConvectionIndices {
     Ascent surface, mixedLayer, mostUnstable;
 };
+/// Each where the wind is known up to the height that it needs.
 struct WindIndices {
-    glm::dvec2 shear1MPerS{0.0}, shear6MPerS{0.0};  ///< from the ground to 1 and 6 km
-    StormMotion motion;                             ///< relative to what the wind is relative to
-    double helicity1 = 0.0, helicity3 = 0.0;  ///< of a storm that moves right, to 1 and 3 km, m²/s²
+    std::optional<glm::dvec2> shear1MPerS, shear6MPerS;  ///< from the ground to 1 and 6 km
+    std::optional<StormMotion> motion;  ///< relative to what the wind is relative to; to 6 km
+    /// Of a storm that moves right, to 1 and 3 km, m²/s²; they need its motion.
+    std::optional<double> helicity1, helicity3;
 };
 
 struct ColumnReport {

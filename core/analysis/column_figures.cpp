@@ -13,6 +13,7 @@ namespace neph {
 namespace {
 
 constexpr double kKm = 1e-3;
+constexpr const char* kNotKnown = "not known";
 constexpr double kLowestPa = 1.05e5, kHighestPa = 1e4;
 constexpr double kColdestC = -40.0, kWarmestC = 45.0;
 constexpr double kSkewC = 85.0;  // by how much isotherms lean over the height of the plot
@@ -135,14 +136,19 @@ std::string windText(glm::dvec2 windMPerS) {
 }
 
 void addWindNotes(plot::Figure& figure, const WindIndices& wind) {
-    figure.notes.emplace_back("Shear 0–1 km",
-                              fmt::format("{:.1f} m/s", glm::length(wind.shear1MPerS)));
-    figure.notes.emplace_back("Shear 0–6 km",
-                              fmt::format("{:.1f} m/s", glm::length(wind.shear6MPerS)));
-    figure.notes.emplace_back("SRH 0–1 km", fmt::format("{:.0f} m²/s²", wind.helicity1));
-    figure.notes.emplace_back("SRH 0–3 km", fmt::format("{:.0f} m²/s²", wind.helicity3));
-    figure.notes.emplace_back("Right mover", windText(wind.motion.rightMPerS));
-    figure.notes.emplace_back("Left mover", windText(wind.motion.leftMPerS));
+    const auto shear = [](const std::optional<glm::dvec2>& of) {
+        return of ? fmt::format("{:.1f} m/s", glm::length(*of)) : std::string(kNotKnown);
+    };
+    const auto helicity = [](const std::optional<double>& of) {
+        return of ? fmt::format("{:.0f} m²/s²", *of) : std::string(kNotKnown);
+    };
+    figure.notes.emplace_back("Shear 0–1 km", shear(wind.shear1MPerS));
+    figure.notes.emplace_back("Shear 0–6 km", shear(wind.shear6MPerS));
+    figure.notes.emplace_back("SRH 0–1 km", helicity(wind.helicity1));
+    figure.notes.emplace_back("SRH 0–3 km", helicity(wind.helicity3));
+    if (!wind.motion) return;
+    figure.notes.emplace_back("Right mover", windText(wind.motion->rightMPerS));
+    figure.notes.emplace_back("Left mover", windText(wind.motion->leftMPerS));
 }
 
 }  // namespace
@@ -180,17 +186,19 @@ plot::Figure hodographFigure(const ColumnReport& report) {
         const char* label;
     };
     const Sounding& sounding = *report.sounding;
+    const double top = windTopM(sounding);
     double most = 10.0;
     for (const Layer& layer : {Layer{0.0, 1000.0, plot::Ink::red, "0–1 km"},
                                Layer{1000.0, 3000.0, plot::Ink::orange, "1–3 km"},
                                Layer{3000.0, 6000.0, plot::Ink::green, "3–6 km"},
                                Layer{6000.0, 10000.0, plot::Ink::blue, "6–10 km"}}) {
+        if (layer.fromM >= top) break;
         plot::Curve curve = curveOf(layer.ink, 2.2);
         curve.label = layer.label;
         constexpr int kSteps = 40;
         for (int i = 0; i <= kSteps; ++i) {
-            const glm::dvec2 wind =
-                windAt(sounding, std::lerp(layer.fromM, layer.toM, double(i) / kSteps));
+            const glm::dvec2 wind = windAt(
+                sounding, std::lerp(layer.fromM, std::min(layer.toM, top), double(i) / kSteps));
             curve.points.push_back(wind);
             most = std::max({most, std::abs(wind.x), std::abs(wind.y)});
         }
@@ -199,7 +207,8 @@ plot::Figure hodographFigure(const ColumnReport& report) {
     most *= 1.1;
     figure.x = {"Wind along x, m/s", -most, most, false, {}};
     figure.y = {"Wind along y, m/s", -most, most, false, {}};
-    const StormMotion& motion = report.wind->motion;
+    if (!report.wind->motion) return figure;
+    const StormMotion& motion = *report.wind->motion;
     figure.marks = {{motion.rightMPerS, "right", plot::Ink::foreground, true},
                     {motion.leftMPerS, "left", plot::Ink::foreground, true},
                     {motion.meanMPerS, "mean", plot::Ink::foreground, true}};

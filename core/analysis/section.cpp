@@ -82,10 +82,19 @@ int pointsAlong(const DatasetInfo& info, double lengthM) {
     return std::clamp(static_cast<int>(std::ceil(2.0 * lengthM / cell)) + 1, 2, kMostPoints);
 }
 
+/// Half of the thinnest layer of a column, and no more than kHeightStepM.
+double heightStepOf(const AirBlock& block, glm::ivec2 column) {
+    double step = kHeightStepM;
+    for (int level = 0; level < block.levels(); ++level) {
+        step = std::min(step, 0.5 * (block.faceM(column, level + 1) - block.faceM(column, level)));
+    }
+    return step;
+}
+
 /// Even heights from the lowest ground to the highest top.
-std::vector<double> heightsOf(double lowestM, double highestM) {
-    const int steps = std::clamp(static_cast<int>(std::ceil((highestM - lowestM) / kHeightStepM)),
-                                 2, kMostHeights);
+std::vector<double> heightsOf(double lowestM, double highestM, double stepM) {
+    const int steps = static_cast<int>(
+        std::clamp(std::ceil((highestM - lowestM) / stepM), 2.0, double(kMostHeights)));
     std::vector<double> heights;
     for (int i = 0; i < steps; ++i) {
         heights.push_back(std::lerp(lowestM, highestM, (i + 0.5) / steps));
@@ -218,8 +227,9 @@ CrossSection verticalSection(Dataset& dataset, int time, glm::dvec2 fromM, glm::
         if (section.upM.empty()) {
             const glm::ivec2 column(stretches[s].columns.lower);
             // The lowest ground may be elsewhere along the line, sea level at the lowest.
-            section.upM = heightsOf(std::min(block.faceM(column, 0), 0.0),
-                                    block.faceM(column, block.levels()));
+            section.upM =
+                heightsOf(std::min(block.faceM(column, 0), 0.0),
+                          block.faceM(column, block.levels()), heightStepOf(block, column));
             for (SectionField& field : section.fields) {
                 field.values.assign(section.upM.size() * points.size(), kNothing);
             }

@@ -270,6 +270,7 @@ class SeriesMaker {
     void describe(Candidate& candidate, const Progress& progress) {
         if (isClaimed(candidate.path)) return;
         try {
+            requireReadable(candidate.path);
             candidate.description = ReaderFile(reader_, candidate.path, progress).description();
             claimParts(*candidate.description);
         } catch (const Error& error) {

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/number_text.h"
 
 namespace neph::plot {
 namespace {
 
-constexpr double kTickPt = 4.0, kGapPt = 6.0, kBarPt = 14.0;
+constexpr double kTickPt = 4.0, kGapPt = 6.0, kBarPt = 14.0, kSamplePt = 18.0;
 constexpr double kPtPerTickX = 60.0, kPtPerTickY = 28.0;
 
 class Drawing {
@@ -75,8 +76,8 @@ class Drawing {
                                  kGapPt + (figure_.title.empty() ? 0.0 : line * 1.2) +
                                      (figure_.subtitle.empty() ? 0.0 : line));
         plot.upper -= glm::dvec2(2.0 * kGapPt + notesWidth(), 2.0 * line + kTickPt + 2.0 * kGapPt);
-        if (!legendOf().empty()) plot.upper.y -= line;
         if (figure_.field) plot.upper.x -= kBarPt + 3.5 * text() + line + 2.0 * kGapPt;
+        plot.upper.y -= line * legendRows(plot.lower.x);
         plot.upper = glm::max(plot.upper, plot.lower + glm::dvec2(20.0));
         if (figure_.equalScale) {
             const double spanX = std::abs(figure_.x.to - figure_.x.from);
@@ -274,26 +275,65 @@ class Drawing {
         Ink ink;
         bool dashed;
     };
+    /// Whether a level lies within the values, so that there may be a line.
+    static bool crossed(const Contours& contours) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (const float value : contours.values) {
+            if (!std::isfinite(value)) continue;
+            least = std::min(least, static_cast<double>(value));
+            most = std::max(most, static_cast<double>(value));
+        }
+        return std::ranges::any_of(contours.levels,
+                                   [&](double level) { return level >= least && level <= most; });
+    }
     std::vector<Entry> legendOf() const {
         std::vector<Entry> entries;
         for (const Curve& curve : figure_.curves) {
-            if (!curve.label.empty()) entries.push_back({curve.label, curve.ink, curve.dashed});
+            const bool drawn = std::ranges::any_of(curve.points, [](const glm::dvec2& point) {
+                return std::isfinite(point.x) && std::isfinite(point.y);
+            });
+            if (!drawn || curve.label.empty()) continue;
+            entries.push_back({curve.label, curve.ink, curve.dashed});
         }
         for (const Contours& contours : figure_.contours) {
-            if (!contours.label.empty()) entries.push_back({contours.label, contours.ink, false});
+            if (contours.label.empty() || !crossed(contours)) continue;
+            entries.push_back({contours.label, contours.ink, false});
         }
         return entries;
     }
 
-    void drawLegend() {
-        constexpr double kSamplePt = 18.0;
-        double x = frame_.plot.lower.x;
-        const double y = frame_.plot.upper.y + kTickPt + 3.5 * text();
+    /// Where entries begin, as an advance along a row and the number of that row; rows reach from
+    /// `fromX` to the edge of the figure.
+    std::vector<glm::dvec2> legendPlaces(double fromX) {
+        std::vector<glm::dvec2> places;
+        glm::dvec2 next(0.0);
         for (const Entry& entry : legendOf()) {
+            const double width = kSamplePt + 4.0 + canvas_.textSize(entry.label, text()).x;
+            if (next.x > 0.0 && fromX + next.x + width > area_.upper.x) {
+                next = {0.0, next.y + 1.0};
+            }
+            places.push_back(next);
+            next.x += width + 2.0 * kGapPt;
+        }
+        return places;
+    }
+
+    double legendRows(double fromX) {
+        const std::vector<glm::dvec2> places = legendPlaces(fromX);
+        return places.empty() ? 0.0 : places.back().y + 1.0;
+    }
+
+    void drawLegend() {
+        const std::vector<Entry> entries = legendOf();
+        const std::vector<glm::dvec2> places = legendPlaces(frame_.plot.lower.x);
+        const double top = frame_.plot.upper.y + kTickPt + 3.5 * text();
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const Entry& entry = entries[i];
+            const double x = frame_.plot.lower.x + places[i].x;
+            const double y = top + 1.4 * text() * places[i].y;
             const std::array<glm::dvec2, 2> ends{glm::dvec2(x, y), glm::dvec2(x + kSamplePt, y)};
             canvas_.line(ends, pen(entry.ink, 2.0, entry.dashed));
             write({x + kSamplePt + 4.0, y}, {0.0, 0.5}, entry.label);
-            x += kSamplePt + 4.0 + canvas_.textSize(entry.label, text()).x + 2.0 * kGapPt;
         }
     }
 

@@ -52,7 +52,25 @@ std::string firstBytes(const fs::path& file) {
     return fmt::format("a file that begins with \"{}\"", text);
 }
 
-/// Throws Error if a path cannot be opened for reading at all.
+/// The error for what no reader takes; `readers` are those there are.
+Error unknownFormat(const fs::path& file, const std::string& readers) {
+    const std::optional<RecognisedFile> known = recogniseFile(file);
+    std::error_code none;
+    const bool folder = fs::is_directory(file, none);
+    return Error({.where = file.string(),
+                  .what = "no reader knows this format",
+                  .found = known    ? known->what
+                           : folder ? "a folder"
+                                    : firstBytes(file),
+                  .expected = readers,
+                  .hint = known ? known->step
+                                : "give the model's own output files (`nephoscope readers` lists "
+                                  "what can be read); bare numbers need a `nephoscope-brick` "
+                                  "sidecar that describes them (docs/raw-les.md)"});
+}
+
+}  // namespace
+
 void requireReadable(const fs::path& file) {
     std::error_code code;
     const fs::file_status status = fs::status(file, code);
@@ -74,25 +92,6 @@ void requireReadable(const fs::path& file) {
                      .hint = "check its permissions"});
     }
 }
-
-/// The error for what no reader takes; `readers` are those there are.
-Error unknownFormat(const fs::path& file, const std::string& readers) {
-    const std::optional<RecognisedFile> known = recogniseFile(file);
-    std::error_code none;
-    const bool folder = fs::is_directory(file, none);
-    return Error({.where = file.string(),
-                  .what = "no reader knows this format",
-                  .found = known    ? known->what
-                           : folder ? "a folder"
-                                    : firstBytes(file),
-                  .expected = readers,
-                  .hint = known ? known->step
-                                : "give the model's own output files (`nephoscope readers` lists "
-                                  "what can be read); bare numbers need a `nephoscope-brick` "
-                                  "sidecar that describes them (docs/raw-les.md)"});
-}
-
-}  // namespace
 
 ReaderPlugin::ReaderPlugin(const fs::path& file, const ReaderLimits& limits, fs::path mapFile)
     : map(std::move(mapFile)), limits_(limits) {

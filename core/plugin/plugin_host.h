@@ -46,6 +46,10 @@ struct RejectedPlugin {
     std::string reason;
 };
 
+/// Throws Error if a path cannot be opened for reading at all, or is neither a file nor a folder: a
+/// reader would wait for what writes to a pipe.
+void requireReadable(const std::filesystem::path& file);
+
 /// The readers that are available. Immutable after construction, so any thread may use it.
 class PluginHost {
   public:

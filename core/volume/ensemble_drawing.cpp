@@ -44,7 +44,10 @@ plot::Figure ensembleFigure(const EnsembleDepths& depths, EnsembleMap map, doubl
     field.to = share ? 1.0 : roundMost(field.values);
     plot::Figure figure;
     figure.title = titleOf(map, threshold);
-    figure.subtitle = fmt::format("{}, {} members", depths.timeLabel, depths.members.size());
+    // The reasons would not fit: files have them.
+    const std::string scale = depths.scale.substr(0, depths.scale.find(':'));
+    figure.subtitle =
+        fmt::format("{}, {} members, {}", depths.timeLabel, depths.members.size(), scale);
     figure.x = {"x, km", field.edgesX.front(), field.edgesX.back(), false, {}};
     figure.y = {"y, km", field.edgesY.front(), field.edgesY.back(), false, {}};
     figure.equalScale = true;

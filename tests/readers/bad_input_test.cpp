@@ -76,6 +76,11 @@ TEST_CASE("A path that cannot be read is an error with the reason") {
     CHECK(contains(errorOf([] { openFiles({}); }).what, "no files"));
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
     CHECK(contains(openError(folder / "pipe").what, "neither a file nor a folder"));
+    writeWrf(folder / "wrfout", {});
+    CHECK(contains(errorOf([&] {
+                       openFiles({folder / "wrfout", folder / "pipe"});
+                   }).what,
+                   "neither a file nor a folder"));
 }
 
 TEST_CASE("A NetCDF-4 file truncated anywhere is an error that states its size") {

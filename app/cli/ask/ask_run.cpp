@@ -16,8 +16,16 @@
 namespace neph {
 namespace {
 
+/// Says what was left out or corrected, and which of the domains of a nested run is asked.
 std::shared_ptr<Dataset> open(const AskedData& asked) {
-    return Dataset::open(listFiles(asked.files), PluginHost::standard(asked.readers, asked.map));
+    std::shared_ptr<Dataset> dataset =
+        Dataset::open(listFiles(asked.files), PluginHost::standard(asked.readers, asked.map));
+    for (const std::string& note : dataset->info().notes) fmt::print(stderr, "note: {}\n", note);
+    if (!dataset->nests().empty()) {
+        fmt::print(stderr,
+                   "note: the outermost domain is asked; to ask a nest, open it by itself.\n");
+    }
+    return dataset;
 }
 
 int timeOf(const AskedData& asked, const DatasetInfo& info) {

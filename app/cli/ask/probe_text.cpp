@@ -43,17 +43,21 @@ std::string convectionText(const ConvectionIndices& indices) {
 }
 
 std::string windText(const WindIndices& wind) {
-    const auto vector = [](glm::dvec2 w) {
-        return fmt::format("{:.1f}, {:.1f} m/s ({:.1f} m/s)", w.x, w.y, glm::length(w));
+    const auto line = [](const char* name, const std::optional<glm::dvec2>& w) {
+        return w ? fmt::format("{:<22}{:.1f}, {:.1f} m/s ({:.1f} m/s)\n", name, w->x, w->y,
+                               glm::length(*w))
+                 : std::string();
     };
-    return fmt::format(
-        "\nshear, 0 to 1 km      {}\nshear, 0 to 6 km      {}\n"
-        "right-moving storm    {}\nleft-moving storm     {}\nmean wind, 0 to 6 km  {}\n"
-        "SRH, 0 to 1 km        {:.0f} m²/s², of the right-moving storm\n"
-        "SRH, 0 to 3 km        {:.0f} m²/s²\n",
-        vector(wind.shear1MPerS), vector(wind.shear6MPerS), vector(wind.motion.rightMPerS),
-        vector(wind.motion.leftMPerS), vector(wind.motion.meanMPerS), wind.helicity1,
-        wind.helicity3);
+    std::string text = '\n' + line("shear, 0 to 1 km", wind.shear1MPerS) +
+                       line("shear, 0 to 6 km", wind.shear6MPerS);
+    if (!wind.motion) return text;
+    text += line("right-moving storm", wind.motion->rightMPerS) +
+            line("left-moving storm", wind.motion->leftMPerS) +
+            line("mean wind, 0 to 6 km", wind.motion->meanMPerS);
+    return text + fmt::format(
+                      "SRH, 0 to 1 km        {:.0f} m²/s², of the right-moving storm\n"
+                      "SRH, 0 to 3 km        {:.0f} m²/s²\n",
+                      *wind.helicity1, *wind.helicity3);
 }
 
 /// The greatest and least of each quantity, and where.
@@ -61,16 +65,21 @@ std::string extremesText(const ColumnReport& report) {
     std::string text = fmt::format("\n{:<34}{:>12}{:>11}{:>12}{:>11}\n", "quantity", "greatest",
                                    "at km", "least", "at km");
     for (const Profile& profile : report.profiles) {
-        std::vector<double> values;
-        for (const double v : profile.values) values.push_back(std::isfinite(v) ? v : 0.0);
-        const auto [least, greatest] = std::ranges::minmax_element(values);
-        const auto heightKm = [&](auto at) {
-            return report.heightsM[static_cast<std::size_t>(at - values.begin())] * kKmPerM;
-        };
-        text += fmt::format(
-            "{:<34}{:>12.4g}{:>11.2f}{:>12.4g}{:>11.2f}\n",
-            fmt::format("{}, {}", info(profile.quantity).label, info(profile.quantity).unit),
-            *greatest, heightKm(greatest), *least, heightKm(least));
+        std::vector<std::pair<double, double>> values;
+        for (std::size_t i = 0; i < profile.values.size(); ++i) {
+            if (!std::isfinite(profile.values[i])) continue;
+            values.emplace_back(profile.values[i], report.heightsM[i] * kKmPerM);
+        }
+        const std::string name =
+            fmt::format("{}, {}", info(profile.quantity).label, info(profile.quantity).unit);
+        if (values.empty()) {
+            text += fmt::format("{:<34}{:>12}\n", name, "missing");
+            continue;
+        }
+        const auto [least, greatest] =
+            std::ranges::minmax_element(values, {}, &std::pair<double, double>::first);
+        text += fmt::format("{:<34}{:>12.4g}{:>11.2f}{:>12.4g}{:>11.2f}\n", name, greatest->first,
+                            greatest->second, least->first, least->second);
     }
     return text;
 }
@@ -90,8 +99,16 @@ Json ascentJson(const Ascent& ascent) {
             {"el", pointJson(ascent.equilibrium)}};
 }
 
-Json vectorJson(glm::dvec2 vector) {
-    return {vector.x, vector.y};
+Json numberJson(const std::optional<double>& number) {
+    return number ? Json(*number) : Json(nullptr);
+}
+
+Json vectorJson(const std::optional<glm::dvec2>& vector) {
+    return vector ? Json{vector->x, vector->y} : Json(nullptr);
+}
+
+Json motionJson(const WindIndices& wind, glm::dvec2 StormMotion::*of) {
+    return vectorJson(wind.motion ? std::optional((*wind.motion).*of) : std::nullopt);
 }
 
 }  // namespace
@@ -141,11 +158,11 @@ std::string probeJson(const Dataset& dataset, const ColumnReport& report) {
         const WindIndices& wind = *report.wind;
         json["wind"] = {{"shear_0_1_km_m_per_s", vectorJson(wind.shear1MPerS)},
                         {"shear_0_6_km_m_per_s", vectorJson(wind.shear6MPerS)},
-                        {"right_mover_m_per_s", vectorJson(wind.motion.rightMPerS)},
-                        {"left_mover_m_per_s", vectorJson(wind.motion.leftMPerS)},
-                        {"mean_0_6_km_m_per_s", vectorJson(wind.motion.meanMPerS)},
-                        {"srh_0_1_km_m2_per_s2", wind.helicity1},
-                        {"srh_0_3_km_m2_per_s2", wind.helicity3}};
+                        {"right_mover_m_per_s", motionJson(wind, &StormMotion::rightMPerS)},
+                        {"left_mover_m_per_s", motionJson(wind, &StormMotion::leftMPerS)},
+                        {"mean_0_6_km_m_per_s", motionJson(wind, &StormMotion::meanMPerS)},
+                        {"srh_0_1_km_m2_per_s2", numberJson(wind.helicity1)},
+                        {"srh_0_3_km_m2_per_s2", numberJson(wind.helicity3)}};
     }
     json["not_known"] = report.lacks;
     return json.dump(2) + '\n';

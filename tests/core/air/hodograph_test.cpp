@@ -55,6 +55,20 @@ TEST_CASE("Storms move 7.5 m/s right and left of the mean wind") {
     CHECK(motion.meanMPerS.x > 10.0);
 }
 
+TEST_CASE("Levels without wind are passed over, and wind ends half a layer above the highest") {
+    Sounding sounding;
+    sounding.groundM = kGroundM;
+    sounding.levels = {{1e5, 600.0, 300.0, 0.0, glm::dvec2(1.0, 0.0)},
+                       {9e4, 800.0, 300.0, 0.0},
+                       {8e4, 1000.0, 300.0, 0.0, glm::dvec2(3.0, 0.0)},
+                       {7e4, 1200.0, 300.0, 0.0}};
+    CHECK(sounding.hasWind());
+    CHECK(windAt(sounding, 0.0).x == doctest::Approx(1.0));
+    CHECK(windAt(sounding, 400.0).x == doctest::Approx(2.5));
+    CHECK(windAt(sounding, 900.0).x == doctest::Approx(3.0));
+    CHECK(windTopM(sounding) == doctest::Approx(600.0));
+}
+
 TEST_CASE("Air between levels is linear in the logarithm of pressure") {
     Sounding sounding;
     sounding.levels = {{1e5, 0.0, 300.0, 0.01}, {5e4, 5000.0, 260.0, 0.0}};

@@ -49,7 +49,7 @@ TEST_CASE("The sounding of Weisman and Klemp has the energy that CM1 finds in it
     CHECK(ascent.capeJPerKg == doctest::Approx(1889.0).epsilon(0.03));
     REQUIRE(ascent.freeConvection);
     REQUIRE(ascent.equilibrium);
-    CHECK(ascent.freeConvection->heightM > ascent.condensation.heightM);
+    CHECK(ascent.freeConvection->heightM > ascent.condensation->heightM);
     CHECK(ascent.equilibrium->heightM > 9000.0);
     CHECK(ascent.equilibrium->heightM < 13000.0);
     CHECK(ascent.cinJPerKg < 0.0);
@@ -114,4 +114,13 @@ TEST_CASE("The most unstable parcel is lifted from where it is") {
     CHECK(ascent.way.front().pressurePa == parcel.pressurePa);
     CHECK(ascent.capeJPerKg >
           ascentOf(sounding, parcelOf(sounding, ParcelSource::surface)).capeJPerKg);
+}
+
+TEST_CASE("Air without vapour does not condense below the top") {
+    Sounding sounding = weismanKlemp(0.014);
+    for (SoundingLevel& level : sounding.levels) level.vapourRatio = 0.0;
+    const Ascent ascent = ascentOf(sounding, parcelOf(sounding, ParcelSource::surface));
+    CHECK_FALSE(ascent.condensation);
+    CHECK_FALSE(ascent.freeConvection);
+    CHECK(ascent.capeJPerKg == 0.0);
 }

@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/air/thermodynamics.h"
 #include "core/analysis/column.h"
@@ -80,6 +82,53 @@ TEST_CASE("A vertical section of linear values is linear, and empty below the gr
     CHECK(inside > 500);
 }
 
+TEST_CASE("A vertical section has two heights for each of thin layers") {
+    constexpr float kLayerM = 40.0f;
+    MemoryDataset data({4, 4, 50},
+                       [=](int, int, int z) { return kLayerM * static_cast<float>(z); });
+    data.addRatio(Species::cloud, [](int, int, int z) { return z == 20 ? 1e-3f : 0.0f; });
+    const std::array quantities{Quantity::cloud};
+    const double middle = data.info().edgeM(1, 2);
+    const CrossSection section = verticalSection(
+        data, 0, {0.0, middle}, {data.info().edgeM(0, 4), middle}, quantities, false);
+    CHECK(section.upM.size() == 100);
+    // A quarter of a layer from the centre of the only one that is cloudy, of 1 g/kg.
+    CHECK(*std::ranges::max_element(section.fields[0].values) ==
+          doctest::Approx(0.75).epsilon(1e-4));
+}
+
+TEST_CASE("Wind that ends below 6 km, or is missing, gives no shear of 6 km") {
+    const auto reportOf = [](float layerM, float windMPerS) {
+        constexpr glm::ivec3 kCells{4, 4, 30};
+        MemoryDataset data(kCells, [=](int, int, int z) { return layerM * static_cast<float>(z); });
+        const auto add = [&](const char* name, VariableRole role, const auto& value) {
+            data.add(name, role, {}, kCells, [=](int, int, int z) {
+                return static_cast<float>(value(static_cast<double>(layerM) * (z + 0.5)));
+            });
+        };
+        add("p", VariableRole::airPressure, [](double z) { return 1e5 * std::exp(-z / 8000.0); });
+        add("t", VariableRole::airTemperature, [](double z) { return 290.0 - 0.0065 * z; });
+        add("qv", VariableRole::waterVapour, [](double) { return 0.005; });
+        add("u", VariableRole::xWind, [=](double) { return windMPerS; });
+        add("v", VariableRole::yWind, [](double z) { return 0.001 * z; });
+        return readColumn(data, 0, glm::dvec2(data.info().edgeM(0, 1), data.info().edgeM(1, 1)));
+    };
+    const ColumnReport shallow = reportOf(100.0f, 5.0f);
+    REQUIRE(shallow.wind);
+    CHECK(shallow.wind->shear1MPerS);
+    CHECK_FALSE(shallow.wind->shear6MPerS);
+    CHECK_FALSE(shallow.wind->motion);
+    CHECK_FALSE(shallow.wind->helicity1);
+    CHECK(contains(shallow.lacks.back(), "their wind ends 3.0 km above the ground"));
+    CHECK(hodographFigure(shallow).marks.empty());
+    CHECK(hodographFigure(shallow).curves.size() == 2);
+    const ColumnReport deep = reportOf(300.0f, 5.0f);
+    REQUIRE(deep.wind);
+    REQUIRE(deep.wind->shear6MPerS);
+    CHECK(deep.wind->shear6MPerS->y == doctest::Approx(5.85).epsilon(1e-4));
+    CHECK_FALSE(reportOf(300.0f, std::numeric_limits<float>::quiet_NaN()).wind);
+}
+
 TEST_CASE("A horizontal section has the values of its height in every column") {
     MemoryDataset data = formulas();
     const std::array quantities{Quantity::cloud};
@@ -123,7 +172,8 @@ TEST_CASE("A column has every quantity, and what its air can do") {
     CHECK(*report.tropopauseM == doctest::Approx(6000.0).epsilon(0.05));
     REQUIRE(report.convection);
     REQUIRE(report.wind);
-    CHECK(glm::length(report.wind->shear6MPerS) == doctest::Approx(0.0));
+    REQUIRE(report.wind->shear6MPerS);
+    CHECK(glm::length(*report.wind->shear6MPerS) == doctest::Approx(0.0));
     CHECK(report.find(Quantity::upwardWind) == nullptr);
     const plot::Table table = columnTable(report);
     CHECK(table.columns.size() == report.profiles.size() + 1);

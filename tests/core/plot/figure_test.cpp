@@ -31,14 +31,16 @@ Contours contoursOf(const auto& value) {
 class CountingCanvas final : public Canvas {
   public:
     std::vector<std::string> texts;
+    std::vector<double> rights;  ///< of level texts, how far each reaches
     int rects = 0, lines = 0, clips = 0;
 
     void line(std::span<const glm::dvec2>, const Pen&) override { ++lines; }
     void fill(std::span<const glm::dvec2>, const glm::vec4&) override {}
     void fillRect(const RectPt&, const glm::vec4&) override { ++rects; }
-    void text(glm::dvec2, Anchor, const std::string& words, const glm::vec4&, double,
-              bool) override {
+    void text(glm::dvec2 at, Anchor anchor, const std::string& words, const glm::vec4&,
+              double sizePt, bool upwards) override {
         texts.push_back(words);
+        if (!upwards) rights.push_back(at.x + (1.0 - anchor.x) * textSize(words, sizePt).x);
     }
     glm::dvec2 textSize(const std::string& words, double sizePt) override {
         return {0.6 * sizePt * static_cast<double>(words.size()), 1.2 * sizePt};
@@ -115,6 +117,34 @@ TEST_CASE("Places of the plot and of the canvas are one another's inverse") {
     CHECK(std::ranges::count(canvas.texts, "w, m/s") == 1);
     CHECK(readout(figure, frame, frame.toPt({7.0, 5.0})) == "x, km: 7\ny, m: 5\nw, m/s: 2");
     CHECK(readout(figure, frame, frame.toPt({7.0, 500.0})) == "x, km: 7\ny, m: 500");
+}
+
+TEST_CASE("The legend names what is drawn, and goes on in a new row at the edge") {
+    Figure figure;
+    figure.x = {"x", 0.0, 1.0, false, {}};
+    figure.y = {"y", 0.0, 1.0, false, {}};
+    for (const char* label : {"Cloud water", "Cloud ice", "Rain", "Snow", "Graupel"}) {
+        Curve curve;
+        curve.label = label;
+        curve.points = {{0.0, 0.0}, {1.0, 1.0}};
+        figure.curves.push_back(curve);
+    }
+    Curve missing;
+    missing.label = "Tropopause";
+    missing.points = {{0.5, std::numeric_limits<double>::quiet_NaN()}};
+    figure.curves.push_back(missing);
+    Contours contours = contoursOf([](double, double) { return 5.0; });
+    contours.label = "-20 °C";
+    contours.levels = {-20.0};
+    figure.contours = {contours};
+    CountingCanvas wide, narrow;
+    const Frame inOne = draw(figure, {{0.0, 0.0}, {900.0, 300.0}}, wide, {});
+    const Frame inTwo = draw(figure, {{0.0, 0.0}, {300.0, 300.0}}, narrow, {});
+    CHECK(std::ranges::count(wide.texts, "Graupel") == 1);
+    CHECK(std::ranges::count(wide.texts, "Tropopause") == 0);
+    CHECK(std::ranges::count(wide.texts, "-20 °C") == 0);
+    CHECK(inTwo.plot.upper.y < inOne.plot.upper.y);
+    for (const double right : narrow.rights) CHECK(right <= 300.0);
 }
 
 TEST_CASE("Colours end with their maps, and a diverging one is pale in the middle") {
