@@ -233,7 +233,7 @@ bool drawButtons(FileBrowser& browser, const Words& words, bool& left) {
     const bool several = browser.chosen.size() > 1;
     std::string told = browser.fault;
     if (told.empty() && browser.replaces) told = "This file already exists.";
-    if (told.empty() && several) told = fmt::format("{} files", browser.chosen.size());
+    if (told.empty() && several) told = fmt::format("{} chosen", browser.chosen.size());
     const char* button = browser.replaces ? "Replace it" : words.button;
     const float em = ImGui::GetFontSize();
     const float buttons = 13.0f * em;
