@@ -170,6 +170,10 @@ void WorkbenchHost::replayKeys() {
         takeChord({named, (event.mods & GLFW_MOD_CONTROL) != 0,
                    !sign && (event.mods & GLFW_MOD_SHIFT) != 0});
         if (!chords_.empty()) settling_ = kSettlingFrames;
+        // A line of text that this closes holds the keyboard until the frame after the next.
+        const bool closes = event.key == GLFW_KEY_ENTER || event.key == GLFW_KEY_KP_ENTER ||
+                            event.key == GLFW_KEY_ESCAPE;
+        if (closes && ImGui::GetIO().WantTextInput) settling_ = kSettlingFrames;
     }
 }
 

@@ -14,6 +14,7 @@ namespace neph::plot {
 namespace {
 
 constexpr double kTickPt = 4.0, kGapPt = 6.0, kBarPt = 14.0, kSamplePt = 18.0;
+constexpr double kLeastNotes = 0.6;  // of the text's size; Tuned: still read
 constexpr double kPtPerTickX = 60.0, kPtPerTickY = 28.0;
 
 class Drawing {
@@ -55,10 +56,18 @@ class Drawing {
         canvas_.text(at, anchor, words, ink(of), scale * text(), upwards);
     }
 
-    double notesWidth() {
+    /// By how much the notes are smaller than other text, so that all fit below `topY`.
+    double notesScale(double topY) const {
+        if (figure_.notes.empty()) return 1.0;
+        const double wanted = 1.4 * text() * static_cast<double>(figure_.notes.size());
+        return std::clamp((area_.upper.y - topY) / wanted, kLeastNotes, 1.0);
+    }
+
+    double notesWidth(double topY) {
+        const double size = notesScale(topY) * text();
         double width = 0.0;
         for (const auto& [label, value] : figure_.notes) {
-            width = std::max(width, canvas_.textSize(label + "   " + value, text()).x);
+            width = std::max(width, canvas_.textSize(label + "   " + value, size).x);
         }
         return figure_.notes.empty() ? 0.0 : width + 2.0 * kGapPt;
     }
@@ -75,7 +84,8 @@ class Drawing {
         plot.lower += glm::dvec2(kGapPt + line + labels + kTickPt + kGapPt,
                                  kGapPt + (figure_.title.empty() ? 0.0 : line * 1.2) +
                                      (figure_.subtitle.empty() ? 0.0 : line));
-        plot.upper -= glm::dvec2(2.0 * kGapPt + notesWidth(), 2.0 * line + kTickPt + 2.0 * kGapPt);
+        plot.upper -= glm::dvec2(2.0 * kGapPt + notesWidth(plot.lower.y),
+                                 2.0 * line + kTickPt + 2.0 * kGapPt);
         if (figure_.field) plot.upper.x -= kBarPt + 3.5 * text() + line + 2.0 * kGapPt;
         plot.upper.y -= line * legendRows(plot.lower.x);
         plot.upper = glm::max(plot.upper, plot.lower + glm::dvec2(20.0));
@@ -338,12 +348,13 @@ class Drawing {
     }
 
     void drawNotes() {
-        const double x = area_.upper.x - notesWidth() + kGapPt;
-        double y = frame_.plot.lower.y;
+        const double top = frame_.plot.lower.y, scale = notesScale(top);
+        const double x = area_.upper.x - notesWidth(top) + kGapPt;
+        double y = top;
         for (const auto& [label, value] : figure_.notes) {
-            write({x, y}, {0.0, 0.0}, label);
-            write({area_.upper.x - kGapPt, y}, {1.0, 0.0}, value);
-            y += 1.4 * text();
+            write({x, y}, {0.0, 0.0}, label, Ink::foreground, scale);
+            write({area_.upper.x - kGapPt, y}, {1.0, 0.0}, value, Ink::foreground, scale);
+            y += 1.4 * scale * text();
         }
     }
 

@@ -32,6 +32,7 @@ class CountingCanvas final : public Canvas {
   public:
     std::vector<std::string> texts;
     std::vector<double> rights;  ///< of level texts, how far each reaches
+    double lowest = 0.0;         ///< how far down level texts reach
     int rects = 0, lines = 0, clips = 0;
 
     void line(std::span<const glm::dvec2>, const Pen&) override { ++lines; }
@@ -41,6 +42,7 @@ class CountingCanvas final : public Canvas {
               double sizePt, bool upwards) override {
         texts.push_back(words);
         if (!upwards) rights.push_back(at.x + (1.0 - anchor.x) * textSize(words, sizePt).x);
+        if (!upwards) lowest = std::max(lowest, at.y + (1.0 - anchor.y) * 1.2 * sizePt);
     }
     glm::dvec2 textSize(const std::string& words, double sizePt) override {
         return {0.6 * sizePt * static_cast<double>(words.size()), 1.2 * sizePt};
@@ -145,6 +147,19 @@ TEST_CASE("The legend names what is drawn, and goes on in a new row at the edge"
     CHECK(std::ranges::count(wide.texts, "-20 °C") == 0);
     CHECK(inTwo.plot.upper.y < inOne.plot.upper.y);
     for (const double right : narrow.rights) CHECK(right <= 300.0);
+}
+
+TEST_CASE("Notes that are many are smaller, so that all lie in the figure") {
+    Figure figure;
+    figure.x = {"x", 0.0, 1.0, false, {}};
+    figure.y = {"y", 0.0, 1.0, false, {}};
+    for (int i = 0; i < 21; ++i) figure.notes.emplace_back("SRH 0-3 km", "189 m2/s2");
+    CountingCanvas canvas;
+    const Style style;
+    const double heightPt = 20.0 * 1.4 * style.textPt;
+    draw(figure, {{0.0, 0.0}, {600.0, heightPt}}, canvas, style);
+    CHECK(std::ranges::count(canvas.texts, "189 m2/s2") == 21);
+    CHECK(canvas.lowest <= heightPt);
 }
 
 TEST_CASE("Colours end with their maps, and a diverging one is pale in the middle") {
