@@ -163,6 +163,10 @@ plot::Figure skewTFigure(const ColumnReport& report, ParcelSource source, const 
     for (const int hPa : {1000, 850, 700, 500, 400, 300, 250, 200, 150, 100}) {
         figure.y.ticks.push_back({skewed(100.0 * hPa, 0.0).y, std::to_string(hPa)});
     }
+    figure.meaning = [](glm::dvec2 at) {
+        const double pressurePa = kLowestPa * std::pow(kHighestPa / kLowestPa, at.y);
+        return fmt::format("{:.0f} hPa, {:.1f} °C", 0.01 * pressurePa, at.x - kSkewC * at.y);
+    };
     addBackground(figure);
     if (!report.sounding) return figure;
     const std::array ascents{&report.convection->surface, &report.convection->mixedLayer,

@@ -4,6 +4,7 @@
 // elsewhere: core/plot/draw.h draws it onto any canvas.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -96,6 +97,8 @@ struct Figure {
     std::vector<Contours> contours;
     std::vector<Mark> marks;
     std::vector<Barb> barbs;
+    /// What a place of the plot stands for, where that is not what the axes say; none: they say it.
+    std::function<std::string(glm::dvec2 at)> meaning;
     /// Lines of text beside the plot: label and value.
     std::vector<std::pair<std::string, std::string>> notes;
 };

@@ -62,6 +62,7 @@ bool Frame::contains(glm::dvec2 pt) const {
 
 std::string readout(const Figure& figure, const Frame& frame, glm::dvec2 pt) {
     const glm::dvec2 at = frame.toAxes(pt);
+    if (figure.meaning) return figure.meaning(at);
     std::string text = fmt::format("{}: {}\n{}: {}", figure.x.label, numberText(at.x, 3),
                                    figure.y.label, numberText(at.y, 3));
     if (!figure.field) return text;

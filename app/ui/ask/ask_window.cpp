@@ -37,6 +37,9 @@ ImVec2 plotRoom() {
 }
 
 void drawNoRun(const std::optional<AskedTime>& when) {
+    if (when && !when->data->nests().empty()) {
+        ImGui::TextDisabled("The image has nests; this is of the outermost domain.");
+    }
     if (when) return;
     ImGui::TextWrapped(
         "Columns, sections and series are of one run: choose a member that has this time.");

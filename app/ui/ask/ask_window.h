@@ -23,7 +23,7 @@ bool beginAsk(const char* title, bool& shown, glm::vec2 ems, glm::vec2 pivot,
 /// What a plot may take, with a line of buttons below it.
 ImVec2 plotRoom();
 
-/// Why nothing can be asked now.
+/// Why nothing can be asked now, or what of the data is asked.
 void drawNoRun(const std::optional<AskedTime>& when);
 
 /// Buttons that write plots, if there are any, and the numbers.

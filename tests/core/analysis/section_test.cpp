@@ -179,6 +179,16 @@ TEST_CASE("A column has every quantity, and what its air can do") {
     CHECK(table.columns.size() == report.profiles.size() + 1);
 }
 
+TEST_CASE("The mouse over a skew-T reads pressure and temperature") {
+    MemoryDataset data = formulas();
+    const plot::Figure figure =
+        skewTFigure(readColumn(data, 0, {2300.0, 1300.0}), ParcelSource::surface, "", "");
+    REQUIRE(figure.meaning);
+    CHECK(figure.meaning({20.0, 0.0}) == "1050 hPa, 20.0 °C");
+    // Isotherms lean: the upper end of that of -60 °C is at 25 on the axis below.
+    CHECK(figure.meaning({25.0, 1.0}) == "100 hPa, -60.0 °C");
+}
+
 TEST_CASE("Places are read as people write them") {
     const auto geo = parsePlace("35.2N, 97.4 w");
     REQUIRE(geo);
