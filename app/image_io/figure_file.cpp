@@ -14,6 +14,16 @@
 #include "core/base/error.h"
 #include "core/plot/draw.h"
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+// fontconfig loses a few patterns that cairo asks it for, half a kilobyte in a process.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libfontconfig";
+}
+#endif
+#endif
+
 namespace neph {
 namespace {
 
