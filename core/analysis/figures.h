@@ -17,11 +17,11 @@ struct ColourLimits {
     std::optional<double> from, to;
 };
 
-/// The first field in colours, the others as contours; heights of 0, -20 °C and the tropopause are
-/// lines on a vertical section whose fields include temperature as the last and `levels` is set.
+/// How a section is drawn: its first field in colours, the others as contours.
 struct SectionStyle {
     ColourLimits limits;
-    bool temperatureLines = false;  ///< the last field is temperature, for these lines alone
+    /// The last field is temperature, of which 0 and -20 °C alone are drawn, with the tropopause.
+    bool temperatureLines = false;
 };
 plot::Figure sectionFigure(const CrossSection& section, const SectionStyle& style,
                            const std::string& title, const std::string& subtitle);
