@@ -17,13 +17,8 @@ struct ColourLimits {
     std::optional<double> from, to;
 };
 
-/// How a section is drawn: its first field in colours, the others as contours.
-struct SectionStyle {
-    ColourLimits limits;
-    /// The last field is temperature, of which 0 and -20 °C alone are drawn, with the tropopause.
-    bool temperatureLines = false;
-};
-plot::Figure sectionFigure(const CrossSection& section, const SectionStyle& style,
+/// The first field in colours, the others as contours.
+plot::Figure sectionFigure(const CrossSection& section, const ColourLimits& limits,
                            const std::string& title, const std::string& subtitle);
 plot::Table sectionTable(const CrossSection& section);
 

@@ -273,4 +273,17 @@ CrossSection horizontalSection(Dataset& dataset, int time, double heightM,
     return section;
 }
 
+CrossSection readSection(Dataset& dataset, int time, const SectionCut& cut,
+                         const Progress& progress) {
+    std::vector<Quantity> quantities{cut.shown};
+    quantities.insert(quantities.end(), cut.contours.begin(), cut.contours.end());
+    if (!cut.vertical) return horizontalSection(dataset, time, cut.heightM, quantities, progress);
+    const bool temperature = lackOf(Quantity::temperature, dataset.infoAt(time)).empty();
+    if (temperature) quantities.push_back(Quantity::temperature);
+    CrossSection section =
+        verticalSection(dataset, time, cut.fromM, cut.toM, quantities, temperature, progress);
+    section.temperatureLast = temperature;
+    return section;
+}
+
 }  // namespace neph

@@ -31,6 +31,8 @@ struct CrossSection {
     std::vector<double> groundM;      ///< along a vertical one: height of the ground
     std::vector<double> tropopauseM;  ///< the same, NaN where there is none; empty if not asked
     std::vector<SectionField> fields;
+    /// The last field is temperature, of which 0 and -20 °C alone are drawn.
+    bool temperatureLast = false;
 
     float at(std::size_t field, std::size_t across, std::size_t up) const {
         return fields[field].values[up * acrossM.size() + across];
@@ -47,6 +49,21 @@ CrossSection verticalSection(Dataset& dataset, int time, glm::dvec2 fromM, glm::
 /// Of all native columns. Throws Error (no column reaches the height) or Cancelled.
 CrossSection horizontalSection(Dataset& dataset, int time, double heightM,
                                std::span<const Quantity> quantities, const Progress& progress = {});
+
+/// What is cut, and what of it is shown.
+struct SectionCut {
+    bool vertical = true;
+    glm::dvec2 fromM{0.0}, toM{0.0};  ///< ends of a vertical one, in the domain
+    double heightM = 0.0;             ///< of a horizontal one, above sea level
+    Quantity shown = Quantity::condensate;
+    std::vector<Quantity> contours;
+    bool operator==(const SectionCut&) const = default;
+};
+
+/// The section, a vertical one with temperature and tropopause where the data have them. Throws
+/// Error or Cancelled.
+CrossSection readSection(Dataset& dataset, int time, const SectionCut& cut,
+                         const Progress& progress = {});
 
 /// The lowest height from which temperature falls by less than 2 K/km over the next 2 km [WMO57],
 /// above 500 hPa's usual 5 km; `heightsM` increase. Nothing where there is none.

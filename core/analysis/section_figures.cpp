@@ -53,9 +53,9 @@ Span limitsOf(const SectionField& field, const ColourLimits& asked) {
     return limits;
 }
 
-plot::Field coloursOf(const CrossSection& section, const SectionStyle& style) {
+plot::Field coloursOf(const CrossSection& section, const ColourLimits& asked) {
     const SectionField& first = section.fields.front();
-    const Span limits = limitsOf(first, style.limits);
+    const Span limits = limitsOf(first, asked);
     plot::Field field;
     field.label = labelOf(first.quantity);
     field.edgesX = plot::edgesAround(inKm(section.acrossM));
@@ -115,12 +115,12 @@ void addTemperatureLines(plot::Figure& figure, const CrossSection& section) {
 
 }  // namespace
 
-plot::Figure sectionFigure(const CrossSection& section, const SectionStyle& style,
+plot::Figure sectionFigure(const CrossSection& section, const ColourLimits& asked,
                            const std::string& title, const std::string& subtitle) {
     plot::Figure figure;
     figure.title = title;
     figure.subtitle = subtitle;
-    figure.field = coloursOf(section, style);
+    figure.field = coloursOf(section, asked);
     const plot::Field& field = *figure.field;
     figure.x = {section.vertical ? "Along the section, km" : "x, km",
                 field.edgesX.front(),
@@ -133,11 +133,11 @@ plot::Figure sectionFigure(const CrossSection& section, const SectionStyle& styl
                 false,
                 {}};
     figure.equalScale = !section.vertical;
-    const std::size_t fields = section.fields.size() - (style.temperatureLines ? 1 : 0);
+    const std::size_t fields = section.fields.size() - (section.temperatureLast ? 1 : 0);
     for (std::size_t i = 1; i < fields; ++i) {
         figure.contours.push_back(contoursOf(section, section.fields[i]));
     }
-    if (style.temperatureLines) addTemperatureLines(figure, section);
+    if (section.temperatureLast) addTemperatureLines(figure, section);
     if (section.vertical) figure.curves.push_back(groundOf(section));
     return figure;
 }

@@ -7,6 +7,7 @@
 
 #include "core/analysis/air_block.h"
 #include "core/analysis/place.h"
+#include "core/base/quantile.h"
 #include "core/volume/statistics.h"
 
 namespace neph {
@@ -140,16 +141,6 @@ void add(BandSums& all, BandSums&& band) {
     all.basesM.insert(all.basesM.end(), band.basesM.begin(), band.basesM.end());
 }
 
-/// The value that a share of all does not exceed (nearest rank).
-double quantileOf(std::vector<float>& values, double share) {
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-    std::ranges::nth_element(values, at);
-    return static_cast<double>(*at);
-}
-
 }  // namespace
 
 SeriesPoint readSeriesPoint(Dataset& dataset, int time, const Progress& progress) {
@@ -177,7 +168,7 @@ SeriesPoint readSeriesPoint(Dataset& dataset, int time, const Progress& progress
     }
     if (!all.basesM.empty()) {
         point.stormTopM = all.topM;
-        point.baseM = quantileOf(all.basesM, CloudBases::kLowShare);
+        point.baseM = quantile(all.basesM, CloudBases::kLowShare);
     }
     point.cover = all.cloudyM2 / (info.extentM().x * info.extentM().y);
     return point;

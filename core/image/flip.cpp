@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/image/image_error.h"
 #include "shaders/lib/glsl_cpp.h"
 

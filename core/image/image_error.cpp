@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/quantile.h"
 
 namespace neph {
 namespace {
@@ -124,15 +125,6 @@ double relativeP95(const ImageF& image, const ImageF& reference) {
 
 float luminance(const glm::vec4& colour) {
     return 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
-}
-
-double quantile(std::span<const float> values, double share) {
-    std::vector<float> sorted(values.begin(), values.end());
-    const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-    const auto at =
-        sorted.begin() + std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(rank), 1) - 1;
-    std::nth_element(sorted.begin(), at, sorted.end());
-    return static_cast<double>(*at);
 }
 
 void checkComparable(const ImageF& image, const ImageF& reference) {

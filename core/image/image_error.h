@@ -42,9 +42,6 @@ ImageErrors imageErrors(const SampledImage& image, const SampledImage& reference
 /// than that. Throws as imageErrors does.
 std::vector<float> relativeErrors(const ImageF& image, const ImageF& reference);
 
-/// The smallest of `values` that a fraction `share` of them do not exceed. `values` is not empty.
-double quantile(std::span<const float> values, double share);
-
 /// Throws Error if the sizes differ, there are no pixels or a value is not finite.
 void checkComparable(const ImageF& image, const ImageF& reference);
 

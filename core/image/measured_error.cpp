@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/quantile.h"
+
 namespace neph {
 namespace {
 

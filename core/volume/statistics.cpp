@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 
+#include "core/base/quantile.h"
 #include "core/volume/native_band.h"
 #include "core/volume/possible_air.h"
 #include "core/volume/repair.h"
@@ -288,16 +289,6 @@ Wanted wantedOf(const DatasetInfo& all, const DatasetInfo& there) {
     }
     wanted.wind = upwardWind(there);
     return wanted;
-}
-
-/// The value that a share of all do not exceed (nearest rank); reorders them.
-double quantile(std::vector<float>& values, double share) {
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-    std::ranges::nth_element(values, at);
-    return static_cast<double>(*at);
 }
 
 std::optional<CloudBases> basesOf(const std::vector<CloudyColumn>& cloudy,

@@ -141,35 +141,32 @@ int runSection(const SectionRequest& request) {
     const auto dataset = open(request.data);
     const DatasetInfo& info = dataset->info();
     const int time = timeOf(request.data, info);
-    std::vector<Quantity> quantities{request.shown};
-    quantities.insert(quantities.end(), request.contours.begin(), request.contours.end());
-    SectionStyle style{.limits = request.limits};
-    std::string title =
+    SectionCut cut{.vertical = !request.heightM,
+                   .heightM = request.heightM.value_or(0.0),
+                   .shown = request.shown,
+                   .contours = request.contours};
+    const std::string title =
         fmt::format("{}, {}", neph::info(request.shown).label, neph::info(request.shown).unit);
     std::string subtitle = timeLabel(*dataset, time);
-    CrossSection section;
-    if (request.heightM) {
-        section = horizontalSection(*dataset, time, *request.heightM, quantities);
-        subtitle += fmt::format(", {:g} m above sea level", *request.heightM);
-    } else {
-        const glm::dvec2 from = positionOf(*request.from, *dataset, time, "--from");
-        const glm::dvec2 to = positionOf(*request.to, *dataset, time, "--to");
-        if (glm::distance(from, to) < 1.0) {
+    if (cut.vertical) {
+        cut.fromM = positionOf(*request.from, *dataset, time, "--from");
+        cut.toM = positionOf(*request.to, *dataset, time, "--to");
+        if (glm::distance(cut.fromM, cut.toM) < 1.0) {
             throw UsageError({"--to", "is where --from is", "", "two places", ""});
         }
-        style.temperatureLines = lackOf(Quantity::temperature, dataset->infoAt(time)).empty();
-        if (style.temperatureLines) quantities.push_back(Quantity::temperature);
-        section = verticalSection(*dataset, time, from, to, quantities, style.temperatureLines);
-        subtitle += fmt::format(", from {} to {}", positionText(info, time, from),
-                                positionText(info, time, to));
+        subtitle += fmt::format(", from {} to {}", positionText(info, time, cut.fromM),
+                                positionText(info, time, cut.toM));
+    } else {
+        subtitle += fmt::format(", {:g} m above sea level", cut.heightM);
     }
+    const CrossSection section = readSection(*dataset, time, cut);
     Sheet sheet;
     sheet.sizePt = sizeOr(request.files,
                           section.vertical ? glm::dvec2(900.0, 480.0) : glm::dvec2(720.0, 640.0));
     sheet.metadata = metadataOf(*dataset, time, title + ", " + subtitle);
     sheet.figures.push_back(
-        {sectionFigure(section, style, title, subtitle), {{0.0, 0.0}, sheet.sizePt}});
-    printExtremes(section, section.fields.size() - (style.temperatureLines ? 1 : 0));
+        {sectionFigure(section, request.limits, title, subtitle), {{0.0, 0.0}, sheet.sizePt}});
+    printExtremes(section, section.fields.size() - (section.temperatureLast ? 1 : 0));
     write(request.files, sheet, sectionTable(section));
     return 0;
 }

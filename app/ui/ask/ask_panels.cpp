@@ -117,7 +117,7 @@ bool quantityCombo(const char* label, Quantity& quantity, const DatasetInfo& the
 
 /// From west to east through the place, until a line is drawn.
 void placeLine(AskState& ask, const DatasetInfo& info) {
-    SectionQuestion& section = ask.section;
+    SectionCut& section = ask.section;
     const glm::dvec2 extent = info.extentM();
     if (!ask.lineGiven) {
         const double y = placeOf(ask, info).y;
@@ -129,7 +129,7 @@ void placeLine(AskState& ask, const DatasetInfo& info) {
 }
 
 void drawSectionPlace(AskState& ask, const DatasetInfo& info) {
-    SectionQuestion& section = ask.section;
+    SectionCut& section = ask.section;
     int kind = section.vertical ? 0 : 1;
     ImGui::RadioButton("vertical", &kind, 0);
     ImGui::SameLine();
@@ -154,42 +154,26 @@ void drawSectionPlace(AskState& ask, const DatasetInfo& info) {
 }
 
 void drawSectionHead(AskState& ask, const DatasetInfo& there) {
-    SectionQuestion& section = ask.section;
+    SectionCut& section = ask.section;
     drawSectionPlace(ask, there);
     quantityCombo("in colours", section.shown, there);
     ImGui::SameLine();
-    bool contours = section.contours.has_value();
+    bool contours = !section.contours.empty();
     if (ImGui::Checkbox("contours of", &contours)) {
-        section.contours = contours ? std::optional(Quantity::temperature) : std::nullopt;
+        section.contours.assign(contours ? 1 : 0, Quantity::temperature);
     }
-    if (!section.contours) return;
+    if (section.contours.empty()) return;
     ImGui::SameLine();
-    quantityCombo("##contours", *section.contours, there);
-}
-
-CrossSection readSection(Dataset& data, const SectionQuestion& asked, bool temperature,
-                         const Progress& progress) {
-    std::vector<Quantity> quantities{asked.shown};
-    if (asked.contours) quantities.push_back(*asked.contours);
-    if (!asked.vertical) {
-        return horizontalSection(data, asked.when.time, asked.heightM, quantities, progress);
-    }
-    if (temperature) quantities.push_back(Quantity::temperature);
-    return verticalSection(data, asked.when.time, asked.fromM, asked.toM, quantities, temperature,
-                           progress);
+    quantityCombo("##contours", section.contours.front(), there);
 }
 
 plot::Figure figureOf(const SectionQuestion& asked, const CrossSection& section) {
-    SectionStyle style;
-    const std::size_t fields = asked.contours ? 2 : 1;
-    style.temperatureLines = section.vertical && section.fields.size() > fields;
     std::string subtitle = timeOf(asked.when);
     if (!section.vertical) {
         subtitle += fmt::format(", {:g} m above sea level", section.heightM);
     }
-    return sectionFigure(section, style,
-                         fmt::format("{}, {}", info(asked.shown).label, info(asked.shown).unit),
-                         subtitle);
+    const QuantityInfo& shown = info(asked.cut.shown);
+    return sectionFigure(section, {}, fmt::format("{}, {}", shown.label, shown.unit), subtitle);
 }
 
 /// The time of the data that one of a member's own is.
@@ -232,15 +216,13 @@ void drawSectionPanel(const PanelContext& context, AskState& ask, bool& shown) {
         const DatasetInfo there = when->data->infoAt(when->time);
         placeLine(ask, there);
         drawSectionHead(ask, there);
-        ask.section.when = *when;
-        const SectionQuestion asked = ask.section;
-        const bool temperature = lackOf(Quantity::temperature, there).empty();
-        if (!ask.drawing && (!asked.vertical || glm::distance(asked.fromM, asked.toM) > 1.0)) {
-            ask.cut.ask(asked, [&] {
-                return
-                    [handle = handleOf(*when->data), asked, temperature](const Progress& progress) {
-                        return readSection(*handle, asked, temperature, progress);
-                    };
+        const SectionCut& cut = ask.section;
+        if (!ask.drawing && (!cut.vertical || glm::distance(cut.fromM, cut.toM) > 1.0)) {
+            ask.cut.ask({*when, cut}, [&] {
+                return [handle = handleOf(*when->data), time = when->time,
+                        cut](const Progress& progress) {
+                    return readSection(*handle, time, cut, progress);
+                };
             });
         }
         drawState(context, ask.cut);

@@ -28,11 +28,7 @@ struct ColumnQuestion {
 
 struct SectionQuestion {
     AskedTime when;
-    bool vertical = true;
-    glm::dvec2 fromM{0.0}, toM{0.0};
-    double heightM = 0.0;
-    Quantity shown = Quantity::condensate;
-    std::optional<Quantity> contours;
+    SectionCut cut;
     bool operator==(const SectionQuestion&) const = default;
 };
 
@@ -72,7 +68,7 @@ struct AskState {
     ParcelSource parcel = ParcelSource::mixedLayer;
     Answer<ColumnQuestion, ColumnReport> column;
 
-    SectionQuestion section;
+    SectionCut section;
     bool lineGiven = false;  ///< else from west to east through the place
     bool drawing = false;    ///< the next drag over the image is the line
     Answer<SectionQuestion, CrossSection> cut;

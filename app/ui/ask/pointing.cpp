@@ -166,7 +166,7 @@ void drawLine(const PanelContext& context, const glm::dvec3& from, const glm::dv
 }
 
 void drawSectionLine(const PanelContext& context, const AskState& ask) {
-    const SectionQuestion& section = ask.section;
+    const SectionCut& section = ask.section;
     if (!ask.showSection || !section.vertical || section.fromM == section.toM) return;
     const RegularGrid grid = gridOf(context.session());
     const double low = std::max(grid.originM.z, 0.0), high = grid.upperM().z;
